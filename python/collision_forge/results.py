@@ -285,12 +285,12 @@ class PlannerOutcome:
             return 'not known to be avoidable'
         at_once = self.last_moment < 1e-6  # s
         if self.last_manoeuvre != 'keeping':
-            when = 'at once' if at_once else 'up to {:.1f} s'.format(self.last_moment)
-            how = 'steering and braking' if self.last_manoeuvre == 'both' else self.last_manoeuvre
+            when = 'at once' if at_once else 'up to {:.1f} s after t0'.format(self.last_moment)
+            how = 'braking and steering' if self.last_manoeuvre == 'both' else self.last_manoeuvre
             return 'avoidable {} by {}'.format(when, how)
         if self.message.attacker_policy != 'adaptive':
             return 'avoidable by driving as recorded'
-        return 'avoidable by keeping its speed' + ('' if at_once else ' from {:.1f} s on'.format(self.last_moment))
+        return 'avoidable by keeping its speed' + ('' if at_once else ' from {:.1f} s after t0 on'.format(self.last_moment))
 
 
 @dataclass(frozen=True, repr=False)

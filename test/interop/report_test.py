@@ -61,7 +61,7 @@ class ReportTest(unittest.TestCase):
         return self.browser.find_elements(By.CSS_SELECTOR, selector)
 
     def open_attack(self):
-        self.chip('Crash as asked').click()
+        self.chip('Crash as requested').click()
         self.find('.rows .row').click()
         until(self.browser, 'return document.getElementById("detail").open')
 
@@ -117,7 +117,7 @@ class ReportTest(unittest.TestCase):
         self.assertAlmostEqual(self.browser.execute_script(TIME), begin + 0.75 * (end - begin), delta=0.05)
 
     def test_keys_do_all(self):
-        self.chip('Crash as asked').click()
+        self.chip('Crash as requested').click()
         self.browser.execute_script('document.querySelector(".scroller").focus()')
         self.press(Keys.ARROW_DOWN)
         self.assertEqual(self.find('[aria-selected=true]').get_attribute('id'), 'row-1')
@@ -143,7 +143,7 @@ class ReportTest(unittest.TestCase):
         self.assertTrue(self.find('#help').is_displayed())
 
     def test_a_declined_request_tells_why(self):
-        self.chip('Declined').click()
+        self.chip('Rejected').click()
         self.find('.rows .row').click()
         until(self.browser, 'return document.getElementById("detail").open')
         reason = self.find('.rows .of-message').get_attribute('textContent')
@@ -264,7 +264,7 @@ class ReportTest(unittest.TestCase):
                 linked.add(link.get_property('href').split('/')[-1])
         self.assertTrue(drawn)
         self.assertEqual(linked, drawn)
-        self.assertIn('Ego as it could have escaped', legends)
+        self.assertIn('Evasive manoeuvre of the ego', legends)
         self.shoot('escape')
 
     def test_tuning_and_draws_end_with_pages_that_show_the_drives(self):

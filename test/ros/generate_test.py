@@ -336,7 +336,7 @@ class GenerateTest(road.RoadTest):
             file.write_bytes(original + b'\n')
             result = run(command)
             self.assertEqual(result.returncode, 1, result.stderr)
-            self.assertRegex(result.stderr, 'was made with {} = .*, not {} = '.format(name, name))
+            self.assertRegex(result.stderr, 'was made with {} = .*, not '.format(name))
             file.write_bytes(original)
         self.assertEqual(run(command).returncode, 0)
         self.assertEqual(self.out.read_bytes(), self.expected.read_bytes())

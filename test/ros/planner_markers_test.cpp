@@ -105,7 +105,7 @@ TEST(RolloutMarkers, WithoutAContactTellWhatHappenedAtTheEnd) {
   trial.outcome.failure = PlannerFailure::kTimedOut;
   trial.avoidability.last = Avoidance{EvasiveManoeuvre::kBraking, kNow + 1.5, {}, 0.0};
   EXPECT_EQ(reportOf(rolloutMarkers(shown(trial, "external"), kEnd)),
-            "external: fails, timed_out\nafter 2.00 s\navoidable up to 1.5 s by braking");
+            "external: fails, timed_out\nafter 2.00 s\navoidable up to 1.5 s after t0 by braking");
 }
 
 TEST(RolloutMarkers, ShowTheContactAtTheEnd) {

@@ -315,7 +315,7 @@ TEST_F(SpoiltConfig, TheConfidenceCurveIsSharesThatRise) {
 
 TEST_F(SpoiltConfig, PlannersAreCalledBetweenStepsOfARollout) {
   expectComplaint("planners.yaml", "rollout:\n  step: 0.1", "rollout:\n  step: 0.3",
-                  {"planning.interval", "no multiple of rollout.step", "0.3"});
+                  {"planning.interval", "not a multiple of rollout.step", "0.3"});
 }
 
 /// Every number of these files has a sign; -1 is outside all of their domains.

@@ -31,7 +31,7 @@ TEST(CrashScenario, WhatNobodyCanBeDrivenThroughIsRefusedByName) {
   EXPECT_NE(complaint([](auto& s) { s.lanes = nullptr; }).find("map"), std::string::npos);
   EXPECT_NE(complaint([](auto& s) { s.attacker.points.resize(1); }).find("two points"),
             std::string::npos);
-  EXPECT_NE(complaint([](auto& s) { s.attacker.points.front().time += 0.05; }).find("start now"),
+  EXPECT_NE(complaint([](auto& s) { s.attacker.points.front().time += 0.05; }).find("start at t0"),
             std::string::npos);
   EXPECT_NE(complaint([](auto& s) {
               s.attacker.points[3].time = s.attacker.points[2].time;

@@ -68,7 +68,7 @@ TEST(PlannerGrid, BadFilesAreRefusedByKey) {
   EXPECT_PRED2(hasAll, complaint("pdm:\n  a.b: [1.0, fast]\n"),
                (std::vector<std::string>{"pdm.a.b = fast", "is not a number"}));
   EXPECT_PRED2(hasAll, complaint("pdm:\n  a.b: [1.0, 2.0, 1]\n"),
-               (std::vector<std::string>{"pdm.a.b", "has a value twice"}));
+               (std::vector<std::string>{"pdm.a.b", "lists a value twice"}));
   EXPECT_PRED2(hasAll, complaintOf([] { readPlannerGrid("nowhere/grid.yaml", "pdm"); }),
                (std::vector<std::string>{"nowhere/grid.yaml"}));
 }

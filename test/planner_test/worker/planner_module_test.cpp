@@ -51,9 +51,9 @@ TEST(PlannerModule, RefusesWhatIsNoTorchScript) {
   const TemporaryFolder folder;
   for (const std::string& content : {std::string(), std::string("PK\3\4 no archive")}) {
     expectRefusal(ScriptFile::optionsOf(folder.write("text.pt", content)),
-                  {"is no TorchScript file"});
+                  {"is not a TorchScript file"});
   }
-  expectRefusal(ScriptFile::optionsOf(folder.path()), {"is no TorchScript file"});
+  expectRefusal(ScriptFile::optionsOf(folder.path()), {"is not a TorchScript file"});
 }
 
 TEST(PlannerModule, RefusesAModuleWithoutForward) {

@@ -40,19 +40,18 @@ void writeOptions(const std::string& path, const ResumableFile::Options& options
   file.commit();
 }
 
-/// Returns "" if there is no such option.
+/// Returns the value of an option; empty if it is not set.
 std::string valueOf(const ResumableFile::Options& options, const std::string& name) {
   const auto found = options.find(name);
   return found == options.end() ? "" : found->second;
 }
 
-/// Throws if `what` was made with other options.
+/// Throws std::runtime_error if `what` was made with other options than these.
 void checkOptions(const std::string& path, const std::string& what,
                   const ResumableFile::Options& options) {
-  const std::string remedy = "; reuse those options, delete it, or choose another output";
   if (!fs::exists(optionsPath(path))) {
     throw std::runtime_error(what + ": exists without " + optionsPath(path) +
-                             ", which records its options" + remedy);
+                             ", the record of its options: delete it, or choose another --out");
   }
   const ResumableFile::Options before = readOptions(optionsPath(path));
   ResumableFile::Options all = options;
@@ -63,7 +62,7 @@ void checkOptions(const std::string& path, const std::string& what,
     const std::string is = valueOf(options, name);
     if (was == is) continue;
     throw std::runtime_error(what + ": exists and was made with " + name + " = " + was + ", not " +
-                             name + " = " + is + remedy);
+                             is + ": reuse those options, delete it, or choose another --out");
   }
 }
 

@@ -32,7 +32,8 @@ PlacedCircles placed(const BoxCircles& circles, const Vector2& middle, const Vec
 
 double gapBetween(const BoxCircles& a, const PlacedCircles& a_there, const BoxCircles& b,
                   const PlacedCircles& b_there) {
-  // Circles of the same two radii are compared by squares, one root for each pair of radii.
+  // Compares squared distances of circles with the same radii, so that each pair of radii needs one
+  // square root.
   double corners = (a_there.corners[0] - b_there.corners[0]).squaredNorm();
   double a_corner = (a_there.corners[0] - b_there.middle).squaredNorm();
   double b_corner = (b_there.corners[0] - a_there.middle).squaredNorm();

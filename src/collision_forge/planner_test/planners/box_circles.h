@@ -6,30 +6,32 @@
 
 namespace forge {
 
-/// A box as five circles: one in each corner, as wide as half of the box's shorter side and
-/// touching the two edges there, and one in the middle that is as wide as the shorter side.
+/// Five circles that approximate a box: one in each corner with half the radius of the middle one,
+/// tangent to the two edges there, and one in the middle whose diameter is the box's shorter side.
 struct BoxCircles {
   static constexpr std::size_t kCorners = 4;
 
-  std::array<Vector2, kCorners> corners;  ///< middles, m from that of the box; x along its heading
-  double corner_radius = 0.0;             ///< m
-  double middle_radius = 0.0;             ///< m
-  double reach = 0.0;                     ///< m from the middle of the box to the farthest edge
+  std::array<Vector2, kCorners>
+      corners;                 ///< m, centres relative to the box's middle; x along its heading
+  double corner_radius = 0.0;  ///< m
+  double middle_radius = 0.0;  ///< m
+  double reach = 0.0;          ///< m from the box's middle to the farthest edge of a circle
 };
 
+/// Computes the five circles of a box of this size.
 BoxCircles circlesOf(const BoxSize& size);
 
-/// The circles of a box at a place.
+/// The centres of the five circles of a box at a pose; m, global map frame.
 struct PlacedCircles {
   Vector2 middle{0.0, 0.0};
   std::array<Vector2, BoxCircles::kCorners> corners;
 };
 
-/// `heading` is a unit vector.
+/// Places `circles` at the box's middle `middle` (m); `heading` must be a unit vector.
 PlacedCircles placed(const BoxCircles& circles, const Vector2& middle, const Vector2& heading);
 
-/// The least gap between a circle of one box and one of another, metres; negative where they
-/// overlap.
+/// Returns the smallest gap between any circle of box `a` and any circle of box `b`, m; negative if
+/// they overlap.
 double gapBetween(const BoxCircles& a, const PlacedCircles& a_there, const BoxCircles& b,
                   const PlacedCircles& b_there);
 

@@ -13,22 +13,22 @@ using State = Eigen::Vector2d;
 
 constexpr double kErrorOrder = 5.0;
 
-// How a step's length follows from the error of the last.
+// Bounds of the factor between two step lengths.
 constexpr double kSafety = 0.9;
 constexpr double kLeastFactor = 0.2;
 constexpr double kGreatestFactor = 10.0;
 
 double rootMeanSquare(const State& state) { return state.norm() / std::sqrt(state.size()); }
 
-/// What an error is measured by: tolerances at the greater of two states.
+/// Returns the scale of the error: the tolerances at the larger of two states.
 State scaleOf(const State& a, const State& b, const IntegrationTolerance& tolerance) {
   return (tolerance.absolute_tolerance +
           tolerance.relative_tolerance * a.cwiseAbs().cwiseMax(b.cwiseAbs()).array())
       .matrix();
 }
 
-/// The first length to try, told from the rate and its change over a short step (Hairer, Norsett
-/// and Wanner, Solving Ordinary Differential Equations I, II.4).
+/// Returns the first step length to try, from the rate and its change over a short step (Hairer,
+/// Norsett and Wanner, Solving Ordinary Differential Equations I, II.4).
 double firstLength(const StateRate& rate, const State& start, const State& start_rate,
                    const IntegrationTolerance& tolerance) {
   constexpr double kTiny = 1e-5;
@@ -52,7 +52,7 @@ double firstLength(const StateRate& rate, const State& start, const State& start
 struct Attempt {
   State state;
   State rate;          ///< at `state`
-  double error = 0.0;  ///< 1 is what is tolerated
+  double error = 0.0;  ///< 1 is the tolerance
 };
 
 Attempt attemptStep(const StateRate& rate, const State& from, const State& from_rate, double length,
@@ -68,7 +68,7 @@ Attempt attemptStep(const StateRate& rate, const State& from, const State& from_
   return attempt;
 }
 
-/// The next length as a multiple of the last; an error that is no number asks for the least.
+/// Returns the factor from this step length to the next; the smallest factor if `error` is NaN.
 double lengthFactor(double error) {
   if (error == 0.0) return kGreatestFactor;
   const double factor = kSafety * std::pow(error, -1.0 / kErrorOrder);

@@ -5,24 +5,25 @@
 
 namespace forge {
 
-/// How much one step of integrateDormandPrince() may be wrong.
+/// Error tolerance of one step of integrateDormandPrince().
 struct IntegrationTolerance {
-  double relative_tolerance = 0.0;
+  double relative_tolerance = 0.0;  ///< share of the state's magnitude
   double absolute_tolerance = 0.0;  ///< in the unit of the state
 };
 
-/// Where an integration got to.
+/// Result of an integration.
 struct Integral {
   Eigen::Vector2d state;
-  /// False where no step was small enough: `state` is that of the last good one.
+  /// False if even the smallest step exceeded the tolerance; `state` is then the last accepted one.
   bool is_complete = true;
 };
 
+/// Returns the derivative of a state with respect to time, per second.
 using StateRate = std::function<Eigen::Vector2d(const Eigen::Vector2d&)>;
 
-/// The state `duration` seconds (> 0) after `start` if it changes by `rate` a second: the embedded
-/// Runge-Kutta pair of order 5(4) of Dormand and Prince (1980, doi 10.1016/0771-050X(80)90013-3)
-/// with steps of its own choice, chosen as SciPy 1.10's solve_ivp does with the method RK45.
+/// Integrates `rate` from `start` over `duration` seconds (> 0) with the embedded Runge-Kutta pair
+/// of order 5(4) of Dormand and Prince (1980, doi 10.1016/0771-050X(80)90013-3). Controls the step
+/// size as SciPy 1.10's solve_ivp does with the method RK45.
 Integral integrateDormandPrince(const StateRate& rate, const Eigen::Vector2d& start,
                                 double duration, const IntegrationTolerance& tolerance);
 

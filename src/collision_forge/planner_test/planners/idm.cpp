@@ -11,10 +11,10 @@
 namespace forge {
 namespace {
 
-constexpr double kStanding = 0.01;  // m; a shorter way has no curvature
-constexpr double kRounding = 1e-6;  // m, on distances that only sort out
+constexpr double kStanding = 0.01;  // m; a shorter displacement has no curvature
+constexpr double kRounding = 1e-6;  // m; slack of distances used for pruning
 
-/// After `before`; the curvature is that of the way in between.
+/// Returns the point `step` seconds after `before`, with the curvature of the path in between.
 TrajectoryPoint pointAfter(const TrajectoryPoint& before, double step, const Pose2& pose,
                            double speed) {
   TrajectoryPoint point{before.time + step, pose, speed, (speed - before.speed) / step, 0.0};
@@ -23,7 +23,7 @@ TrajectoryPoint pointAfter(const TrajectoryPoint& before, double step, const Pos
   return point;
 }
 
-/// The centrelines' nodes; along the route itself where there are no lanes.
+/// Returns the nodes of the lanes' centrelines, or of the route if there are no lanes.
 std::vector<Pose2> nodesOf(const DrivingTask& task, const std::vector<std::size_t>& lanes,
                            double spacing) {
   std::vector<Pose2> nodes;
@@ -38,11 +38,11 @@ std::vector<Pose2> nodesOf(const DrivingTask& task, const std::vector<std::size_
   return nodes;
 }
 
-/// Somebody near the ego.
+/// An agent near the ego.
 struct Other {
   OrientedBox box;
   double radius = 0.0;  ///< m, of the circle around it
-  double speed = 0.0;   ///< m/s, along its heading; 0 of an object
+  double speed = 0.0;   ///< m/s along its heading; 0 for an object
 };
 
 std::vector<Other> othersNear(const Observation& observation, double radius) {
@@ -65,7 +65,7 @@ std::vector<OrientedBox> boxesOf(const std::vector<Other>& others) {
   return boxes;
 }
 
-/// Who is in the way, step by step of one plan.
+/// Finds the lead at each step of one plan.
 class LeadFinder {
  public:
   LeadFinder(const IdmPath& path, std::vector<Other> others, double width)
@@ -75,8 +75,8 @@ class LeadFinder {
     const std::vector<bool> touched = corridor_.touchedFrom(std::clamp(progress, 0.0, path_.end()));
     const double ego_radius = circumradius(ego.size);
     const Other* nearest = nullptr;
-    // Of those equally near, as of all that touch the ego, nuPlan's search tree gives the one with
-    // the least y.
+    // Of agents at the same distance, and of all that touch the ego (distance 0), nuPlan's search
+    // tree returns the one with the smallest y.
     auto least = std::make_pair(std::numeric_limits<double>::infinity(), 0.0);
     for (std::size_t i = 0; i < others_.size(); ++i) {
       const Other& other = others_[i];

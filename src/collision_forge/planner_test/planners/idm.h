@@ -12,27 +12,28 @@
 
 namespace forge {
 
-/// config/planners.yaml, section idm.standard, where each number's unit and source stand.
+/// Options of IdmPlanner: config/planners.yaml, section idm.standard, where each number's source
+/// stands.
 struct IdmOptions {
   IdmParameters law;
-  LeadSearch lead;  ///< its margin is that of the background traffic alone
-  double horizon = 0.0;
-  double step = 0.5;  ///< s between points of a plan; nuPlan
+  LeadSearch lead;       ///< `margin` is used by the background traffic only
+  double horizon = 0.0;  ///< s, length of a plan
+  double step = 0.5;     ///< s between points of a plan; nuPlan
 };
 
-/// config/planners.yaml, section idm.published.
+/// Options of PublishedIdmPlanner: config/planners.yaml, section idm.published.
 struct PublishedIdmOptions {
   IdmParameters law;
-  double step = 0.1;  ///< s over which the law is integrated at a time; published
+  double step = 0.1;                               ///< s, duration of one integration; published
   IntegrationTolerance tolerance{1.0e-3, 1.0e-6};  ///< relative; m and m/s: SciPy's defaults
 };
 
-/// nuPlan's IDMPlanner. The path are the centrelines of the lanes along the route (laneRoute(); the
-/// route itself off the lanes). It is found at the first call of plan(), and so is the speed aimed
-/// at: the limit of the first lane, or the ego's speed if that is higher. The lead is whoever,
-/// within the radius, touches the corridor ahead or the ego's box and is nearest to that box; it
-/// stands still throughout a plan, though its speed enters the law. On a free road the path's end
-/// leads, standing.
+/// nuPlan's IDMPlanner. It follows the centrelines of the lanes along the route (laneRoute(); the
+/// route itself if no lane is near). The first plan() chooses the path and the desired speed: the
+/// limit of the first lane, or the ego's speed if that is higher. The lead is the nearest agent
+/// within the radius that touches the corridor ahead or the ego's box. Its position is fixed
+/// throughout a plan, but its speed enters the law. Without a lead the ego treats the path's end as
+/// a standing lead.
 class IdmPlanner : public Planner {
  public:
   IdmPlanner(const IdmOptions& options, const RouteCenterlineOptions& route)
@@ -40,7 +41,7 @@ class IdmPlanner : public Planner {
   void initialize(const DrivingTask& task) override;
   std::vector<TrajectoryPoint> plan(const Observation& observation) override;
 
-  /// m/s; 0 before the first plan.
+  /// Returns the desired speed, m/s; 0 before the first plan().
   double targetSpeed() const { return law_.desired_speed; }
 
  private:
@@ -53,16 +54,16 @@ class IdmPlanner : public Planner {
   std::optional<IdmPath> path_;
 };
 
-/// m/s, of an ego that drives at `speed` behind a lead at `lead_speed` and `distance` m, one step
-/// later: the law is integrated over the step with a lead that stands still meanwhile. An
-/// integration that fails keeps its last value; not below zero.
+/// Returns the ego's speed (m/s, >= 0) after `options.step` seconds behind a lead `distance` metres
+/// ahead, by integrating the intelligent driver model. `lead_speed` (m/s) enters the law, but the
+/// lead's position stays fixed. If the integration fails, uses its last accepted state.
 double publishedIdmSpeed(const PublishedIdmOptions& options, double speed, double lead_speed,
                          double distance);
 
-/// The intelligent driver model as the planner test of arXiv 2510.12206 has it: the lead is always
-/// the attacker, at the distance of the boxes' middles, even when it is not ahead; the ego follows
-/// its route at the speed of the step's end. Plans one step. Without the attacker in sight the road
-/// is free.
+/// The intelligent driver model as the planner test of arXiv 2510.12206 uses it. The lead is always
+/// the attacker, even if it is not ahead; the gap is the distance between the boxes' middles. The
+/// ego follows its route at the speed at the end of the step. Each plan covers one step. If the
+/// attacker is not in sight, the ego drives as on a free road.
 class PublishedIdmPlanner : public Planner {
  public:
   PublishedIdmPlanner(const PublishedIdmOptions& options, std::string attacker_id)

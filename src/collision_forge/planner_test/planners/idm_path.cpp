@@ -7,11 +7,12 @@
 namespace forge {
 namespace {
 
-constexpr double kLongestPiece = 20.0;  // m; maps that matter have nodes at most half as far apart
-constexpr double kCoincidence = 1e-6;   // m, as Polyline
-constexpr double kSlack = 1e-6;         // m, on distances that only sort out; above rounding
+constexpr double kLongestPiece =
+    20.0;  // m; nodes of the supported maps are at most half as far apart
+constexpr double kCoincidence = 1e-6;  // m, as Polyline
+constexpr double kSlack = 1e-6;        // m; slack of distances used for pruning, above rounding
 
-/// Nodes more than kLongestPiece apart get others in between.
+/// Inserts nodes wherever two nodes are more than kLongestPiece apart.
 std::vector<Pose2> filled(const std::vector<Pose2>& nodes) {
   std::vector<Pose2> dense;
   for (const Pose2& node : nodes) {
@@ -33,7 +34,7 @@ std::vector<Vector2> positionsOf(const std::vector<Pose2>& nodes) {
   return positions;
 }
 
-/// The ground of a piece from `from` to `to`, each end moved outwards by these lengths.
+/// Returns the box from `from` to `to`, extended by `before` and `after` metres at its ends.
 OrientedBox pieceOf(const Vector2& from, const Vector2& to, double width, double before,
                     double after) {
   const Vector2 along = to - from;
@@ -72,31 +73,32 @@ Pose2 IdmPath::at(double arc_length) const {
   return interpolate(nodes_[i], nodes_[i + 1], (arc_length - arc_lengths_[i]) / length);
 }
 
-IdmCorridor::IdmCorridor(const IdmPath& path, const std::vector<OrientedBox>& others, double width)
+IdmCorridor::IdmCorridor(const IdmPath& path, const std::vector<OrientedBox>& other_boxes,
+                         double width)
     : path_(path), width_(width) {
-  for (const OrientedBox& box : others) {
-    others_.push_back({box, circumradius(box.size), 0});
-    others_.back().touched_before = touchedBefore(others_.back());
+  for (const OrientedBox& box : other_boxes) {
+    obstacles_.push_back({box, circumradius(box.size), 0});
+    obstacles_.back().touched_before = touchedBefore(obstacles_.back());
   }
 }
 
 std::vector<bool> IdmCorridor::touchedFrom(double arc_length) const {
   const std::size_t next = path_.nodeBefore(arc_length) + 1;
-  if (next == path_.nodes().size()) return std::vector<bool>(others_.size());
+  if (next == path_.nodes().size()) return std::vector<bool>(obstacles_.size());
   const OrientedBox first = pieceTo(next, path_.at(arc_length).position(), 0.5 * width_);
   const double radius = circumradius(first.size);
   std::vector<bool> touched;
-  for (const Other& other : others_) {
+  for (const Obstacle& obstacle : obstacles_) {
     touched.push_back(
-        other.touched_before > next ||
-        (isWithin(other, first.center.position(), radius) && overlaps(first, other.box)));
+        obstacle.touched_before > next ||
+        (isWithin(obstacle, first.center.position(), radius) && overlaps(first, obstacle.box)));
   }
   return touched;
 }
 
-bool IdmCorridor::isWithin(const Other& other, const Vector2& point, double distance) {
-  const double reach = other.radius + distance + kSlack;
-  return (other.box.center.position() - point).squaredNorm() <= reach * reach;
+bool IdmCorridor::isWithin(const Obstacle& obstacle, const Vector2& point, double distance) {
+  const double reach = obstacle.radius + distance + kSlack;
+  return (obstacle.box.center.position() - point).squaredNorm() <= reach * reach;
 }
 
 OrientedBox IdmCorridor::pieceTo(std::size_t node, const Vector2& from, double before) const {
@@ -105,23 +107,23 @@ OrientedBox IdmCorridor::pieceTo(std::size_t node, const Vector2& from, double b
                  is_last ? 0.5 * width_ : 0.0);
 }
 
-bool IdmCorridor::touchesAfter(std::size_t node, const Other& other) const {
+bool IdmCorridor::touchesAfter(std::size_t node, const Obstacle& obstacle) const {
   const Vector2 from = path_.nodes()[node].position();
   const double length = path_.arcLengths()[node + 1] - path_.arcLengths()[node];
-  if (!isWithin(other, from, length + width_)) return false;
-  if (overlaps(pieceTo(node + 1, from, 0.0), other.box)) return true;
+  if (!isWithin(obstacle, from, length + width_)) return false;
+  if (overlaps(pieceTo(node + 1, from, 0.0), obstacle.box)) return true;
   const OrientedBox corner{{from.x(), from.y(), 0.0}, {0.0, 0.0}};
-  return isWithin(other, from, 0.5 * width_) && distance(corner, other.box) <= 0.5 * width_;
+  return isWithin(obstacle, from, 0.5 * width_) && distance(corner, obstacle.box) <= 0.5 * width_;
 }
 
-std::size_t IdmCorridor::touchedBefore(const Other& other) const {
+std::size_t IdmCorridor::touchedBefore(const Obstacle& obstacle) const {
   std::size_t after = path_.nodes().size() - 1;
   while (after > 0) {
     const std::size_t node = after - 1;
-    if (touchesAfter(node, other)) return after;
-    // As far as the other is from the corridor at this node, nothing of it is touched before.
-    const Vector2 away = other.box.center.position() - path_.nodes()[node].position();
-    const double clear = away.norm() - other.radius - width_;
+    if (touchesAfter(node, obstacle)) return after;
+    // Within `clear` metres before this node the corridor cannot touch the obstacle.
+    const Vector2 away = obstacle.box.center.position() - path_.nodes()[node].position();
+    const double clear = away.norm() - obstacle.radius - width_;
     after = std::min(node, path_.nodeBefore(path_.arcLengths()[node] - clear) + 1);
   }
   return 0;

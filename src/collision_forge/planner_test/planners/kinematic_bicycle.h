@@ -5,18 +5,18 @@
 
 namespace forge {
 
-/// config/planners.yaml, section car, where each number's unit and source stand; the greatest
-/// acceleration and braking are those of config/vehicle_limits.yaml.
+/// Options of KinematicBicycle: config/planners.yaml, section car, where each number's source
+/// stands; the limits of acceleration and braking come from config/vehicle_limits.yaml.
 struct KinematicBicycleOptions {
-  double wheelbase = 0.0;
-  double max_steering = 0.0;
-  double max_acceleration = 0.0;
-  double max_braking = 0.0;
-  double acceleration_lag = 0.0;
-  double steering_lag = 0.0;
+  double wheelbase = 0.0;         ///< m
+  double max_steering = 0.0;      ///< rad
+  double max_acceleration = 0.0;  ///< m/s2
+  double max_braking = 0.0;       ///< m/s2, positive
+  double acceleration_lag = 0.0;  ///< s, time constant
+  double steering_lag = 0.0;      ///< s, time constant
 };
 
-/// Global map frame.
+/// State of the bicycle model; pose in the global map frame.
 struct BicycleState {
   Pose2 rear_axle;
   double speed = 0.0;         ///< m/s along the heading
@@ -24,41 +24,43 @@ struct BicycleState {
   double steering = 0.0;      ///< rad, angle of the front wheel, positive to the left
 };
 
+/// Input of the bicycle model, held over one step.
 struct BicycleCommand {
   double acceleration = 0.0;   ///< m/s2
   double steering_rate = 0.0;  ///< rad/s
 };
 
-/// A car as a kinematic bicycle without slip, as nuPlan's KinematicBicycleModel: acceleration and
-/// steering follow the command with first-order lags, the pose moves with the state before the
-/// step. What is asked for stays within the limits. A car that is braked on at a standstill rolls
-/// back.
+/// Kinematic bicycle model without slip, as nuPlan's KinematicBicycleModel: acceleration and
+/// steering follow the command with first-order lags; the pose advances with the state at the start
+/// of the step. Commands are clamped to the limits. Continued braking at standstill makes the car
+/// roll back.
 class KinematicBicycle {
  public:
   explicit KinematicBicycle(const KinematicBicycleOptions& options) : options_(options) {}
 
-  /// `duration` seconds (> 0) later.
+  /// Returns the state `duration` seconds (> 0) later.
   BicycleState step(const BicycleState& state, const BicycleCommand& command,
                     double duration) const;
 
-  /// Of the rear axle's way, 1/m, positive to the left.
+  /// Returns the curvature of the rear axle's path, 1/m, positive to the left.
   double curvature(const BicycleState& state) const;
 
-  /// The car at a point of its motion. The point's curvature is yaw rate over speed, as in
-  /// pointOf().
+  /// Converts a trajectory point (middle of the box) to a bicycle state. `point.curvature` must be
+  /// yaw rate over speed, as pointOf() returns it.
   BicycleState stateOf(const TrajectoryPoint& point, double center_offset) const;
 
-  /// `center_offset` as in EgoVehicle.
+  /// Converts a bicycle state to a trajectory point (middle of the box) at `time` (s).
+  /// `center_offset` (m) as in EgoVehicle.
   TrajectoryPoint pointOf(const BicycleState& state, double time, double center_offset) const;
 
  private:
   KinematicBicycleOptions options_;
 };
 
-/// The rear axle of a box whose middle is `center_offset` metres ahead of it.
+/// Returns the pose of the rear axle, `center_offset` metres behind the middle of the box.
 Pose2 rearAxleOf(const Pose2& box_middle, double center_offset);
 
-/// The middle of the box, `center_offset` metres ahead of the rear axle.
+/// Returns the pose of the middle of the box, `center_offset` metres ahead of the rear axle.
 Pose2 boxMiddleOf(const Pose2& rear_axle, double center_offset);
 
 }  // namespace forge

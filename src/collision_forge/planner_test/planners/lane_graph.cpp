@@ -10,8 +10,8 @@ namespace forge {
 namespace {
 
 constexpr double kCellSize = 10.0;   // m
-constexpr double kCoincident = 0.1;  // m; nearer ends of lanes are one node
-constexpr double kRounding = 1e-6;   // of a piece, that a stretch may be longer
+constexpr double kCoincident = 0.1;  // m; closer ends of lanes share a node
+constexpr double kRounding = 1e-6;   // share of a piece by which a stretch may be longer
 
 std::int64_t column(double coordinate) {
   return static_cast<std::int64_t>(std::floor(coordinate / kCellSize));
@@ -19,7 +19,7 @@ std::int64_t column(double coordinate) {
 
 std::int64_t cellAt(std::int64_t x, std::int64_t y) { return x * (std::int64_t{1} << 32) + y; }
 
-/// The starts (even) and ends (odd) of lanes, joined where they are one node.
+/// Disjoint sets of the starts (even) and ends (odd) of lanes that share a node.
 class LaneEnds {
  public:
   explicit LaneEnds(std::size_t lanes) : parents_(2 * lanes) {
@@ -29,7 +29,7 @@ class LaneEnds {
   static std::size_t start(std::size_t lane) { return 2 * lane; }
   static std::size_t end(std::size_t lane) { return 2 * lane + 1; }
 
-  /// What all that are one node with it have in common.
+  /// Returns the representative of the ends that share a node with `end`.
   std::size_t root(std::size_t place) {
     while (parents_[place] != place) place = parents_[place] = parents_[parents_[place]];
     return place;
@@ -40,7 +40,7 @@ class LaneEnds {
   std::vector<std::size_t> parents_;
 };
 
-/// Nodes and edges as they are collected from the lanes.
+/// Collects nodes and edges from the lanes.
 class GraphBuilder {
  public:
   GraphBuilder(const LaneIndex& lanes, double spacing)
@@ -67,7 +67,7 @@ class GraphBuilder {
   Vector2 startOf(std::size_t lane) const { return lanes_.centerline(lane)->points().front(); }
   Vector2 endOf(std::size_t lane) const { return lanes_.centerline(lane)->points().back(); }
 
-  /// From lanes to those that follow, where both have a centreline.
+  /// Adds edges from lanes to their successors if both have a centreline.
   template <class Visit>
   void forEachStep(const Visit& visit) const {
     for (std::size_t lane = 0; lane < lanes_.map().lanes.size(); ++lane) {

@@ -8,26 +8,28 @@
 
 namespace forge {
 
-/// Lanes as short straight edges between nodes. Nodes and edges are named by their places in the
-/// lists; what follows a node is in the order of the edges.
+/// A directed graph of lane centrelines: short straight edges between nodes. Nodes and edges are
+/// identified by their indices; the neighbours of a node are listed in the order of the edges.
 class LaneGraph {
  public:
-  /// An edge leads from its first node to its second.
+  /// Indices of the start node and the end node.
   using Edge = std::pair<std::size_t, std::size_t>;
 
-  /// Throws std::invalid_argument for an edge without length or with a node that is not there.
+  /// `nodes`: m, global map frame. Throws std::invalid_argument for an edge of zero length or with
+  /// an unknown node.
   LaneGraph(std::vector<Vector2> nodes, std::vector<Edge> edges);
 
   const std::vector<Vector2>& nodes() const { return nodes_; }
   const std::vector<Edge>& edges() const { return edges_; }
-  /// Nodes that an edge leads to from this one.
+  /// Returns the nodes that an edge connects `node` to.
   const std::vector<std::size_t>& successors(std::size_t node) const { return successors_[node]; }
-  /// Nodes that an edge leads from to this one.
+  /// Returns the nodes with an edge to `node`.
   const std::vector<std::size_t>& predecessors(std::size_t node) const {
     return predecessors_[node];
   }
 
-  /// At least all edges that come as near to a point, and others around; each once, rising.
+  /// Returns a superset of the edges within `radius` metres of `point`: ascending indices, no
+  /// duplicates.
   std::vector<std::size_t> edgesAround(const Vector2& point, double radius) const;
 
  private:
@@ -37,13 +39,13 @@ class LaneGraph {
   std::vector<Edge> edges_;
   std::vector<std::vector<std::size_t>> successors_;
   std::vector<std::vector<std::size_t>> predecessors_;
-  /// Squares of the plane that an edge's bounds touch, sorted, each with the edge.
+  /// Grid cells that the bounding box of an edge touches, each with the edge; sorted.
   std::vector<std::pair<std::int64_t, std::size_t>> cells_;
 };
 
-/// The lanes of a map with the points of their centrelines as nodes, stretches longer than
-/// `spacing` (m) divided. Where the end of a lane and the start of one that follows coincide they
-/// are one node; else an edge joins them.
+/// Builds the graph of all lanes of a map from the points of their centrelines; splits stretches
+/// longer than `spacing` metres. If a lane's end and the start of its successor coincide, they
+/// share a node; otherwise an edge joins them.
 LaneGraph laneGraphOf(const LaneIndex& lanes, double spacing);
 
 }  // namespace forge

@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-/// All edges near a vehicle that lead about where it heads, nearest first.
+/// Returns all edges near a vehicle with a similar direction, nearest first.
 std::vector<EdgeMatch> edgesAlong(const LaneGraph& graph, const Pose2& vehicle,
                                   const RuleBasedOptions& options) {
   std::vector<EdgeMatch> matches;
@@ -29,7 +29,8 @@ std::vector<EdgeMatch> edgesAlong(const LaneGraph& graph, const Pose2& vehicle,
   return matches;
 }
 
-/// Marks the matches that one of them leads to, or with `backwards` those that lead to it.
+/// Marks the matches that are reachable from a match over nearby edges, or with `backwards` those
+/// from which it is reachable.
 void markConnected(const LaneGraph& graph, const std::vector<EdgeMatch>& matches, std::size_t from,
                    bool backwards, std::vector<char>& is_marked) {
   std::vector<char> is_seen(matches.size(), 0);

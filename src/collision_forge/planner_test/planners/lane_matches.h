@@ -9,17 +9,19 @@ namespace forge {
 
 /// An edge of a lane graph that a vehicle may be driving on.
 struct EdgeMatch {
-  std::size_t edge = 0;
-  double distance = 0.0;      ///< m to it
-  Vector2 closest{0.0, 0.0};  ///< the point of it that is nearest
+  std::size_t edge = 0;   ///< index in LaneGraph::edges()
+  double distance = 0.0;  ///< m from the vehicle to the edge
+  Vector2 closest{0.0,
+                  0.0};  ///< point of the edge that is nearest to the vehicle; m, global map frame
 };
 
-/// The edges near a vehicle that lead about where it heads, nearest first: of those that lead to
-/// each other over edges that are near, too, the nearest alone.
+/// Returns the edges within `options.on_lane_distance` of the vehicle whose direction is within
+/// `options.on_lane_heading` of its heading, nearest first. From each chain of connected nearby
+/// edges, keeps only the nearest.
 std::vector<EdgeMatch> matchedEdges(const LaneGraph& graph, const Pose2& vehicle,
                                     const RuleBasedOptions& options);
 
-/// The point of a straight line between two points that is nearest to another.
+/// Returns the point of the straight segment from `from` to `to` that is nearest to `point`.
 Vector2 closestBetween(const Vector2& from, const Vector2& to, const Vector2& point);
 
 }  // namespace forge

@@ -6,14 +6,16 @@
 
 namespace forge {
 
-/// Nodes of a lane graph, each reached from the one before by an edge, or against it.
+/// Nodes of a lane graph along a path; an edge connects each node with the one before it, in
+/// driving direction or against it.
 using NodePath = std::vector<std::size_t>;
 
+/// Whether a path follows the edges (ahead) or goes against them (behind).
 enum class PathDirection { kAhead, kBehind };
 
-/// All paths from a node on that are `length` metres long or end before where the lanes do, in the
-/// order of the edges at each branch; the first `max_paths` of them. No path passes on when it is
-/// long enough.
+/// Returns all paths from `node` that are at least `length` metres long or end where the lanes end,
+/// in the order of the edges at each branch; the first `max_paths` of them. A path ends as soon as
+/// it is long enough.
 std::vector<NodePath> nodePaths(const LaneGraph& graph, std::size_t node, PathDirection direction,
                                 double length, std::size_t max_paths);
 

@@ -9,17 +9,17 @@
 namespace forge {
 namespace {
 
-/// How far along the route a lane comes near it.
+/// The farthest place along the route that a lane comes near.
 struct Reach {
-  int place = 0;          ///< the last place of the route that it is near
-  double distance = 0.0;  ///< m, from it there
+  int place = 0;          ///< index of that place
+  double distance = 0.0;  ///< m between both there
 };
 
 bool isFarther(const Reach& a, const Reach& b) {
   return std::make_tuple(a.place, -a.distance) > std::make_tuple(b.place, -b.distance);
 }
 
-/// The lanes near the route, by index.
+/// Lanes near the route, by lane index.
 using RouteLanes = std::map<std::size_t, Reach>;
 
 RouteLanes lanesAlong(const LaneIndex& lanes, const std::vector<Vector2>& route,
@@ -37,7 +37,7 @@ RouteLanes lanesAlong(const LaneIndex& lanes, const std::vector<Vector2>& route,
   return found;
 }
 
-/// Those along the route that hold the start; the nearest ones where none does.
+/// Returns the lanes along the route that contain the start, else the nearest ones.
 std::vector<std::size_t> startLanes(const LaneIndex& lanes, const RouteLanes& along,
                                     const Pose2& start, const RouteCenterlineOptions& options) {
   constexpr double kEquallyNear = 0.1;  // m
@@ -55,12 +55,12 @@ std::vector<std::size_t> startLanes(const LaneIndex& lanes, const RouteLanes& al
   return holding.empty() ? nearest : holding;
 }
 
-/// A breadth-first search over lanes that follow each other.
+/// Breadth-first search over lanes and their successors.
 class Search {
  public:
   Search(const LaneIndex& lanes, const RouteLanes& along) : lanes_(lanes), along_(along) {}
 
-  /// To the lane that gets farthest from `start` on.
+  /// Returns the lanes from `start` to the one that gets farthest along the route.
   std::vector<std::size_t> from(std::size_t start) {
     before_ = {{start, start}};
     std::deque<std::size_t> open = {start};

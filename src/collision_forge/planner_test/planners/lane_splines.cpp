@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-/// The lengths of the ways of a vehicle and how finely they are sampled.
+/// Lengths of a vehicle's candidate paths and the spacing of their samples.
 struct Extent {
   double ahead = 0.0;          // m
   double behind = 0.0;         // m
@@ -26,17 +26,17 @@ Extent extentOf(double speed, const RuleBasedOptions& options) {
   extent.behind = horizon * std::max(-speed, 0.0) + options.length_buffer;
   extent.samples_ahead = std::max(1, static_cast<int>(extent.ahead / options.sample_spacing));
   extent.ahead_spacing = extent.ahead / extent.samples_ahead;
-  // One more than ahead: the published grid behind a vehicle leaves out its last place.
+  // One sample more than ahead: the published grid behind a vehicle omits its last place.
   extent.samples_behind = static_cast<int>(extent.behind / options.sample_spacing) + 1;
   extent.behind_spacing = extent.behind / extent.samples_behind;
   return extent;
 }
 
-/// A chain of points measured from a vehicle beside it; beyond either end it goes straight on.
+/// A chain of points with lengths relative to a vehicle beside it; straight beyond both ends.
 class MeasuredLine {
  public:
-  /// `near` is the first point of the piece where the nearest one to the vehicle is looked for, and
-  /// from there along the line as long as that comes nearer.
+  /// `near` is the first point of the piece where the search for the point nearest to the vehicle
+  /// starts; the search continues along the line as long as the distance decreases.
   MeasuredLine(std::vector<Vector2> points, std::size_t near, const Vector2& vehicle)
       : points_(std::move(points)), lengths_(points_.size(), 0.0) {
     for (std::size_t i = 1; i < points_.size(); ++i) {
@@ -48,10 +48,10 @@ class MeasuredLine {
     for (double& length : lengths_) length -= zero;
   }
 
-  /// The nearest point to the vehicle, where lengths are 0.
+  /// Returns the point nearest to the vehicle, where length is 0.
   const Vector2& closest() const { return closest_; }
 
-  /// `piece` is where to look first; it becomes where the point was found.
+  /// `piece`: where the search starts; set to the piece of the result.
   Vector2 at(double length, std::size_t& piece) const {
     while (piece + 2 < points_.size() && lengths_[piece + 1] < length) ++piece;
     while (piece > 0 && lengths_[piece] > length) --piece;
@@ -84,7 +84,8 @@ class MeasuredLine {
   Vector2 closest_{0.0, 0.0};
 };
 
-/// The nodes of a path back from the start of an edge, then those of one on from its end.
+/// Joins the nodes of a path backwards from an edge's start with those of a path ahead from its
+/// end.
 std::vector<Vector2> pointsOf(const LaneGraph& graph, const NodePath& behind,
                               const NodePath& ahead) {
   std::vector<Vector2> points;
@@ -95,7 +96,8 @@ std::vector<Vector2> pointsOf(const LaneGraph& graph, const NodePath& behind,
   return points;
 }
 
-/// A line bent through a vehicle: its offset from the line fades with the length along it.
+/// A line bent to pass through a vehicle: the vehicle's offset from the line decays with the
+/// length.
 class BentLine {
  public:
   BentLine(const MeasuredLine& line, const Pose2& vehicle, double bend_length)
@@ -104,15 +106,15 @@ class BentLine {
         offset_(vehicle.position() - line.closest()),
         bend_length_(bend_length) {}
 
-  /// Knots outwards from the vehicle, itself first, every `spacing` metres of line (negative:
-  /// backwards), until one is `reach` metres away or there are `samples`.
+  /// Returns knots outwards from the vehicle, starting with it, every `spacing` metres of line
+  /// (negative: backwards), until one is `reach` metres away or there are `samples` knots.
   std::vector<LaneSpline::Knot> knots(double spacing, int samples, double reach) const {
     std::vector<LaneSpline::Knot> knots = {{0.0, {vehicle_.position(), vehicle_.heading()}}};
     std::size_t piece = 0;
     for (int i = 1; i <= samples && std::abs(knots.back().length) < reach; ++i) {
       add(knots, pointAt(spacing * i, piece), spacing < 0.0);
     }
-    // The heading at a knot is that to the next one ahead.
+    // The heading at a knot points to the next knot ahead.
     if (spacing > 0.0 && knots.size() > 1 && static_cast<int>(knots.size()) <= samples) {
       const Vector2 next = pointAt(spacing * static_cast<double>(knots.size()), piece);
       knots.back().point.heading = (next - knots.back().point.position).normalized();
@@ -164,7 +166,7 @@ LaneSpline bentSpline(const MeasuredLine& line, const Pose2& vehicle, const Exte
 }  // namespace
 
 LaneSpline::LaneSpline(std::vector<Knot> knots) : knots_(std::move(knots)) {
-  if (knots_.empty()) throw std::invalid_argument("a way needs a knot");
+  if (knots_.empty()) throw std::invalid_argument("a path needs at least one knot");
 }
 
 LaneSpline::Point LaneSpline::at(double length) const {

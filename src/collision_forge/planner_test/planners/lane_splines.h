@@ -8,38 +8,41 @@
 
 namespace forge {
 
-/// A way that a vehicle may drive, by knots; 0 is where it stands, negative lengths lie behind it.
+/// A candidate path of a vehicle, given by knots. Length 0 is the vehicle's position; negative
+/// lengths are behind it. m, global map frame.
 class LaneSpline {
  public:
   struct Point {
     Vector2 position{0.0, 0.0};
-    Vector2 heading{1.0, 0.0};  ///< of unit length at the knots, shorter between them
+    Vector2 heading{1.0, 0.0};  ///< unit length at the knots, shorter between them
   };
   struct Knot {
-    double length = 0.0;  ///< m along the way
+    double length = 0.0;  ///< m along the path
     Point point;
   };
 
-  /// Lengths rise. Throws std::invalid_argument without a knot.
+  /// Lengths of `knots` must increase. Throws std::invalid_argument if `knots` is empty.
   explicit LaneSpline(std::vector<Knot> knots);
 
-  /// Position and heading linear between knots; beyond either end straight on.
+  /// Interpolates position and heading linearly between the knots; extends the path straight beyond
+  /// both ends.
   Point at(double length) const;
 
  private:
   std::vector<Knot> knots_;
 };
 
-/// How far a way will be asked for: knots farther on are left out, which changes nothing nearer.
+/// Lengths at which a path will be evaluated. Knots beyond them are left out; nearer values do not
+/// depend on it.
 struct Reach {
   double ahead = 0.0;   ///< m
   double behind = 0.0;  ///< m
 };
 
-/// The ways of a vehicle over a lane graph: along every path through every edge of matchedEdges(),
-/// in their order and for each in that of the edges at a branch, bent so that they pass through the
-/// vehicle. Straight on along its heading where no edge matches. Where nothing behind it is asked
-/// for, paths that differ there alone are one.
+/// Returns the candidate paths of a vehicle over a lane graph: one along every graph path through
+/// every edge in `matches`, in their order, then in that of the edges at each branch. Each is bent
+/// to pass through the vehicle. Without a match, returns one straight path along the heading. If
+/// `reach.behind` is 0, paths that differ only behind the vehicle are returned once. `speed`: m/s.
 std::vector<LaneSpline> laneSplinesOf(const LaneGraph& graph, const std::vector<EdgeMatch>& matches,
                                       const Pose2& vehicle, double speed, const Reach& reach,
                                       const RuleBasedOptions& options);

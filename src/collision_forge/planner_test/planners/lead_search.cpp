@@ -20,7 +20,7 @@ std::vector<Vector2> outlineOf(const OrientedBox& box) {
   return points;
 }
 
-/// The points of the path from an arc length to another, both ends included.
+/// Returns the points of the path between two arc lengths, both included.
 std::vector<Vector2> stretchOf(const Polyline& path, double from, double to) {
   std::vector<Vector2> points = {path.poseAt(from).position()};
   const auto& arc_lengths = path.arcLengths();
@@ -42,7 +42,8 @@ class Corridor {
         half_width_(0.5 * follower.size.width + search.margin),
         path_(stretchOf(follower.path, start_, start_ + length_)) {}
 
-  /// Arc length on the follower's path at which the box begins; empty when it is not inside.
+  /// Returns the arc length on the follower's path at which the box begins; empty if it is not
+  /// inside.
   std::optional<double> beginOf(const OrientedBox& box) const {
     if (isOutOfReach(box)) return std::nullopt;
     std::optional<double> begin;
@@ -57,7 +58,7 @@ class Corridor {
   }
 
  private:
-  /// Surely out of it, told quickly.
+  /// Quick test: returns true only if the box is certainly outside.
   bool isOutOfReach(const OrientedBox& box) const {
     const double reach = circumradius(box.size);
     const Vector2 away = box.center.position() - path_.points().front();
@@ -74,18 +75,18 @@ class Corridor {
 }  // namespace
 
 std::optional<Lead> findLead(const Follower& follower, const std::string& follower_id,
-                             const std::vector<Track>& others, const LeadSearch& search) {
+                             const std::vector<Track>& agents, const LeadSearch& search) {
   const Corridor corridor(follower, search);
   const double front = follower.arc_length + 0.5 * follower.size.length;
   std::optional<Lead> lead;
-  for (const Track& other : others) {
-    if (other.id == follower_id || other.states.empty()) continue;
-    const AgentState& state = other.states.back();
-    const auto begin = corridor.beginOf(boxAt(other, state.pose));
+  for (const Track& agent : agents) {
+    if (agent.id == follower_id || agent.states.empty()) continue;
+    const AgentState& state = agent.states.back();
+    const auto begin = corridor.beginOf(boxAt(agent, state.pose));
     if (!begin) continue;
     const double gap = std::max(*begin - front, 0.0);
     if (lead && gap >= lead->gap) continue;
-    lead = Lead{other.id, gap, state.velocity.dot(follower.path.poseAt(*begin).heading())};
+    lead = Lead{agent.id, gap, state.velocity.dot(follower.path.poseAt(*begin).heading())};
   }
   return lead;
 }

@@ -8,9 +8,10 @@
 namespace forge {
 namespace {
 
-constexpr double kCurvaturePenalty = 1e-10;  // of the first one, which a car at rest leaves open
+constexpr double kCurvaturePenalty =
+    1e-10;  // of the first curvature, undetermined for a car at rest
 
-/// A symmetric matrix with two diagonals beside the main one: first[i] is at (i, i - 1) and
+/// A symmetric matrix with two diagonals below the main one: first[i] is at (i, i - 1) and
 /// second[i] at (i, i - 2).
 struct BandedMatrix {
   explicit BandedMatrix(std::size_t size) : main(size), first(size), second(size) {}
@@ -57,7 +58,7 @@ void addChange(BandedMatrix& matrix, std::size_t i, double penalty) {  // (v[i] 
   matrix.first[i] -= penalty;
 }
 
-/// The speeds v with the least sum of (v dt - moved)^2 and of the penalties.
+/// Returns the speeds v that minimise the sum of (v dt - moved)^2 plus the penalties.
 std::vector<double> fitSpeeds(const std::vector<Pose2>& poses, const LqrOptions& options,
                               SpeedFit fit) {
   const double step = options.step;
@@ -80,7 +81,8 @@ std::vector<double> fitSpeeds(const std::vector<Pose2>& poses, const LqrOptions&
   return solve(std::move(matrix), std::move(right));
 }
 
-/// The curvatures k with the least sum of (k v dt - turned)^2 and penalty * (change of k / dt)^2.
+/// Returns the curvatures k that minimise the sum of (k v dt - turned)^2 + penalty * (change of k /
+/// dt)^2.
 std::vector<double> fitCurvatures(const std::vector<Pose2>& poses,
                                   const std::vector<double>& speeds, const LqrOptions& options) {
   const double step = options.step;
@@ -98,14 +100,15 @@ std::vector<double> fitCurvatures(const std::vector<Pose2>& poses,
   return solve(std::move(matrix), std::move(right));
 }
 
-/// How far the car is from its reference, or what that changes by for each rad/s of steering rate.
+/// Deviation of the car from its reference, or its change per rad/s of steering rate.
 struct LateralState {
   double lateral = 0.0;   // m left of the reference
   double heading = 0.0;   // rad
   double steering = 0.0;  // rad
 };
 
-/// `driven` metres later, for linear dynamics; `turned` is how far the reference turns.
+/// Propagates the deviation over `driven` metres by linear dynamics; `turned`: rad that the
+/// reference turns by.
 LateralState moved(const LateralState& state, double driven, double turned, double steered,
                    double wheelbase) {
   return {state.lateral + driven * state.heading,
@@ -116,7 +119,8 @@ LateralState moved(const LateralState& state, double driven, double turned, doub
 
 ReferenceProfile fitProfile(const std::vector<Pose2>& poses, const LqrOptions& options,
                             SpeedFit fit) {
-  if (poses.size() < 2) throw std::invalid_argument("a reference needs two poses or more");
+  if (poses.size() < 2)
+    throw std::invalid_argument("a reference trajectory needs at least two poses");
   ReferenceProfile profile;
   profile.speeds = fitSpeeds(poses, options, fit);
   profile.curvatures = fitCurvatures(poses, profile.speeds, options);

@@ -6,10 +6,10 @@
 
 namespace forge {
 
-/// The controller that follows a trajectory with the bicycle; numbers of nuPlan's LQRTracker.
+/// Options of LqrTracker; values of nuPlan's LQRTracker.
 struct LqrOptions {
   double step = 0.1;                  ///< s between the poses of a reference
-  int horizon = 10;                   ///< steps looked ahead
+  int horizon = 10;                   ///< steps that the controller optimises over
   double speed_weight = 10.0;         ///< of a squared error of speed (m/s), longitudinal Q
   double acceleration_weight = 1.0;   ///< of the squared acceleration (m/s2), longitudinal R
   double lateral_weight = 1.0;        ///< of a squared lateral error (m), lateral Q ...
@@ -23,37 +23,37 @@ struct LqrOptions {
   double curvature_rate_penalty = 0.01;  ///< of the squared curvature rate (1/(m s)) in its fit
 };
 
-/// What the fit of the speeds keeps low.
+/// Which roughness the fit of the speeds penalises.
 enum class SpeedFit {
   kJerk,         ///< as nuPlan's LQRTracker
-  kAcceleration  ///< as PDM-Closed's: every acceleration but the last, and the last one's change
+  kAcceleration  ///< as PDM-Closed: every acceleration but the last, and the last one's change
 };
 
-/// Speed and curvature along poses that follow each other every `step` seconds: one value between
-/// each two.
+/// Speed and curvature along a sequence of poses, one value between each two consecutive poses.
 struct ReferenceProfile {
   std::vector<double> speeds;      ///< m/s
   std::vector<double> curvatures;  ///< 1/m
 };
 
-/// The speeds and curvatures that fit the poses best by least squares, with penalties (both by
-/// options.jerk_penalty for speeds) and on the curvature's rate. Throws std::invalid_argument for
-/// fewer than two poses.
+/// Fits speeds and curvatures to poses (every `options.step` seconds) by regularised least squares.
+/// Speeds are penalised with `options.jerk_penalty` by `fit`, curvatures with
+/// `options.curvature_rate_penalty`. Throws std::invalid_argument for fewer than two poses.
 ReferenceProfile fitProfile(const std::vector<Pose2>& poses, const LqrOptions& options,
                             SpeedFit fit = SpeedFit::kJerk);
 
-/// Drives a KinematicBicycle along a reference, after nuPlan's LQRTracker: the acceleration that
-/// is best over the horizon if it is constant, then the best constant steering rate, for the car's
+/// Controller that drives a KinematicBicycle along a reference, after nuPlan's LQRTracker: first
+/// the best constant acceleration over the horizon, then the best constant steering rate, for the
 /// motion linearised about the reference.
 class LqrTracker {
  public:
+  /// `wheelbase`: m.
   LqrTracker(const LqrOptions& options, double wheelbase, SpeedFit fit = SpeedFit::kJerk);
 
-  /// Poses of the rear axle, one each options.step, the first at the time of index 0. Throws
-  /// std::invalid_argument for fewer than two.
+  /// Sets the reference: poses of the rear axle, one every `options.step` seconds; index 0 is the
+  /// first. Throws std::invalid_argument for fewer than two poses.
   void setReference(std::vector<Pose2> rear_axle_poses);
 
-  /// What to do at the time of reference `index` (clamped to the last).
+  /// Returns the command at the time of reference `index` (clamped to the last).
   BicycleCommand command(const BicycleState& state, std::size_t index) const;
 
   const ReferenceProfile& profile() const { return profile_; }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMaxOffset = 10.0;  // m
 constexpr double kMaxSpeedShare = 2.0;
-constexpr double kMaxSteering = 1.5;  // rad; short of a wheel across the car
+constexpr double kMaxSteering = 1.5;  // rad; below 90 degrees
 
 IdmParameters readIdmLaw(Section& section) {
   IdmParameters law;
@@ -23,7 +23,7 @@ IdmParameters readIdmLaw(Section& section) {
   return law;
 }
 
-/// Those of STRIVE's two sets of parameters that differ.
+/// Reads the parameters in which STRIVE's two sets differ.
 RuleBasedOptions withParameters(RuleBasedOptions options, Section section) {
   options.max_speed = section.positive("max_speed");
   options.max_acceleration = section.positive("max_acceleration");

@@ -13,23 +13,26 @@ namespace forge {
 
 class Section;
 
-/// s; with shorter steps and intervals a test computes for minutes.
+/// Smallest time step and interval that options may have, s; a test with shorter ones takes
+/// minutes.
 inline constexpr double kMinTimeStep = 0.01;
 
-/// config/planners.yaml, section planning, where each number's unit and source stand.
+/// How planners are called: config/planners.yaml, section planning, where each number's source
+/// stands.
 struct PlanningOptions {
-  double history = 0.0;
-  double interval = 0.0;
+  double history = 0.0;   ///< s of past states in an Observation
+  double interval = 0.0;  ///< s between two calls
   RouteOptions route;
 };
 
-/// config/planners.yaml, section external.
+/// A planner in a ROS node of its own: config/planners.yaml, section external.
 struct ExternalOptions {
-  double interval = 0.0;
-  double timeout = 0.0;
+  double interval = 0.0;  ///< s between two calls
+  double timeout = 0.0;   ///< s of the wall clock for a response
 };
 
-/// config/planners.yaml, a member a section, but for those of TrialOptions.
+/// All planners: config/planners.yaml, one member per section, except for the sections in
+/// TrialOptions.
 struct PlannerOptions {
   PlanningOptions planning;
   IdmOptions idm;
@@ -40,11 +43,12 @@ struct PlannerOptions {
   RouteCenterlineOptions route_centerline;
   PdmOptions pdm;
   RuleBasedOptions rule_based;        ///< with the published parameters
-  RuleBasedOptions tuned_rule_based;  ///< with those that STRIVE tuned
+  RuleBasedOptions tuned_rule_based;  ///< with the parameters that STRIVE tuned
   TorchscriptOptions torchscript;
 };
 
-/// Reads its sections of planners.yaml; `limits` are those of the ego.
+/// Reads the sections of PlannerOptions from planners.yaml; `limits` are the ego's. Throws
+/// ConfigError.
 void readOptions(Section& file, PlannerOptions& options, const VehicleLimits& limits);
 
 }  // namespace forge

@@ -8,22 +8,24 @@
 
 namespace forge {
 
-// PDM-Closed's emergency brake, as it is published: poses on a straight line at one speed, that a
-// tracker makes braking of.
+// PDM-Closed's emergency brake, as published: poses on a straight line at a constant speed, which
+// the tracker converts to braking.
 
-/// True where the chosen proposal collides by its own fault within options.max_time (`collision`, s
-/// from now) and the ego is no faster than options.max_speed.
+/// Returns whether the ego must brake: the chosen proposal has an at-fault collision within
+/// `options.max_time` (`collision`, s from t0) and the ego's `speed` (m/s) is at most
+/// `options.max_speed`.
 bool firesBrake(double speed, const std::optional<double>& collision,
                 const PdmBrakeOptions& options);
 
-/// The constant speed, m/s, at which the poses are laid out; negative is backwards, as it mostly is
-/// for an ego below 4 m/s. `center_acceleration`, m/s2, of the box's middle.
+/// Returns the constant speed (m/s) of the braking poses; negative is backwards, the usual case
+/// below 4 m/s. `center_acceleration`: m/s2, of the box's middle.
 double brakeSpeed(double speed, double center_acceleration, const PdmBrakeOptions& options);
 
-/// Of the box's middle along the heading: that of the rear axle and what turning adds to it.
+/// Returns the acceleration (m/s2) of the box's middle along the heading: the rear axle's plus the
+/// part caused by turning. `curvature`: 1/m; `center_offset`: m.
 double centerAcceleration(const BicycleState& state, double curvature, double center_offset);
 
-/// `steps` + 1 poses, every `step` seconds, from `start` on.
+/// Returns `steps` + 1 poses `step` seconds apart on a straight line from `start` at `speed` m/s.
 std::vector<Pose2> brakePoses(const Pose2& start, double speed, int steps, double step);
 
 }  // namespace forge

@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-/// The published simulation bounds nothing but the wheel.
+/// The published simulation limits only the steering angle.
 KinematicBicycleOptions unbounded(KinematicBicycleOptions car) {
   car.max_acceleration = std::numeric_limits<double>::infinity();
   car.max_braking = std::numeric_limits<double>::infinity();

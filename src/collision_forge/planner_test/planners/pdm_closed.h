@@ -10,31 +10,33 @@
 
 namespace forge {
 
-/// A proposal as it was weighed.
+/// A proposal with its simulated motion and score.
 struct PdmCandidate {
   PdmProposal proposal;
   PdmMotion motion;  ///< simulated from the ego's state along the proposal
   PdmScore score;
 };
 
-/// PDM-Closed (Dauner et al. 2023, arXiv 2306.07962) on a path and a map: proposals at several
-/// offsets and speeds, each driven by IDM, simulated with an LQR tracker and a kinematic bicycle,
-/// and scored against the others' forecasts. Given out are the poses of the best proposal, not of
-/// its simulation.
+/// PDM-Closed (Dauner et al. 2023, arXiv 2306.07962) on a path and a map. Creates proposals at
+/// several lateral offsets and speeds with the intelligent driver model, simulates each with an LQR
+/// tracker and a kinematic bicycle, and scores it against the forecasts of the other agents. The
+/// plan is the best proposal itself, not its simulation.
 class PdmClosed {
  public:
+  /// `centerline`: path of the route, global map frame.
   PdmClosed(PdmPath centerline, const EgoVehicle& ego, const KinematicBicycleOptions& car,
             const LqrOptions& lqr, const PdmOptions& options);
 
-  /// Poses of the rear axle, one every options.step, options.output_steps + 1 in all.
+  /// Plans from `start`. Returns `options.output_steps` + 1 poses of the rear axle, one every
+  /// `options.step` seconds, the first at t0. `speed_limit`: m/s.
   std::vector<Pose2> plan(const BicycleState& start, const std::vector<Track>& agents,
                           const PdmMap& map, double speed_limit);
 
-  /// Of the last plan(), in the order of the offsets, then of the speeds.
+  /// Candidates of the last plan(), ordered by offset, then by speed.
   const std::vector<PdmCandidate>& candidates() const { return candidates_; }
-  /// Index of the best of these, the first of equals.
+  /// Returns the index of the candidate with the highest score, the first of equals.
   std::size_t best() const { return best_; }
-  /// True when the last plan() brakes instead of driving the best candidate.
+  /// Returns whether the last plan() applies the emergency brake instead of the best candidate.
   bool isEmergencyBraking() const { return is_emergency_braking_; }
   const PdmPath& centerline() const { return centerline_; }
 

@@ -7,8 +7,8 @@
 namespace forge {
 namespace {
 
-/// What a fit of a polynomial to `window` values gives at `place`, in steps from the middle of the
-/// window: a weight for each value.
+/// Returns the weight of each of `window` values in the value at `place` (steps from the window's
+/// middle) of the polynomial fitted to them.
 Eigen::RowVectorXd weightsAt(double place, int window, int order, int derivative, double step) {
   Eigen::MatrixXd powers(window, order + 1);
   for (int i = 0; i < window; ++i) {

@@ -9,40 +9,44 @@
 
 namespace forge {
 
-/// The filter of Savitzky and Golay (1964, doi 10.1021/ac60214a047) as a matrix: times `count`
-/// values that follow each other every `step` seconds, it gives the derivative of that order (0:
-/// the values themselves) of the polynomial that fits the `window` values around each best. Within
-/// half a window of either end it is the polynomial of the outermost window. The polynomial of an
-/// even window is asked half a step after each value. `window` is at most `count` and more than
-/// `order`.
+/// Returns the Savitzky-Golay filter (1964, doi 10.1021/ac60214a047) as a matrix. Its product with
+/// `count` values, `step` seconds apart, is the derivative of order `derivative` (0: the smoothed
+/// values) of the polynomial of degree `order` fitted to the `window` values around each value.
+/// Within half a window of either end, uses the polynomial of the outermost window. For an even
+/// window, evaluates the polynomial half a step after each value. `window` must be at most `count`
+/// and more than `order`.
 Eigen::MatrixXd savitzkyGolay(int count, int window, int order, int derivative, double step);
 
-/// What comfort is told from: a value a state.
+/// Signals that comfort is derived from; one value per state.
 struct EgoSignals {
   std::vector<double> yaw;           ///< rad
   std::vector<double> longitudinal;  ///< m/s2
   std::vector<double> lateral;       ///< m/s2
 };
-/// Of a motion as it is simulated, where the lateral acceleration is 0.
+/// Returns the signals of a simulated motion, with a lateral acceleration of 0.
 EgoSignals signalsOf(const std::vector<BicycleState>& states);
 
+/// Smallest and largest value of a signal.
 struct SignalRange {
   double low = 0.0;
   double high = 0.0;
 };
-/// Of longitudinal and lateral acceleration (m/s2), jerk and longitudinal jerk (m/s3), yaw
-/// acceleration (rad/s2) and yaw rate (rad/s), in this order.
+/// Ranges of longitudinal acceleration, lateral acceleration (m/s2), jerk, longitudinal jerk
+/// (m/s3), yaw acceleration (rad/s2) and yaw rate (rad/s), in this order.
 using ComfortRanges = std::array<SignalRange, 6>;
 
-/// Tells whether motions are comfortable, as PDM-Closed does: signals of nuPlan's metrics,
-/// filtered.
+/// Checks the comfort of motions as PDM-Closed does, on the filtered signals of nuPlan's metrics.
 class PdmComfort {
  public:
-  /// For motions of `states` states, one every `step` seconds; no fewer than a window.
+  /// `states`: number of states of each motion, at least the size of a window; `step`: s between
+  /// them.
   PdmComfort(int states, double step, const PdmComfortOptions& options);
 
+  /// Filters the signals and returns the range of each derived signal.
   ComfortRanges ranges(const EgoSignals& signals) const;
+  /// Returns for each range whether it is within the limits of the options.
   std::array<bool, 6> keptLimits(const ComfortRanges& ranges) const;
+  /// Returns whether all six ranges of the motion are within the limits.
   bool isComfortable(const std::vector<BicycleState>& states) const;
 
  private:

@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-constexpr std::size_t kRenewal = 2;  // steps
+constexpr std::size_t kRenewal = 2;  // steps between two changes of the positions
 
 enum Kind { kVehicle, kPedestrian, kBicycle, kStatic, kKinds };
 
@@ -25,7 +25,7 @@ Kind kindOf(AgentClass agent_class) {
   }
 }
 
-/// Indices of the nearest of each kind, rising.
+/// Returns the indices of the nearest agents of each kind, ascending.
 std::vector<std::size_t> nearest(const std::vector<Track>& agents, const Vector2& ego,
                                  const PdmAgentOptions& options) {
   std::array<std::vector<std::pair<double, std::size_t>>, kKinds> by_kind;

@@ -9,35 +9,38 @@
 
 namespace forge {
 
-/// An agent that drives straight on: along its heading, or against it if its velocity points
-/// backwards.
+/// An agent forecast to drive straight at constant speed: along its heading, or against it if its
+/// velocity points backwards.
 struct ForecastAgent {
   std::string id;
-  OrientedBox box;                     ///< now
+  OrientedBox box;                     ///< at t0
   double speed = 0.0;                  ///< m/s, not negative
   Vector2 velocity = Vector2::Zero();  ///< m/s, along or against the heading
-  double radius = 0.0;                 ///< of the box, metres
+  double radius = 0.0;                 ///< m, of the box's circumcircle
   bool is_static_object = false;
   bool is_standing = false;  ///< static objects always are
 };
 
-/// Where the agents around the ego will be, as PDM-Closed forecasts them: every `step`, but renewed
-/// at every other alone. Global map frame.
+/// PDM-Closed's forecast of the agents around the ego at every step. As published, positions change
+/// only at every second step. Global map frame.
 class PdmForecast {
  public:
-  /// The nearest of each kind within options.radius of the ego's middle, in the order of `agents`.
-  /// The ids of those that touch the ego's box now are added to `ignored`; these, and agents
-  /// without a state, are left out.
+  /// Forecasts the nearest agents of each kind within `options.radius` of the ego's middle, in the
+  /// order of `agents`, over `steps` steps of `step` seconds. Agents that touch the ego's box at t0
+  /// are added to `ignored`. Leaves out ignored agents and agents without states.
   PdmForecast(const std::vector<Track>& agents, const OrientedBox& ego, double step, int steps,
               const PdmAgentOptions& options, std::set<std::string>& ignored);
 
   double step() const { return step_; }
   const std::vector<ForecastAgent>& agents() const { return agents_; }
-  /// Of all agents, after `step` steps (at most those asked for).
+  /// Returns the positions of all agents after `step` steps, which must not exceed the
+  /// constructor's `steps`.
   const std::vector<Vector2>& positions(std::size_t step) const;
+  /// Returns the box of the agent with index `agent` after `step` steps.
   OrientedBox box(std::size_t agent, std::size_t step) const;
 
-  /// Calls visit(agent) for the agents whose boxes touch `box` after `step` steps, in order.
+  /// Calls visit(agent) in ascending order for each agent (index) whose box touches `box` after
+  /// `step` steps. `box_radius`: m, circumradius of `box`.
   template <typename Visit>
   void forTouching(const OrientedBox& box, double box_radius, std::size_t step, Visit visit) const {
     const std::vector<Vector2>& positions = this->positions(step);

@@ -53,7 +53,7 @@ PdmPlace PdmMap::placeOf(const OrientedBox& box) const {
       is_in_lane_on_route = true;
       speed_limit = area.speed_limit;
     }
-    if (is_in_one && is_in_lane_on_route) break;  // nothing else can change the answer
+    if (is_in_one && is_in_lane_on_route) break;  // no other area can change the result
   }
   const bool is_all_on_road = is_in_one || std::all_of(is_on_road.begin(), is_on_road.end(),
                                                        [](bool is_on) { return is_on; });

@@ -10,30 +10,33 @@
 
 namespace forge {
 
-/// A lane or a car park.
+/// A lane or a car park, as an area.
 struct PdmArea {
   std::vector<Vector2> outline;       ///< open ring
-  bool is_on_route = false;           ///< of a road that the route takes
+  bool is_on_route = false;           ///< belongs to a road of the route
   std::optional<double> speed_limit;  ///< m/s; empty where it is not known
 };
 
-/// Where a box is.
+/// Relation of a box to the areas of a PdmMap.
 struct PdmPlace {
-  bool is_in_several_lanes = false;   ///< two areas hold a corner, and none holds all four
-  bool is_off_road = false;           ///< a corner is off the drivable area
-  bool is_wrong_way = false;          ///< the middle is in no area on the route
-  std::optional<double> speed_limit;  ///< m/s, of the first area on the route that holds the middle
+  bool is_in_several_lanes =
+      false;                  ///< at least two areas contain a corner, and none contains all four
+  bool is_off_road = false;   ///< a corner is off the drivable area
+  bool is_wrong_way = false;  ///< no area on the route contains the middle
+  std::optional<double>
+      speed_limit;  ///< m/s, of the first area on the route that contains the middle
 };
 
-/// The ground around the ego as PDM-Closed sees it. Global map frame.
+/// The map that PDM-Closed scores against: areas, intersections and the drivable area. Global map
+/// frame, m.
 class PdmMap {
  public:
-  /// The areas together are the drivable area.
+  /// The union of `areas` is the drivable area until setDrivable() is called.
   PdmMap(const std::vector<PdmArea>& areas, const std::vector<std::vector<Vector2>>& intersections);
-  /// `drivable` is the drivable area instead, known to half a metre: corners may be off it by
-  /// `margin` metres. It must outlive the map; null is as above.
+  /// Replaces the drivable area by a raster of 0.5 m resolution; corners may be up to `margin`
+  /// metres off it. `drivable` must outlive the map; null restores the union of the areas.
   void setDrivable(const AreaRaster* drivable, double margin);
-  /// Adds an outline that is no lane but on the route.
+  /// Adds an outline on the route that belongs to no lane.
   void addRoute(const std::vector<Vector2>& outline);
 
   PdmPlace placeOf(const OrientedBox& box) const;

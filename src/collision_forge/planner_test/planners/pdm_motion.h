@@ -7,17 +7,17 @@
 
 namespace forge {
 
-/// How the ego would move, every step, the first entry now.
+/// A simulated motion of the ego: one entry per step, the first at t0.
 struct PdmMotion {
   std::vector<BicycleState> states;
   std::vector<OrientedBox> boxes;
 };
 
-/// The ego's box in each of the states.
+/// Adds the ego's box to each of the states.
 PdmMotion motionOf(std::vector<BicycleState> states, const EgoVehicle& ego);
 
-/// Drives the bicycle from `start` along poses of the rear axle that follow each other every `step`
-/// seconds; as many entries as poses.
+/// Simulates the bicycle from `start` as the tracker follows poses of the rear axle `step` seconds
+/// apart. Returns as many entries as poses.
 PdmMotion simulate(const BicycleState& start, std::vector<Pose2> rear_axle_poses,
                    const KinematicBicycle& bicycle, LqrTracker& tracker, double step,
                    const EgoVehicle& ego);

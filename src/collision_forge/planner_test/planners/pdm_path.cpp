@@ -12,18 +12,19 @@
 namespace forge {
 namespace {
 
-constexpr std::size_t kPieces = 16;  // of a stretch
+constexpr std::size_t kPieces = 16;  // pieces per stretch
 
 bool touchesSquareAt(const Vector2& end, const Vector2& outward, double half_width,
                      const OrientedBox& box) {
   const Vector2 middle = end + 0.5 * half_width * outward;
-  const double reach = circumradius(box.size) + 1.5 * half_width;  // more than the square's
+  const double reach =
+      circumradius(box.size) + 1.5 * half_width;  // exceeds the circumradius of the square
   if ((box.center.position() - middle).squaredNorm() > reach * reach) return false;
   const double yaw = std::atan2(outward.y(), outward.x());
   return overlaps({{middle.x(), middle.y(), yaw}, {half_width, 2.0 * half_width}}, box);
 }
 
-/// True when a piece shares a point with the rectangle around the origin with these half sides.
+/// Returns whether a segment touches the rectangle around the origin with these half extents.
 bool crosses(const Vector2& from, const Vector2& to, const Vector2& half) {
   const Vector2 span = to - from;
   double first = 0.0;
@@ -41,8 +42,8 @@ bool crosses(const Vector2& from, const Vector2& to, const Vector2& half) {
   return first <= last;
 }
 
-/// Between such a rectangle and a piece: apart, they are closest at an end of the piece or at a
-/// corner.
+/// Returns the distance between such a rectangle and a segment. If apart, the closest points
+/// include an end of the segment or a corner.
 double squaredGap(const Vector2& from, const Vector2& to, const Vector2& half) {
   if (crosses(from, to, half)) return 0.0;
   double least = std::numeric_limits<double>::infinity();
@@ -72,7 +73,7 @@ PdmPath::PdmPath(std::vector<Pose2> nodes) : nodes_(std::move(nodes)) {
     progress_.push_back(progress_.back() + (node.position() - before.position()).norm());
   }
   if (nodes_.empty() || !(length() > 0.0)) {
-    throw std::invalid_argument("a path needs two distinct places");
+    throw std::invalid_argument("a path needs at least two distinct points");
   }
   for (std::size_t first = 0; first + 1 < nodes_.size(); first += kPieces) {
     Stretch stretch{first, std::min(first + kPieces, nodes_.size() - 1), {}};

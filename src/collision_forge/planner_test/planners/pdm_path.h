@@ -8,25 +8,24 @@
 
 namespace forge {
 
-/// A line through nodes with headings, as PDM-Closed follows it: progress is the length along the
-/// straight pieces between the nodes, in metres; places beyond either end are the end. Two nodes
-/// may lie at one place. Global map frame.
+/// A polyline through poses, as PDM-Closed follows it. Progress is the length (m) along the
+/// straight pieces and is clamped to the path. Two nodes may coincide. Global map frame.
 class PdmPath {
  public:
-  /// Throws std::invalid_argument for nodes without two distinct places.
+  /// Throws std::invalid_argument unless at least two nodes differ in position.
   explicit PdmPath(std::vector<Pose2> nodes);
 
   double length() const { return progress_.back(); }
-  /// Position and heading linear between the nodes; yaw wrapped.
+  /// Interpolates position and heading linearly between the nodes; yaw is wrapped.
   Pose2 at(double progress) const;
-  /// Progress of the nearest place, the first of equals.
+  /// Returns the progress (m) of the nearest place, the first of equals.
   double project(const Vector2& point) const;
-  /// Every node moved `lateral` metres to its left.
+  /// Returns the path with every node moved `lateral` metres to its left.
   PdmPath shifted(double lateral) const;
-  /// From the first node ahead of `progress` on; the last two nodes at least.
+  /// Returns the part from the first node beyond `progress` (m) on; at least the last two nodes.
   PdmPath ahead(double progress) const;
-  /// True when the box touches what lies within `half_width` metres of the path or, beyond its
-  /// ends, within the squares of that half width.
+  /// Returns whether the box touches the corridor within `half_width` metres of the path, extended
+  /// by `half_width` beyond both ends.
   bool corridorTouches(const OrientedBox& box, double half_width) const;
 
  private:

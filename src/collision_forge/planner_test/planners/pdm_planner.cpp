@@ -11,7 +11,7 @@ PdmPlanner::PdmPlanner(const PdmOptions& options, const RouteCenterlineOptions& 
     : options_(options), route_options_(route), bicycle_options_(bicycle), lqr_options_(lqr) {}
 
 void PdmPlanner::initialize(const DrivingTask& task) {
-  if (!task.lanes) throw std::invalid_argument("a driving task needs lanes");
+  if (!task.lanes) throw std::invalid_argument("the driving task has no lanes");
   task_ = task;
   bicycle_options_.wheelbase = task.wheelbase;
   RouteRoad road = roadAlong(*task.lanes, task.route, route_options_, options_.map);

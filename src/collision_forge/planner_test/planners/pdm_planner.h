@@ -8,18 +8,18 @@
 
 namespace forge {
 
-/// PdmClosed on the lanes of a map, along the centrelines of the route.
+/// Planner that runs PdmClosed on the lanes of the map, along the centrelines of the route.
 class PdmPlanner : public Planner {
  public:
   PdmPlanner(const PdmOptions& options, const RouteCenterlineOptions& route,
              const KinematicBicycleOptions& bicycle, const LqrOptions& lqr);
 
   void initialize(const DrivingTask& task) override;
-  /// The points tell time, pose and speed alone.
+  /// As Planner::plan(); the points have only time, pose and speed.
   std::vector<TrajectoryPoint> plan(const Observation& observation) override;
   std::vector<std::vector<Pose2>> proposals() const override;
 
-  /// Empty before initialize().
+  /// Access to the last plan's details; empty before initialize().
   const std::optional<PdmClosed>& closed() const { return closed_; }
 
  private:

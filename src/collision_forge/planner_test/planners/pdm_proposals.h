@@ -9,35 +9,39 @@
 
 namespace forge {
 
-/// What PDM-Closed's IDM drives behind.
+/// The lead of a proposal, on its path.
 struct PathLead {
-  double progress = 0.0;  ///< m
+  double progress = 0.0;  ///< m along the path, of the lead's middle
   double speed = 0.0;     ///< m/s
-  double rear = 0.0;      ///< m from its progress to its rear end
+  double rear = 0.0;      ///< m from its middle to its rear end
 };
 
-/// A way and speeds along it that the ego might drive, before its dynamics; one state a step, the
-/// first now. Places are the rear axle's.
+/// A path with a speed profile along it, before vehicle dynamics: one state per step, the first at
+/// t0. Positions refer to the rear axle.
 struct PdmProposal {
   std::size_t lateral = 0;     ///< index into options.lateral_offsets
   double desired_speed = 0.0;  ///< m/s
   std::vector<IdmState> states;
-  PathLead lead;  ///< the last
+  PathLead lead;  ///< lead at the last search
 };
 
-/// Drives along a path and paths beside it by the intelligent driver model (eulerStep()), behind
-/// the nearest agent whose forecast box touches the corridor of the ego's width, looked for every
-/// few steps. The first step sees a lead at the path's begin: it brakes.
+/// Creates proposals along a path and paths parallel to it with the intelligent driver model
+/// (eulerStep()). The lead is the nearest agent whose forecast box touches the corridor of the
+/// ego's width; it is searched for every `lead_interval` steps. As published, the first step has a
+/// lead at the path's start and therefore brakes.
 class PdmProposer {
  public:
-  /// `forecast` and `options` must outlive the proposer.
+  /// `rear_axle` and `speed` (m/s): the ego's state at t0. `forecast` and `options` must outlive
+  /// the proposer.
   PdmProposer(const PdmPath& centerline, const Pose2& rear_axle, double speed,
               const PdmForecast& forecast, const EgoVehicle& ego, const PdmOptions& options);
 
-  /// options.proposal_steps steps for every offset (outer) and share of the speed limit (inner).
+  /// Returns one proposal of `options.proposal_steps` steps for every offset (outer loop) and share
+  /// of `speed_limit` (m/s; inner loop).
   std::vector<PdmProposal> propose(double speed_limit);
-  /// Until it has `steps` steps.
+  /// Continues a proposal until it has `steps` steps.
   void extend(PdmProposal& proposal, int steps);
+  /// Returns the poses of the rear axle, one per step.
   std::vector<Pose2> poses(const PdmProposal& proposal) const;
 
  private:
@@ -45,25 +49,25 @@ class PdmProposer {
     std::size_t agent = 0;
     double progress = 0.0;  // of its middle
   };
-  struct Way {
+  struct LateralPath {
     PdmPath path;
     PdmPath corridor;
-    double start = 0.0;                     // m, of the ego
-    std::vector<std::vector<OnPath>> seen;  // by search for a lead
+    double start = 0.0;                      // m, of the ego
+    std::vector<std::vector<OnPath>> found;  // by search for a lead
   };
 
-  const std::vector<OnPath>& seenAt(Way& way, std::size_t step);
-  /// Drives proposals at one lateral offset on until they have `steps` steps. One that has nobody
-  /// ahead takes the end of the path for its lead, at the speed of the lead of the proposal before
-  /// it (0 for the first), as the published implementation does.
-  void advance(std::vector<PdmProposal>& beside, int steps);
+  const std::vector<OnPath>& agentsOnPath(LateralPath& lateral, std::size_t step);
+  /// Continues proposals at one lateral offset until they have `steps` steps. A proposal without an
+  /// agent ahead has the path's end as its lead, at the speed of the lead of the previous proposal
+  /// (0 for the first), as the published implementation does.
+  void advance(std::vector<PdmProposal>& alongside, int steps);
   PathLead leadOf(const PdmProposal& proposal, std::size_t step, double free_speed);
 
   const PdmForecast& forecast_;
   EgoVehicle ego_;
   const PdmOptions& options_;
   double speed_;
-  std::vector<Way> ways_;  // by lateral offset
+  std::vector<LateralPath> paths_;  // by lateral offset
 };
 
 }  // namespace forge

@@ -52,13 +52,13 @@ std::vector<PdmScore> PdmScorer::score(const std::vector<PdmMotion>& motions) co
 void PdmScorer::scoreCollisions(const PdmMotion& motion, const Places& places,
                                 PdmScore& score) const {
   const PdmForecast& forecast = surroundings_.forecast;
-  std::vector<bool> let_alone(forecast.agents().size(), false);
+  std::vector<bool> is_ignored(forecast.agents().size(), false);
   for (std::size_t step = 0; step < motion.states.size(); ++step) {
     const OrientedBox& box = motion.boxes[step];
     forecast.forTouching(box, circumradius(box.size), step, [&](std::size_t agent) {
-      if (let_alone[agent]) return;
+      if (is_ignored[agent]) return;
       if (!isAtFault(motion, places[step], agent, step)) {
-        let_alone[agent] = true;
+        is_ignored[agent] = true;
         return;
       }
       const bool is_static = forecast.agents()[agent].is_static_object;
@@ -83,10 +83,10 @@ bool PdmScorer::isAtFault(const PdmMotion& motion, const PdmPlace& place, std::s
 
 void PdmScorer::scoreTimeToCollision(const PdmMotion& motion, const Places& places,
                                      PdmScore& score) const {
-  std::vector<bool> let_alone(surroundings_.forecast.agents().size(), false);
+  std::vector<bool> is_ignored(surroundings_.forecast.agents().size(), false);
   for (std::size_t step = 0; step < motion.states.size(); ++step) {
     if (std::abs(motion.states[step].speed) < options_.ttc_standing_speed) continue;
-    if (!isTooClose(motion, places[step], step, let_alone)) continue;
+    if (!isTooClose(motion, places[step], step, is_ignored)) continue;
     score.time_to_collision = 0.0;
     score.ttc_time = static_cast<double>(step) * surroundings_.forecast.step();
     return;
@@ -94,7 +94,7 @@ void PdmScorer::scoreTimeToCollision(const PdmMotion& motion, const Places& plac
 }
 
 bool PdmScorer::isTooClose(const PdmMotion& motion, const PdmPlace& place, std::size_t step,
-                           std::vector<bool>& let_alone) const {
+                           std::vector<bool>& is_ignored) const {
   const PdmForecast& forecast = surroundings_.forecast;
   const BicycleState& state = motion.states[step];
   const OrientedBox& now = motion.boxes[step];
@@ -106,13 +106,13 @@ bool PdmScorer::isTooClose(const PdmMotion& motion, const PdmPlace& place, std::
         {now.center.x + driven * heading.x(), now.center.y + driven * heading.y(), now.center.yaw},
         now.size};
     forecast.forTouching(box, circumradius(box.size), step + ahead, [&](std::size_t agent) {
-      if (let_alone[agent] || is_too_close) return;
+      if (is_ignored[agent] || is_too_close) return;
       const double cosine = cosineTo(state, forecast.positions(step + ahead)[agent]);
       is_too_close = cosine > ahead_cosine_ ||
                      (cosine >= behind_cosine_ &&
                       (place.is_in_several_lanes || place.is_off_road ||
                        surroundings_.map.isInIntersection(state.rear_axle.position())));
-      let_alone[agent] = !is_too_close;
+      is_ignored[agent] = !is_too_close;
     });
   }
   return is_too_close;

@@ -10,34 +10,37 @@
 
 namespace forge {
 
-/// What a planner is told once, before it drives.
+/// Input of Planner::initialize(): what stays the same throughout a rollout.
 struct DrivingTask {
   std::shared_ptr<const LaneIndex> lanes;
-  /// The way that the ego is meant to take (the recorded one), global map frame, metres; at least
-  /// two distinct points.
+  /// Path that the ego should follow (from its recording), m, global map frame; at least two
+  /// distinct points.
   std::vector<Vector2> route;
   EgoVehicle ego;
   double wheelbase = 0.0;  ///< m
 };
 
-/// What is known at a tick; nothing of it lies in the future.
+/// Input of Planner::plan(): the state of the scene at the time of the call, without future states.
 struct Observation {
-  TrajectoryPoint ego;        ///< now, middle of the box
-  std::vector<Track> agents;  ///< those in sight now, each with its newest states up to now
+  TrajectoryPoint ego;        ///< current state, middle of the box, global map frame
+  std::vector<Track> agents;  ///< agents in sight, each with its past states, the newest last
 };
 
-/// Thrown by a planner that asks somebody else, in vain.
+/// Thrown by a planner whose external process or node does not respond in time.
 struct PlannerTimeout : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Thrown by a planner that is given the answer to another tick than it asked for.
+/// Thrown by a planner that receives a response to an earlier call than the current one.
 struct LatePlan : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Drives the ego. One object drives one rollout; a planner is deterministic: the same task and
-/// observations give the same trajectories.
+/// Extension point: drives the ego in a rollout. One object serves one rollout, whose thread makes
+/// all calls in sequence; other rollouts run in parallel with objects of their own, so
+/// implementations must not share mutable state. A planner must be deterministic: the same task and
+/// observations give the same trajectories. Exceptions from initialize() and plan() end the rollout
+/// as a failure of the planner.
 class Planner {
  public:
   virtual ~Planner() = default;
@@ -46,15 +49,18 @@ class Planner {
   /// cannot drive.
   virtual void initialize(const DrivingTask& task) = 0;
 
-  /// The motion of the ego from now on: points at increasing times, the first at the observation's
-  /// time, middle of the box, global map frame. The caller checks what comes back.
+  /// Called every Driving::interval seconds of scene time. Returns the ego's trajectory (middle of
+  /// the box, global map frame): points at strictly increasing times, the first at the
+  /// observation's time, the last not before the next call. The caller checks the result. May throw
+  /// PlannerTimeout, LatePlan or any std::exception.
   virtual std::vector<TrajectoryPoint> plan(const Observation& observation) = 0;
 
-  /// What the last plan() chose from, for pictures: the middle of the ego's box over time. Empty
-  /// for a planner that does not choose.
+  /// Called after the rollout, for figures. Returns the motions that the last plan() chose from, as
+  /// poses of the middle of the ego's box; empty if the planner does not choose.
   virtual std::vector<std::vector<Pose2>> proposals() const { return {}; }
 
-  /// s of the processor that other processes have used for this planner.
+  /// Returns the CPU time (s) that other processes have used for this planner; called around plan()
+  /// to measure its cost.
   virtual double otherProcessorTime() const { return 0.0; }
 };
 

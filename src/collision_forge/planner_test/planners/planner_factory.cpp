@@ -76,7 +76,7 @@ PlannerUnderTest makePlanner(const std::string& name, const PlannerOptions& opti
     if (name != entry.name) continue;
     return {entry.make(options, attacker_id), {entry.interval(options), entry.is_exact}};
   }
-  throw std::invalid_argument("unknown planner \"" + name + "\"; known are " + knownNames());
+  throw std::invalid_argument("unknown planner \"" + name + "\"; known planners: " + knownNames());
 }
 
 }  // namespace forge

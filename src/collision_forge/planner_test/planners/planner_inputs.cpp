@@ -9,19 +9,19 @@
 namespace forge {
 namespace {
 
-constexpr double kTimeSlack = 1e-3;  // s that a frame may be beyond what is known
+constexpr double kTimeSlack = 1e-3;  // s that a frame may lie outside the known states
 
 const DrivingTask& checked(const DrivingTask& task) {
-  if (!task.lanes) throw std::invalid_argument("a driving task needs lanes");
+  if (!task.lanes) throw std::invalid_argument("the driving task has no lanes");
   return task;
 }
 
-/// The time of a frame; the last is now.
+/// Returns the time of a frame, s; the last frame is the current one.
 double timeOfFrame(double now, std::size_t frame) {
   return now - static_cast<double>(kContractFrames - 1 - frame) * kContractFrameStep;
 }
 
-/// `time`, or the end of what is known where that is nearly the same.
+/// Returns `time`, clamped to the known interval if it is within kTimeSlack of its ends.
 double within(double time, double first, double last) {
   const double clamped = std::clamp(time, first, last);
   return std::abs(clamped - time) <= kTimeSlack ? clamped : time;
@@ -31,7 +31,7 @@ void write(float* numbers, std::initializer_list<double> values) {
   for (const double value : values) *numbers++ = static_cast<float>(value);
 }
 
-/// Linear between the points; empty before the first.
+/// Interpolates linearly between the points; empty before the first.
 std::optional<TrajectoryPoint> pointAt(const std::vector<TrajectoryPoint>& history, double time) {
   time = within(time, history.front().time, history.back().time);
   if (time < history.front().time) return std::nullopt;
@@ -57,7 +57,8 @@ void writeEgo(const std::vector<TrajectoryPoint>& history, float* numbers) {
   }
 }
 
-/// 0 a vehicle, 1 on two wheels, 2 a pedestrian or an animal, 3 a static object.
+/// Returns 0 for a vehicle, 1 for a two-wheeler, 2 for a pedestrian or an animal, 3 for a static
+/// object.
 double kindOf(AgentClass agent_class) {
   switch (agent_class) {
     case AgentClass::kMotorcycle:
@@ -73,7 +74,7 @@ double kindOf(AgentClass agent_class) {
   }
 }
 
-/// Those with a state, nearest first.
+/// Returns the agents with a state, nearest first.
 std::vector<const Track*> nearestAgents(const std::vector<Track>& agents, const Pose2& ego) {
   std::vector<std::pair<double, const Track*>> found;
   for (const Track& agent : agents) {
@@ -110,7 +111,7 @@ void writeAgents(const std::vector<Track>& agents, const TrajectoryPoint& ego, f
   }
 }
 
-/// The stretch of each lane around its place nearest to the ego.
+/// Returns the part of each lane around its point nearest to the ego.
 void writeLanes(const LaneIndex& lanes, const Pose2& ego, float* numbers, float* mask) {
   const std::vector<std::size_t> near = lanes.lanesWithin(ego.position(), kContractLaneRadius);
   for (std::size_t i = 0; i < std::min(near.size(), kContractLanes); ++i) {

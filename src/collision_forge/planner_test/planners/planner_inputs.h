@@ -9,16 +9,16 @@
 
 namespace forge {
 
-/// What a learned planner is given along one drive, as planner_contract.h has it: in the frame of
-/// the ego now (middle of the box, x forward, y left), metres, radians, m/s, not normalised. Where
-/// nothing is, numbers and mask are 0.
+/// Builds the input tensors of a learned planner along one drive (planner_contract.h): in the
+/// current frame of the ego (middle of the box, x forward, y left), m, rad, m/s, not normalised.
+/// Unused entries and their mask are 0.
 class PlannerInputs {
  public:
   /// Throws std::invalid_argument for a task without lanes or without a route.
   PlannerInputs(const DrivingTask& task, const RouteCenterlineOptions& options);
 
-  /// The numbers of all of kContractInputs, one after the other. `ego_history`: the ego as it was
-  /// seen, times increasing, the last now.
+  /// Returns the concatenated numbers of all kContractInputs. `ego_history`: past states of the ego
+  /// at increasing times, the last is the current one.
   std::vector<float> at(const std::vector<TrajectoryPoint>& ego_history,
                         const std::vector<Track>& agents) const;
 

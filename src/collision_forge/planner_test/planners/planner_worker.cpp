@@ -19,18 +19,19 @@ std::vector<std::string> commandOf(const TorchscriptFileOptions& options) {
   const std::string program = packageProgram("planner_worker");
   if (options.file.empty()) {
     throw PlannerFileError(
-        "torchscript.file of planners.yaml names no file, or "
+        "torchscript.file of planners.yaml is empty, or "
         "models.non_commercial_weights in models.yaml is false");
   }
   if (!fs::exists(program)) {
-    throw PlannerFileError(options.file + ": this build runs no learned planners: " + program +
-                           " is not there");
+    throw PlannerFileError(options.file +
+                           ": learned planners are not available in this build: program " +
+                           program + " does not exist; install libtorch and build again");
   }
   const double longest = std::max(options.timeout, options.start_timeout);
   return {program, options.file, options.device, std::to_string(longest)};
 }
 
-/// The same while file and options are the same.
+/// Returns a key that changes if the file or the options change.
 std::string keyOf(const TorchscriptFileOptions& options) {
   std::error_code absent;
   const auto written = fs::last_write_time(options.file, absent).time_since_epoch().count();

@@ -11,36 +11,39 @@
 
 namespace forge {
 
-/// config/planners.yaml, section torchscript, where each number's unit and source stand.
+/// Model file of a learned planner: config/planners.yaml, section torchscript, where each number's
+/// source stands.
 struct TorchscriptFileOptions {
-  std::string file;
-  std::string device;
-  double timeout = 0.0;
-  double start_timeout = 0.0;
+  std::string file;            ///< path of the TorchScript file
+  std::string device;          ///< "cpu", "cuda" or "auto"
+  double timeout = 0.0;        ///< s of the wall clock per call
+  double start_timeout = 0.0;  ///< s of the wall clock to load libtorch and the file
 };
 
-/// A file that no planner can be made of; names it and says why.
+/// Thrown if a model file cannot be used; the message names the file and the reason.
 struct PlannerFileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A learned planner's file, run in a process of its own, which libtorch is loaded into: a file
-/// that crashes or never ends takes nothing else with it.
+/// Runs a learned planner's file in a process of its own, which loads libtorch, so that a crash or
+/// an endless loop in the file does not affect the caller. Not thread-safe.
 class PlannerWorker {
  public:
-  /// Loads the file and tries it. Throws PlannerFileError.
+  /// Starts the process, loads the file and runs it on test inputs. Throws PlannerFileError.
   explicit PlannerWorker(const TorchscriptFileOptions& options);
 
-  /// A new rollout: the planner forgets. It and plan() throw std::runtime_error for what goes wrong
-  /// in the file, WorkerTimeout when it does not answer in time. After that isUsable() no more.
+  /// Starts a new rollout and resets the planner's state. begin() and plan() throw
+  /// std::runtime_error for errors in the file and WorkerTimeout if it does not respond in time.
+  /// After either, isUsable() returns false.
   void begin();
-  /// The numbers of kContractInputs; those of kContractOutput.
+  /// Runs the file on the concatenated numbers of kContractInputs; returns the numbers of
+  /// kContractOutput.
   std::vector<float> plan(const std::vector<float>& inputs);
 
   bool isUsable() const { return is_usable_; }
-  /// Says which file this is, as it was when it was loaded.
+  /// Identifies the file and its version at load time.
   const std::string& key() const { return key_; }
-  /// s of the processor.
+  /// Returns the CPU time of the process, s.
   double processorTime() const { return process_.processorTime(); }
 
  private:
@@ -53,14 +56,13 @@ class PlannerWorker {
   bool is_usable_ = true;
 };
 
-/// Workers that are not at work. A file takes a second to load, which not every rollout needs to
-/// wait for. May be used from many threads.
+/// Pool of idle workers: reuses loaded files, because loading takes about a second. Thread-safe.
 class PlannerWorkers {
  public:
-  /// One that was given back, or a new one. A file that was written anew is loaded anew. Throws
+  /// Returns an idle worker or starts a new one. A file that has changed is loaded again. Throws
   /// PlannerFileError.
   std::unique_ptr<PlannerWorker> take(const TorchscriptFileOptions& options);
-  /// Nothing is kept of one that is not usable.
+  /// Returns a worker to the pool; one that is not usable is destroyed.
   void giveBack(std::unique_ptr<PlannerWorker> worker);
 
  private:

@@ -6,7 +6,8 @@
 namespace forge {
 namespace {
 
-/// The lane that the last pose drives on, from beside it on; straight on off the lanes.
+/// Returns the path along the lane of the last pose, starting beside it; straight ahead if no lane
+/// is near.
 std::vector<Vector2> wayAhead(const Pose2& last, const LaneIndex& lanes,
                               const RouteOptions& options) {
   const auto matches = lanes.lanesNear(last, options.end_lane_distance, options.end_lane_heading);
@@ -21,7 +22,7 @@ std::vector<Vector2> wayAhead(const Pose2& last, const LaneIndex& lanes,
 std::vector<Vector2> routeOf(const Track& recorded, const LaneIndex& lanes,
                              const RouteOptions& options) {
   if (recorded.states.empty()) {
-    throw std::invalid_argument("no route: track " + recorded.id + " has no states");
+    throw std::invalid_argument("cannot derive a route: track " + recorded.id + " has no states");
   }
   std::vector<Vector2> points = {recorded.states.front().pose.position()};
   for (const AgentState& state : recorded.states) {

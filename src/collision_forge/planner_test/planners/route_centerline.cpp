@@ -10,12 +10,12 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A lane that the route may be on at one of its places, or none.
+/// A candidate lane of the route at one of its places, or none.
 struct Choice {
   std::optional<std::size_t> lane;
-  double lateral = 0.0;    // m, of the centreline seen from the route, positive to the left
-  double cost = 0.0;       // m, of the best way here
-  std::size_t before = 0;  // the choice at the place before
+  double lateral = 0.0;    // m from the route to the centreline, positive to the left
+  double cost = 0.0;       // m, of the best sequence up to here
+  std::size_t before = 0;  // index of the choice at the previous place
 };
 
 using Choices = std::vector<Choice>;
@@ -70,8 +70,8 @@ std::vector<Choice> cheapest(const std::vector<Choices>& places) {
   return chosen;
 }
 
-/// Where the line lies beside the route at each place, passing over from lane to lane within
-/// `reach` places before and behind.
+/// Returns the lateral offset of the line at each place of the route; changes from lane to lane are
+/// smoothed over `reach` places before and after.
 std::vector<double> lateralsOf(const LaneIndex& lanes, const std::vector<Choice>& chosen, int reach,
                                const RouteCenterlineOptions& options) {
   const int count = static_cast<int>(chosen.size());

@@ -7,20 +7,22 @@
 
 namespace forge {
 
-/// How the lane centrelines along a route are found, which IDM and PDM-Closed follow.
+/// Options of routeCenterline() and laneRoute(); used by IDM and PDM-Closed.
 struct RouteCenterlineOptions {
-  double spacing = 2.0;  ///< m between the places of the route that lanes are looked for
-  double route_lane_distance = 4.0;  ///< m; lanes farther from the route, about one beside, are off
-  double route_lane_heading = 0.8;   ///< rad between the route and a lane
-  double lane_change_cost = 20.0;    ///< m; worth as much distance from the centreline, summed
-  double off_lane_cost = 5.0;        ///< m; the same for a place on no lane
-  double lane_change_length = 20.0;  ///< m over which a change of lanes is smoothed
+  double spacing = 2.0;  ///< m between the places of the route at which lanes are searched
+  double route_lane_distance =
+      4.0;  ///< m from the route to a lane, at most; lanes farther away are ignored
+  double route_lane_heading = 0.8;  ///< rad between the route and a lane, at most
+  double lane_change_cost =
+      20.0;                    ///< m; cost of a lane change in summed distance from the centreline
+  double off_lane_cost = 5.0;  ///< m; cost of a place without a lane
+  double lane_change_length = 20.0;  ///< m over which a lane change is smoothed
 };
 
-/// The lane centrelines along a route: of the lanes near each place of the route, those that follow
-/// each other and are nearest to it on the whole (a shortest path over the places); where the route
-/// changes lanes, passing over in `lane_change_length` metres; where no lane is near, the route
-/// itself. Throws std::invalid_argument for a route without two distinct points.
+/// Returns the lane centrelines along a route. Chooses, by a shortest path over the places of the
+/// route, connected lanes with the least summed distance to it. Lane changes are smoothed over
+/// `lane_change_length` metres; without a lane nearby, uses the route itself. Throws
+/// std::invalid_argument for a route without two distinct points.
 Polyline routeCenterline(const LaneIndex& lanes, const std::vector<Vector2>& route,
                          const RouteCenterlineOptions& options);
 

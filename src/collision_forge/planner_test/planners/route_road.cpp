@@ -11,7 +11,7 @@
 namespace forge {
 namespace {
 
-/// A smooth line's nodes, as far apart as those of nuPlan's centrelines mostly are.
+/// Returns the nodes of a smooth line, spaced as most of nuPlan's centrelines.
 std::vector<Pose2> nodesOf(const Polyline& line) {
   constexpr double kSpacing = 1.0;  // m
   const ReferencePath path(line);
@@ -21,7 +21,7 @@ std::vector<Pose2> nodesOf(const Polyline& line) {
   return nodes;
 }
 
-/// Indices of the lanes of the roads that the route takes.
+/// Returns the indices of the lanes that belong to the route's roads.
 std::set<std::size_t> lanesOnRoute(const LaneIndex& lanes, const std::vector<Pose2>& route,
                                    const PdmMapOptions& options) {
   std::set<std::size_t> found;
@@ -34,8 +34,8 @@ std::set<std::size_t> lanesOnRoute(const LaneIndex& lanes, const std::vector<Pos
   return found;
 }
 
-/// The lanes around the route; a lane without an outline is a strip along its centreline. Where the
-/// route leaves the lanes, a strip along it is on the route, too.
+/// Returns the lanes around the route; a lane without an outline becomes a strip along its
+/// centreline. Where the route leaves the lanes, a strip along it is on the route as well.
 PdmMap mapAlong(const LaneIndex& lanes, const std::vector<Pose2>& route,
                 const PdmMapOptions& options) {
   const std::set<std::size_t> on_route = lanesOnRoute(lanes, route, options);

@@ -9,13 +9,14 @@
 
 namespace forge {
 
-/// The road along a route: what nuPlan's maps know of theirs, told from a map of lanes.
+/// The road along a route as nuPlan's maps describe it, derived from a map of lanes.
 struct RouteRoad {
-  std::vector<Pose2> nodes;  ///< of its smooth centreline (routeCenterline()), about a metre apart
-  PdmMap map;                ///< must not outlive the lanes
+  std::vector<Pose2> nodes;  ///< of the smooth routeCenterline(), about 1 m apart
+  PdmMap map;                ///< `lanes` of roadAlong() must outlive it
 };
 
-/// Throws std::invalid_argument for a route without two distinct points.
+/// Builds the road along `route` (m, global map frame). Throws std::invalid_argument for a route
+/// without two distinct points.
 RouteRoad roadAlong(const LaneIndex& lanes, const std::vector<Vector2>& route,
                     const RouteCenterlineOptions& centerline, const PdmMapOptions& options);
 

@@ -12,7 +12,8 @@ namespace {
 constexpr double kRoundingError = 1e-9;  // m
 constexpr double kNoGap = std::numeric_limits<double>::infinity();
 
-/// Gaps to all futures, step by step. Those that are too far off to be nearest are not computed.
+/// Computes the gap to the nearest of all futures at each step; skips futures that are too far
+/// away.
 class GapFinder {
  public:
   GapFinder(const BoxCircles& ego, const std::vector<ExpectedBox>& others)
@@ -47,7 +48,7 @@ void weigh(WeighedProfile& weighed, const BoxCircles& circles, const LaneSpline&
   weighed.probability = 1.0 - missed;
 }
 
-/// Of the profiles that may be taken the first that is best.
+/// Returns the index of the best admissible profile, the first of equals.
 template <class May, class Better>
 std::optional<std::size_t> bestOf(const std::vector<WeighedProfile>& profiles, const May& may,
                                   const Better& better) {
@@ -73,7 +74,8 @@ std::size_t best(const std::vector<WeighedProfile>& profiles, bool takes_shortes
       });
 }
 
-/// The way that stays nearest to a route where any of the plans leads; the first of equals.
+/// Returns the index of the path that stays nearest to the route over the longest plan; the first
+/// of equals.
 std::size_t nearestTo(const Polyline& route, const std::vector<LaneSpline>& ways,
                       const std::vector<SpeedProfile>& profiles) {
   const std::vector<double>& distances =

@@ -6,48 +6,50 @@
 
 namespace forge {
 
-/// The probability that the ego collides within a step, told from the gap to the nearest circle of
-/// the others (m) and the number of steps from now: 1 where circles overlap, else 1 +
-/// tanh(-gap * weight), the weight rising with the steps.
+/// Returns the probability that the ego collides within a step: 1 for a negative `gap`, else 1 +
+/// tanh(-gap * weight). `gap`: m to the nearest circle of another agent. `step`: number of steps
+/// from t0; the weight increases with it.
 double collisionProbability(double gap, int step, const RuleBasedOptions& options);
 
-/// A speed profile of the ego as it was weighed.
+/// A speed profile of the ego with its collision probability.
 struct WeighedProfile {
   SpeedProfile profile;
-  std::vector<double> gaps;  ///< m to the nearest of all futures, one a step; infinite for none
+  std::vector<double>
+      gaps;  ///< m to the nearest predicted box at each step; infinite if there is none
   double probability = 0.0;  ///< of a collision at any step
 };
 
-/// What the ego chose from.
+/// All speed profiles of the ego and the index of the chosen one.
 struct RuleBasedChoice {
   std::vector<WeighedProfile> profiles;
   std::size_t chosen = 0;
 };
 
-/// Weighs every profile of the ego on its way. Chosen is the farthest of those with little
-/// probability of a collision; for an ego that matches no lane the shortest of them, unless nobody
-/// is expected; where there is none, the one with the least probability. Of equals the first.
+/// Scores every speed profile of the ego along `way` and chooses one. Takes the longest with a
+/// collision probability below `options.max_probability` (an ego off the lanes takes the shortest,
+/// if `others` is not empty); if none is below, the one with the lowest probability. Takes the
+/// first of equals.
 RuleBasedChoice chooseProfile(const DrivenBox& ego, const LaneSpline& way, bool is_on_lane,
                               const std::vector<ExpectedBox>& others,
                               const RuleBasedOptions& options);
 
-/// Where the ego is after one step of a profile: as far as the step takes it, straight towards the
-/// place on its way as far on, or straight on where that place does not lie on that side of it.
-/// It heads as the way does there.
+/// Returns the ego's pose after the first step of `plan`: its distance straight towards the point
+/// of `way` at that distance (straight ahead if that point is on the wrong side of the ego), with
+/// the heading of `way` there.
 Pose2 poseAfterStep(const Pose2& ego, const LaneSpline& way, const SpeedPlan& plan);
 
-/// Whether somebody is near enough to be looked at.
+/// Returns whether the other agent is within `options.interaction_radius` of the ego.
 bool isNear(const Pose2& ego, const Pose2& other, const RuleBasedOptions& options);
 
-/// The planner on a lane graph.
+/// Result of planOnLanes().
 struct RuleBasedPlan {
-  LaneSpline way;                 ///< the ego's
-  std::size_t other_futures = 0;  ///< of all others together
+  LaneSpline way;                 ///< the ego's path
+  std::size_t other_futures = 0;  ///< number of predicted futures of all other agents together
   RuleBasedChoice choice;
 };
 
-/// `route` is the way that the ego is meant to take; it drives that of its ways which stays nearest
-/// to it. Without a route it drives the first.
+/// Runs the rule-based planner for one step. The ego takes the candidate path that stays nearest to
+/// `route`, or the first one if `route` is null.
 RuleBasedPlan planOnLanes(const DrivenBox& ego, const std::vector<DrivenBox>& others,
                           const LaneGraph& graph, const Polyline* route,
                           const RuleBasedOptions& options);

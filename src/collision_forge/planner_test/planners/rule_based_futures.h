@@ -9,36 +9,37 @@
 
 namespace forge {
 
-/// A box that drives: the ego, or somebody as the planner expects it.
+/// A moving box: the ego or another agent.
 struct DrivenBox {
-  Pose2 pose;          ///< now, middle of the box
+  Pose2 pose;          ///< at t0, middle of the box
   double speed = 0.0;  ///< m/s along the heading, negative backwards
   BoxSize size;
 };
 
-/// Somebody's box on one of its futures.
+/// Another agent's box along one of its predicted futures.
 struct ExpectedBox {
   BoxCircles circles;
-  std::vector<PlacedCircles> places;  ///< one a step, the first now
+  std::vector<PlacedCircles> places;  ///< one per step, the first at t0
 };
 
-/// The speeds that somebody else may take on: each of the shares of its speed by each of the shares
-/// of the greatest acceleration.
+/// Returns the predicted speed plans of another agent: one for each combination of
+/// `options.speed_shares` (of `speed`, m/s) and `options.acceleration_shares` (of the maximum
+/// acceleration).
 std::vector<SpeedPlan> expectedSpeeds(double speed, const RuleBasedOptions& options);
 
-/// How far speed plans lead along a way.
+/// Returns the farthest distances ahead and behind that any plan drives.
 Reach reachOf(const std::vector<SpeedPlan>& plans);
 
-/// Where somebody else may be step by step: along each of its ways at each of the speeds.
+/// Predicts another agent's boxes at every step: one future for each path and speed plan.
 std::vector<ExpectedBox> expectedBoxes(const DrivenBox& other,
                                        const std::vector<LaneSpline>& splines,
                                        const std::vector<SpeedPlan>& plans);
 
-/// The same on a lane graph.
+/// As above, with the agent's candidate paths on a lane graph and its expectedSpeeds().
 std::vector<ExpectedBox> expectedBoxes(const DrivenBox& other, const LaneGraph& graph,
                                        const RuleBasedOptions& options);
 
-/// The circles of a box that drives a way at the speeds of a plan, one a step.
+/// Returns the circles of a box that follows a path with a speed plan, one set per step.
 std::vector<PlacedCircles> placesAlong(const BoxCircles& circles, const LaneSpline& spline,
                                        const SpeedPlan& plan);
 

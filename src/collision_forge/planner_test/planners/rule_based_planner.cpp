@@ -11,7 +11,8 @@ Pose2 poseOn(const LaneSpline& way, double distance) {
   return {point.position.x(), point.position.y(), std::atan2(point.heading.y(), point.heading.x())};
 }
 
-/// The ego step by step: now, after a step as poseAfterStep() has it, then along its way.
+/// Returns the ego's trajectory: at t0, after one step as poseAfterStep() returns it, then along
+/// its path.
 std::vector<TrajectoryPoint> pointsAlong(const LaneSpline& way, const SpeedPlan& plan,
                                          const TrajectoryPoint& now,
                                          const RuleBasedOptions& options) {
@@ -46,7 +47,7 @@ std::vector<DrivenBox> boxesOf(const std::vector<Track>& agents) {
 }  // namespace
 
 void RuleBasedPlanner::initialize(const DrivingTask& task) {
-  if (!task.lanes) throw std::invalid_argument("a driving task needs lanes");
+  if (!task.lanes) throw std::invalid_argument("the driving task has no lanes");
   task_ = task;
   graph_.emplace(laneGraphOf(*task.lanes, options_.node_spacing));
   const Polyline route(task.route);

@@ -10,10 +10,10 @@
 
 namespace forge {
 
-/// The rule-based planner of STRIVE (Rempe et al. 2022, arXiv 2112.05077): of several speeds along
-/// its lane, the one that gets farthest with little probability of a collision with what the others
-/// may do; if there is none, the one with the least probability. planOnLanes() on the lane graph of
-/// the task's map.
+/// The rule-based planner of STRIVE (Rempe et al. 2022, arXiv 2112.05077): planOnLanes() on the
+/// lane graph of the task's map. From several speed profiles along its lane it takes the longest
+/// one that is unlikely to collide with the predicted futures of other agents, else the least
+/// likely one.
 class RuleBasedPlanner : public Planner {
  public:
   explicit RuleBasedPlanner(const RuleBasedOptions& options) : options_(options) {}
@@ -22,14 +22,15 @@ class RuleBasedPlanner : public Planner {
   std::vector<TrajectoryPoint> plan(const Observation& observation) override;
   std::vector<std::vector<Pose2>> proposals() const override;
 
-  /// The profiles of the last plan(), and which was taken. Throws std::bad_optional_access before.
+  /// Returns the speed profiles of the last plan() and the chosen one. Throws
+  /// std::bad_optional_access before the first plan().
   const RuleBasedChoice& choice() const { return last_.value().choice; }
 
  private:
   RuleBasedOptions options_;
   DrivingTask task_;
   std::optional<LaneGraph> graph_;
-  std::optional<Polyline> route_;  // where it is followed
+  std::optional<Polyline> route_;  // set only with EgoWay::kAlongRoute
   std::optional<RuleBasedPlan> last_;
 };
 

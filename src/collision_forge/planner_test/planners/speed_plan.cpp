@@ -5,7 +5,7 @@
 namespace forge {
 namespace {
 
-/// Drives on from the end of a plan.
+/// Extends a plan towards `target` by `steps` steps.
 void append(SpeedPlan& plan, double target, double acceleration, double step, int steps) {
   const double change = acceleration * step;
   for (int i = 0; i < steps; ++i) {

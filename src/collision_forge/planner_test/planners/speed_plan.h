@@ -6,31 +6,32 @@
 
 namespace forge {
 
-/// Speeds step by step: what the ego may do, or what it expects of others. Negative ones drive
-/// backwards.
+/// Speeds and distances at each step, of the ego or of another agent's prediction. Negative values
+/// are backwards.
 struct SpeedPlan {
-  std::vector<double> speeds;     ///< m/s after each step, the first after none
-  std::vector<double> distances;  ///< m driven then; a step counts with the speed at its end
+  std::vector<double> speeds;     ///< m/s; index i is after i steps
+  std::vector<double> distances;  ///< m driven by then; a step counts with the speed at its end
 };
 
-/// `count` numbers evenly spread from one to another, both included; the middle for one. The last
-/// may lie below the first.
+/// Returns `count` evenly spaced numbers from `first` to `last` inclusive; their mean for a count
+/// of 1. `last` may be less than `first`.
 std::vector<double> spread(double first, double last, int count);
 
-/// From `speed` to `target` by at most `acceleration` (m/s2, positive also for braking), then on.
+/// Returns a plan of `steps` steps of `step` seconds that changes from `speed` to `target` (m/s) by
+/// at most `acceleration` (m/s2, positive also for braking), then keeps `target`.
 SpeedPlan planTowards(double speed, double target, double acceleration, double step, int steps);
 
-/// One that the ego chooses from: to a middle speed for the first half of the steps (the shorter
-/// one, where they are odd), then to an end speed.
+/// A candidate of the ego: towards a middle speed in the first half of the steps (rounded down),
+/// then towards an end speed.
 struct SpeedProfile {
-  double middle_speed = 0.0;  ///< m/s, aimed at
-  double end_speed = 0.0;     ///< m/s, aimed at
+  double middle_speed = 0.0;  ///< m/s, target
+  double end_speed = 0.0;     ///< m/s, target
   SpeedPlan plan;
 };
 
-/// For each middle speed each end speed, both from the lowest that can be reached to the highest
-/// that can be reached and is allowed. If the ego is so fast that even the lowest is not allowed,
-/// they descend from it to the highest allowed.
+/// Returns all combinations of middle and end speed, from the lowest reachable to the highest
+/// reachable and allowed. If even the lowest reachable speed exceeds `options.max_speed`, the
+/// speeds descend from it to `max_speed`. `speed`: m/s at t0.
 std::vector<SpeedProfile> speedProfiles(double speed, const RuleBasedOptions& options);
 
 }  // namespace forge

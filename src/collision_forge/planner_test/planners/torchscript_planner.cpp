@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-/// Runs what asks the worker; its time-out is one of planners.
+/// Calls `ask` and converts a WorkerTimeout to a PlannerTimeout.
 template <typename Ask>
 void inTime(const Ask& ask) {
   try {
@@ -18,9 +18,9 @@ void inTime(const Ask& ask) {
   }
 }
 
-/// `before`, then the pose so much later, with the motion in between.
+/// Returns the point one pose step after `before`, with the motion in between.
 TrajectoryPoint nextPoint(const TrajectoryPoint& before, const Pose2& pose) {
-  constexpr double kStanding = 0.01;  // m; a shorter way has no curvature
+  constexpr double kStanding = 0.01;  // m; a shorter displacement has no curvature
   TrajectoryPoint point{before.time + kContractPoseStep, pose, 0.0, 0.0, 0.0};
   const Vector2 driven = pose.position() - before.pose.position();
   point.speed = driven.dot(interpolate(before.pose, pose, 0.5).heading()) / kContractPoseStep;

@@ -10,17 +10,18 @@
 
 namespace forge {
 
-/// config/planners.yaml, section torchscript.
+/// Options of TorchscriptPlanner: config/planners.yaml, section torchscript.
 struct TorchscriptOptions : TorchscriptFileOptions {
-  double interval = 0.0;
-  /// Shared by all planners that are made with copies of these options.
+  double interval = 0.0;  ///< s between two calls
+  /// Worker pool, shared by all planners that are created from copies of these options.
   std::shared_ptr<PlannerWorkers> workers = std::make_shared<PlannerWorkers>();
 };
 
-/// A learned planner: a TorchScript file of the contract of docs/learned_planner.md.
+/// A learned planner: runs a TorchScript file with the inputs and outputs that
+/// docs/learned_planner.md defines.
 class TorchscriptPlanner : public Planner {
  public:
-  /// Loads the file and tries it. Throws PlannerFileError.
+  /// Takes a worker that has loaded and tested the file. Throws PlannerFileError.
   TorchscriptPlanner(const TorchscriptOptions& options, const RouteCenterlineOptions& route);
   ~TorchscriptPlanner() override;
 
@@ -35,7 +36,7 @@ class TorchscriptPlanner : public Planner {
   RouteCenterlineOptions route_options_;
   std::unique_ptr<PlannerWorker> worker_;
   std::optional<PlannerInputs> inputs_;
-  std::vector<TrajectoryPoint> history_;  // of the ego, as long as the contract asks for
+  std::vector<TrajectoryPoint> history_;  // of the ego, as long as the input needs
 };
 
 }  // namespace forge

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kCrashStep = 0.1;  // s between the states after a contact
 
-/// Those of the request's set, as far as both sets have them.
+/// Returns the limits in the request's set, as far as both sets have them.
 void writeLimits(JsonLineWriter& writer, LimitSet set, const AttackerTrajectory& attacker,
                  const VerificationOptions& options) {
   writer.beginObject("limits");
@@ -57,7 +57,7 @@ void writeAim(JsonLineWriter& writer, const Realization& attack, double now) {
   writer.endObject();
 }
 
-/// The points in short form.
+/// Writes the points in compact form.
 void writePlansInShort(JsonLineWriter& writer, const std::vector<AttackerPlan>& plans, double now) {
   writePlans(writer, plans, now, [](JsonLineWriter& plan, const auto& points, double origin) {
     writeTrajectory(plan, "trajectory", points, origin);

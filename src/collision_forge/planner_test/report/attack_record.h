@@ -12,39 +12,40 @@
 
 namespace forge {
 
-/// What the ego and the vehicle that it touches do after a contact, as the page shows it.
+/// Post-crash motion of the ego and the touched vehicle, as the page shows it.
 struct ShownCrash {
   PostCrashMotion motion;
-  double seconds_after_stand = 0.0;  ///< from when both stand to the end of what is shown
-  std::optional<Track> other = {};   ///< the touched vehicle as it drove; empty for the attacker
+  double seconds_after_stand = 0.0;  ///< s shown after both have stopped
+  std::optional<Track> other = {};   ///< the touched vehicle's motion; empty for the attacker
 };
 
-/// An attack against the recording.
+/// Result of an attack replayed against the recorded ego.
 struct RecordedOutcome {
   CollisionReport report;                ///< of verify()
-  std::optional<ShownCrash> crash = {};  ///< with a contact
+  std::optional<ShownCrash> crash = {};  ///< set if there is a contact
 };
 
-/// What the page tells of one attack beyond its row, as JSON. `attack` is the scenario's answer or
-/// one of its alternatives; `recorded` is empty where the recording is not known.
+/// Returns the page's record of an attack (JSON): everything beyond its row. `attack` is the
+/// scenario's attack or one of its alternatives; `recorded` is empty if the recording is not
+/// available.
 std::string attackRecord(const Scenario& scenario, const Realization& attack,
                          const std::optional<RecordedOutcome>& recorded,
                          const VerificationOptions& options);
 
-/// A picture of a test, as the page links to it.
+/// A figure of a test and the page's link to it.
 struct PictureLink {
   std::string name;
   std::string link;
 };
 
-/// What is known of a planner's test beyond its results.
+/// Data of a planner's test beyond its results.
 struct ShownTest {
-  bool has_attack = false;               ///< the page has the attack, so that motions can be shown
-  std::optional<ShownCrash> crash = {};  ///< after a contact
+  bool has_attack = false;               ///< the page contains the attack, so motions can be shown
+  std::optional<ShownCrash> crash = {};  ///< set if there is a contact
   std::vector<PictureLink> pictures = {};
 };
 
-/// What the page tells of one planner in one case.
+/// Returns the page's record of one planner in one case, as JSON.
 std::string plannerRecord(const PlannerTestResult& result, const PlannerRow& row,
                           const ShownTest& shown);
 

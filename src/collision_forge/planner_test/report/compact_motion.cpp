@@ -6,10 +6,10 @@ namespace forge {
 namespace {
 
 constexpr double kMillisecond = 1e-3;  // s
-constexpr double kCentimetre = 1e-2;   // m; of speeds and accelerations the same a second
+constexpr double kCentimetre = 1e-2;   // m; also per second for speeds and accelerations
 constexpr double kMilliradian = 1e-3;  // rad
 
-/// One number of each element.
+/// Returns one number per element.
 template <typename Element, typename Get>
 std::vector<double> listOf(const std::vector<Element>& elements, const Get& get) {
   std::vector<double> values;
@@ -18,7 +18,7 @@ std::vector<double> listOf(const std::vector<Element>& elements, const Get& get)
   return values;
 }
 
-/// Times and poses of states or points.
+/// Writes times and poses of states or points.
 template <typename Element>
 void writePoses(JsonLineWriter& writer, const std::vector<Element>& elements, double origin) {
   const auto write = [&](const char* key, double unit, const auto& get) {

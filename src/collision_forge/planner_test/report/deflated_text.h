@@ -4,8 +4,8 @@
 
 namespace forge {
 
-/// The text as zlib's deflate packs it (RFC 1950), in base64. Browsers unpack it by
-/// DecompressionStream("deflate"). Throws std::runtime_error where memory is short.
+/// Returns the text compressed by zlib's deflate (RFC 1950), in base64. Browsers decompress it with
+/// DecompressionStream("deflate"). Throws std::runtime_error if memory runs out.
 std::string deflatedText(const std::string& text);
 
 }  // namespace forge

@@ -3,7 +3,7 @@
 namespace forge {
 namespace {
 
-/// Keeps what is inside one border of the box: `axis` is 0 for x, `sign` 1 where inside is below.
+/// Clips at one border of the box: `axis` is 0 for x; `sign` is 1 if the inside is below it.
 std::vector<Vector2> clippedSide(const std::vector<Vector2>& ring, int axis, double border,
                                  double sign) {
   const auto outside = [&](const Vector2& point) { return sign * (point[axis] - border); };

@@ -7,8 +7,8 @@
 
 namespace forge {
 
-/// The part of an open ring that is within the box (Sutherland-Hodgman). Parts that are apart are
-/// joined along the box's border. Empty where nothing is inside.
+/// Returns the part of an open ring inside the box (Sutherland-Hodgman); separate parts are joined
+/// along the box's border. Empty if nothing is inside.
 std::vector<Vector2> clippedRing(std::vector<Vector2> ring, const Eigen::AlignedBox2d& box);
 
 }  // namespace forge

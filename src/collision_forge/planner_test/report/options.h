@@ -4,13 +4,14 @@ namespace forge {
 
 class Section;
 
-/// config/report.yaml, where each number's unit stands.
+/// Options of forge report: config/report.yaml.
 struct ReportOptions {
-  double seconds_before_now = 0.0;
-  double map_margin = 60.0;     ///< m of map and traffic kept around the ways of ego and attackers
-  double map_tolerance = 0.15;  ///< m that the outlines of the map may be off
+  double seconds_before_now = 0.0;  ///< s of the recording shown before t0
+  double map_margin = 60.0;     ///< m of map and traffic kept around the paths of ego and attackers
+  double map_tolerance = 0.15;  ///< m, largest deviation of simplified map outlines
 };
 
+/// Throws ConfigError.
 void readOptions(Section& section, ReportOptions& options);
 
 }  // namespace forge

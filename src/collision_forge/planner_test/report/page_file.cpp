@@ -5,7 +5,7 @@
 
 namespace forge {
 
-// The records are base64, a line each: no text of theirs can end the element that they are in.
+// Records are base64, one per line, so their text cannot close the enclosing element.
 
 PageFile::PageFile(const std::string& path) : file_(path) {
   file_.stream() << kPageHead << "<script type=\"text/plain\" id=\"records\">\n";

@@ -7,17 +7,17 @@
 
 namespace forge {
 
-/// A page that holds everything it shows: the program, records that it unpacks when they are
-/// looked at, and an index that it reads first.
+/// Writes a self-contained HTML page: the program, compressed records that the program reads on
+/// demand, and an index that it reads first.
 class PageFile {
  public:
-  /// Throws as AsideFile does.
+  /// Starts the page. Throws as AsideFile.
   explicit PageFile(const std::string& path);
 
-  /// Adds a record and returns its place, from 0 on.
+  /// Adds a record and returns its index, from 0 on.
   std::size_t add(const std::string& record);
 
-  /// The index and the end of the page. Throws as AsideFile::commit().
+  /// Writes the index and the end of the page. Throws as AsideFile::commit().
   void commit(const std::string& index);
 
  private:

@@ -2,11 +2,11 @@
 
 namespace forge {
 
-// Made of the files of page/ by page/embed.py when the library is built.
+// Generated from the files in page/ by page/embed.py during the build.
 
-/// The page up to its data, with the style.
+/// The page up to its data, including the style.
 extern const char* const kPageHead;
-/// The program, and the end of the page.
+/// The program and the end of the page.
 extern const char* const kPageFoot;
 
 }  // namespace forge

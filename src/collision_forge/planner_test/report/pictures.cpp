@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The animation or the picture of that name, if either is there.
+/// Returns the animation or the figure of that name, if either exists.
 void add(std::vector<Picture>& pictures, const std::string& name, const std::string& path) {
   for (const char* ending : {".gif", ".png"}) {
     if (!fs::exists(path + ending)) continue;
@@ -21,7 +21,7 @@ void add(std::vector<Picture>& pictures, const std::string& name, const std::str
   }
 }
 
-/// The pictures are numbered by worstCases().
+/// Figures are numbered in the order of worstCases().
 void addWorst(TestPictures& pictures, const std::string& folder,
               const std::vector<PlannerTestResult>& results) {
   if (!fs::is_directory(folder)) return;
@@ -30,7 +30,7 @@ void addWorst(TestPictures& pictures, const std::string& folder,
     for (const PlannerRow& row : result.rows) tested.emplace(row.planner, row.attacker.policy);
   }
   for (const auto& [planner, policy] : tested) {
-    if (!nameFault(planner).empty()) continue;  // of a file that somebody wrote by hand
+    if (!nameFault(planner).empty()) continue;  // the file may have been edited by hand
     const std::string row = rowName(planner, policy);
     int rank = 0;
     for (const WorstCase& worst : worstCases(results, {row}, results.size())) {

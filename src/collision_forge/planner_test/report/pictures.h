@@ -10,16 +10,17 @@
 
 namespace forge {
 
+/// A figure or animation on disk.
 struct Picture {
-  std::string name;  ///< for people
+  std::string name;  ///< shown to the user
   std::string path;
 };
 
-/// By the name of the case and rowName().
+/// Figures by case name and rowName().
 using TestPictures = std::map<std::pair<std::string, std::string>, std::vector<Picture>>;
 
-/// What forge test has drawn beside results.jsonl, of its results: those of worst/ and of
-/// weaknesses/ that are there. Throws as readWitnessedHits().
+/// Returns the figures that forge test drew next to results.jsonl for these results, in worst/ and
+/// weaknesses/; missing files are skipped. Throws as readWitnessedHits().
 TestPictures picturesBeside(const std::string& results_path,
                             const std::vector<PlannerTestResult>& results,
                             const InputLimits& limits);

@@ -19,7 +19,7 @@ std::ifstream openToRead(const std::string& path) {
   return file;
 }
 
-/// Of a file whose first line is of no RowFormat.
+/// Returns the kind of a file whose first line matches no RowFormat.
 ReportFileKind kindOf(const std::string& where, const std::string& line) {
   if (!line.empty() && line.front() == '{') {
     const JsonLine parsed(where, line);

@@ -10,40 +10,42 @@
 
 namespace forge {
 
-/// The files that forge report reads.
+/// Kinds of input files of forge report.
 enum class ReportFileKind {
-  kScenarios,     ///< of forge generate, or the attempts of forge study dataset
+  kScenarios,     ///< output of forge generate, or the attempts of forge study dataset
   kPlannerTests,  ///< results.jsonl of forge test, train.jsonl and test.jsonl of forge tune
-  kRows,          ///< of a RowFormat, as results.csv of forge study evaluate
+  kRows,          ///< file of a RowFormat, as results.csv of forge study evaluate
 };
 
-/// A file with a row of the page's table in every line. Programs above this module add formats.
+/// Extension point: a CSV file with one row of the page's table per line. Modules above this one
+/// add formats.
 struct RowFormat {
-  std::string header;  ///< the first line of such a file, by which it is recognised
-  /// The row of a line after the header; empty for a line that is no row.
+  std::string header;  ///< first line of such a file; identifies the format
+  /// Called once for each line after the header, from one thread. Returns its row; empty if the
+  /// line is not a row.
   std::function<std::optional<ReportRow>(const std::string& line)> rowOf;
 };
 
 struct ReportFile {
   std::string path;
   ReportFileKind kind;
-  RowFormat format = {};  ///< with kRows
+  RowFormat format = {};  ///< set for kRows
 };
 
-/// Tells by its first line what a file holds. Throws std::runtime_error, naming file and line, for
-/// one that cannot be read or is none of these, InputError as readInputLine().
+/// Detects the kind of a file by its first line. Throws std::runtime_error, naming file and line,
+/// if it cannot be read or is of no known kind, InputError as readInputLine().
 ReportFile openReportFile(const std::string& path, const std::vector<RowFormat>& formats,
                           const InputLimits& limits);
 
-/// Hands over the lines of a file, the header of a RowFormat left out: where it stands ("FILE: line
-/// 2"), the number from 1 on, the text, and the share of the file that has been read. Throws as
-/// readInputLine().
+/// Receives one line: `where` ("FILE: line 2"), the line number from 1 on, the text, and the share
+/// (0..1) of the file read so far.
 using OnReportLine = std::function<void(const std::string& where, std::size_t line,
                                         const std::string& text, double share)>;
+/// Calls `on_line` for each line of a file except a RowFormat's header. Throws as readInputLine().
 void readReportLines(const ReportFile& file, const InputLimits& limits,
                      const OnReportLine& on_line);
 
-/// Where a page in `folder` finds a file: a path relative to it, written as a link.
+/// Returns the relative URL of the file at `path` for a page in `folder`.
 std::string linkTo(const std::string& path, const std::string& folder);
 
 }  // namespace forge

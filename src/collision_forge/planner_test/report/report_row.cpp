@@ -6,7 +6,7 @@
 namespace forge {
 namespace {
 
-/// Stands for a number that is not there; no column comes near it.
+/// Represents a missing number; no column reaches it.
 constexpr double kMissing = -1e15;
 
 struct TextColumn {
@@ -17,7 +17,7 @@ struct TextColumn {
 struct NumberColumn {
   const char* name;
   std::optional<double> ReportRow::*number;
-  double unit;  ///< the numbers are given in whole multiples of it
+  double unit;  ///< numbers are written as multiples of it
 };
 
 constexpr TextColumn kTexts[] = {{"scene", &ReportRow::scene},
@@ -106,7 +106,7 @@ std::string outcomeOf(const RolloutOutcome& outcome) {
   return outcome.contact->is_attacker ? "hit" : "hit_other";
 }
 
-/// Why the attack is none as asked in the recording.
+/// Returns why the attack does not match the request in the recording.
 std::string shortcomingOf(const StrictOutcome& recorded) {
   const CollisionReport& report = recorded.report;
   if (recorded.meetsFullDefinitions()) return "";

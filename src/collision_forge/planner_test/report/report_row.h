@@ -12,54 +12,55 @@
 
 namespace forge {
 
-/// A row of the page's table: an answer, one of its alternatives, a planner's test, or how a method
-/// did. Texts that do not apply are empty.
+/// A row of the page's table: an attack or rejected request, an alternative, a planner's test, or a
+/// result of a method. Texts that do not apply are empty.
 struct ReportRow {
-  std::size_t file = 0;  ///< place in the list of files
+  std::size_t file = 0;  ///< index in the list of files
   std::size_t line = 0;  ///< from 1 on
   std::string scene;
   std::string type;
   std::string mode;
-  std::string planner;  ///< with its policy, as rowName(); of results.csv the method
-  /// "declined", "generated" (nothing is known of the recording), "as_asked", "otherwise" (touches
-  /// the ego, but not as asked) or "missed"; of planners "hit", "hit_other", "clear", "failed" or
-  /// "untested".
+  std::string planner;  ///< rowName(); for results.csv the method
+  /// For attacks "declined" (request rejected), "generated" (no recording available), "as_asked",
+  /// "otherwise" (touches the ego, but not as requested) or "missed"; for planners "hit",
+  /// "hit_other", "clear", "failed" or "untested".
   std::string outcome;
   std::string status;
-  std::string message;  ///< for people: why there is no attack, or what is wrong with it
+  std::string message;  ///< for users: why there is no attack, or which check the attack fails
   std::string manoeuvre;
   std::string attacker_class;
   std::string origin;      ///< "recorded" or "added"
-  std::string believable;  ///< these two "yes", "no" or empty
+  std::string believable;  ///< these two are "yes", "no" or empty
   std::string avoidable;
-  std::optional<double> now;               ///< s, the scene's clock
-  std::optional<double> now_in_recording;  ///< s from the recording's first frame, if that is known
+  std::optional<double> now;               ///< s, scene clock; t0
+  std::optional<double> now_in_recording;  ///< s from the recording's first frame to t0, if known
   std::optional<double> tta;               ///< s
-  // Contact of the planner's ego, else in the recording if `outcome` is about it, else predicted.
-  std::optional<double> contact_t;     ///< s from now
+  // The contact of the planner's ego; else the contact in the recording if `outcome` refers to it;
+  // else the predicted one.
+  std::optional<double> contact_t;     ///< s from t0
   std::optional<double> impact_speed;  ///< m/s
   std::optional<double> heading;       ///< rad, at contact
   std::optional<double> overlap;       ///< [0, 1]
   std::optional<double> confidence;    ///< [0, 1]
-  // Places of records in the page.
+  // Indices of records in the page (PageFile::add()).
   std::optional<double> attack;
   std::optional<double> test;
-  std::optional<double> place;     ///< of the scene's
+  std::optional<double> place;     ///< of the scene
   std::optional<double> commands;  ///< of the ShellCommands
 };
 
-/// The row of a scenario's answer, or of one of its alternatives. `recorded` is how it does in the
-/// recording, where that is known.
+/// Returns the row of a scenario's attack or of one of its alternatives. `recorded`: its result
+/// against the recording, if available.
 ReportRow rowOfAttack(const Scenario& scenario, const Realization& attack,
                       const std::optional<StrictOutcome>& recorded);
 
-/// The row of a case that was not tested, without `row`, or of a planner in it. What is known of
-/// the attack itself is that of `attack`, where there is one.
+/// Returns the row of a planner in a case, or without `row` that of an untested case. Copies the
+/// fields of the attack itself from `attack`, if given.
 ReportRow rowOfTest(const PlannerTestResult& result, const PlannerRow* row,
                     const ReportRow* attack);
 
-/// The object "columns": of every field of the rows a column, of texts as words and their places,
-/// of numbers as whole units.
+/// Writes the object "columns", one column per field: texts as a dictionary and indices, numbers as
+/// multiples of a unit.
 void writeColumns(JsonLineWriter& writer, const std::vector<ReportRow>& rows);
 
 }  // namespace forge

@@ -14,15 +14,15 @@
 namespace forge {
 namespace {
 
-constexpr double kPlaceSpacing = 5.0;  // m between places that the map is kept around
+constexpr double kPlaceSpacing = 5.0;  // m between the places around which the map is kept
 
-/// What of the scene is kept.
+/// The part of the scene that is kept.
 struct Crop {
   const SceneExtent& extent;
   const ReportOptions& options;
-  std::vector<Vector2> places;  ///< all within the margin of one of these is kept
+  std::vector<Vector2> places;  ///< the map is kept within the margin of these
   Eigen::AlignedBox2d box;
-  double origin = 0.0;  ///< s, the scene's clock: times are from then on
+  double origin = 0.0;  ///< s, scene clock; times are relative to it
 };
 
 void addPlace(std::vector<Vector2>& places, const Vector2& place) {

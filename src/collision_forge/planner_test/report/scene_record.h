@@ -9,18 +9,19 @@
 
 namespace forge {
 
-/// How much of a scene its attacks need. Begins empty.
+/// Part of a scene that its attacks need; empty at first.
 struct SceneExtent {
-  double begin = 0.0;  ///< s, the scene's clock
+  double begin = 0.0;  ///< s, scene clock
   double end = 0.0;
-  std::vector<Vector2> places;  ///< where the attackers drive
+  std::vector<Vector2> places;  ///< m, positions on the attackers' paths
 
-  /// Widens it; the first call sets it.
+  /// Extends the interval to [`from`, `to`] (s, scene clock) and adds the positions of `points`;
+  /// the first call sets it.
   void include(double from, double to, const std::vector<TrajectoryPoint>& points);
 };
 
-/// What the page shows of a scene, as JSON: the recorded ego, the others and the map, all within
-/// the extent and the margin of the options around it.
+/// Returns the page's record of a scene (JSON): the recorded ego, other agents and the map, within
+/// the extent and `options.map_margin` around it.
 std::string sceneRecord(const Scene& scene, const SceneExtent& extent,
                         const ReportOptions& options);
 

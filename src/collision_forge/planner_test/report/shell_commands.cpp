@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One word of a shell's command line.
+/// Quotes one word of a shell's command line.
 std::string shellWord(const std::string& text) {
   constexpr const char* kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+./:,=@%";
@@ -24,7 +24,7 @@ std::string shellWord(const std::string& text) {
   return quoted + "'";
 }
 
-/// The shortest text that reads back as the same number.
+/// Returns the shortest text that parses to the same number.
 std::string exactText(double value) {
   char text[32];
   const auto end = std::to_chars(std::begin(text), std::end(text), value);
@@ -45,7 +45,7 @@ std::string sourceOptions(const LogSource& logs) {
   return logs.version.empty() ? source : source + option("version", logs.version);
 }
 
-/// The options of forge inject that a request sets.
+/// Returns the options of forge inject that a request sets.
 std::string controlOptions(const CollisionRequest& request, const CrashDefinition& defaults) {
   std::string options;
   if (request.attacker) {
@@ -67,7 +67,7 @@ std::string controlOptions(const CollisionRequest& request, const CrashDefinitio
   return options;
 }
 
-/// The bag of a scene in a source of bags; empty for other sources.
+/// Returns the bag of a scene in a source of bags; empty for other sources.
 std::string bagIn(const LogSource& logs, const std::string& scene) {
   const fs::path path(logs.path);
   if (path.extension() == ".bag") return logs.path;

@@ -28,17 +28,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An attack that planner tests may be of.
+/// An attack that planner tests may refer to.
 struct ListedAttack {
   std::size_t row = 0;
   BoxSize ego;
   AttackerTrajectory attacker;  ///< without its motion
 };
 
-/// An attack, held against the recording.
+/// An attack replayed against the recording.
 struct Judgement {
   StrictOutcome outcome;
-  std::optional<ShownCrash> crash;  ///< with a contact
+  std::optional<ShownCrash> crash;  ///< set if there is a contact
 };
 
 bool isPlannerName(const std::string& name) {
@@ -50,7 +50,7 @@ void writeColor(JsonLineWriter& writer, const char* key, const Color& color) {
   writer.numbers(key, {color.red, color.green, color.blue});
 }
 
-/// Reads the inputs one after the other into the page.
+/// Reads the inputs in sequence and adds their records to the page.
 class ReportBuilder {
  public:
   ReportBuilder(const ReportInputs& inputs, const std::string& folder,
@@ -67,7 +67,7 @@ class ReportBuilder {
   }
 
   std::size_t build() {
-    // Tests name the attacks that they are of, so these come first.
+    // Scenario files come first, because tests refer to their attacks.
     for (const bool is_of_attacks : {true, false}) {
       for (std::size_t i = 0; i < files_.size(); ++i) {
         if ((files_[i].kind == ReportFileKind::kScenarios) == is_of_attacks) read(i);
@@ -87,7 +87,7 @@ class ReportBuilder {
     return paths;
   }
 
-  /// The lines of weaknesses.jsonl are cases that the results know by other names.
+  /// Maps the lines of weaknesses.jsonl to the case names of the results.
   void nameWeaknesses(const fs::path& path) {
     if (path.filename() != "weaknesses.jsonl") return;
     const std::string folder = path.has_parent_path() ? path.parent_path().string() : ".";
@@ -97,7 +97,7 @@ class ReportBuilder {
     }
   }
 
-  /// FILE:LINE of the scenario that a case is.
+  /// Returns FILE:LINE of a case's scenario.
   const std::string& lineOf(const std::string& name) const {
     const auto found = lines_.find(name);
     return found != lines_.end() ? found->second : name;
@@ -184,7 +184,7 @@ class ReportBuilder {
         page_.add(attackRecord(scenario, attack, recorded, settings_.options.attack.verification));
   }
 
-  /// In what is shown of its scene.
+  /// Extends the part of the scene that is shown by the attack.
   void include(const Scenario& scenario, const Realization& attack,
                const std::optional<ShownCrash>& crash) {
     const double now = scenario.asked.now;
@@ -194,13 +194,13 @@ class ReportBuilder {
     extents_[scenario.asked.scene].include(now - settings_.report.seconds_before_now, end, points);
   }
 
-  /// Empty without a contact.
+  /// Returns nothing if there is no contact.
   std::optional<ShownCrash> shownCrash(const std::optional<PostCrashMotion>& motion) const {
     if (!motion) return std::nullopt;
     return ShownCrash{*motion, settings_.seconds_after_stand};
   }
 
-  /// Empty where the recording has no frame at now.
+  /// Returns nothing if the recording has no frame at t0.
   std::optional<Judgement> judge(const Scenario& scenario, const Realization& attack) {
     Scenario judged{scenario.asked, scenario.ego, attack};
     const PlannerCase one =
@@ -254,7 +254,7 @@ class ReportBuilder {
     return links;
   }
 
-  /// Of all tests in the file.
+  /// Finds the figures of all tests in the file.
   TestPictures picturesOf(const ReportFile& file) const {
     std::vector<PlannerTestResult> results;
     readReportLines(file, settings_.options.input_limits,
@@ -264,8 +264,8 @@ class ReportBuilder {
     return picturesBeside(file.path, results, settings_.options.input_limits);
   }
 
-  /// Empty without a contact of the planner's ego, without the drive, and where it is not known how
-  /// the touched vehicle drove.
+  /// Returns nothing if the planner's ego has no contact, the drive is missing, or the touched
+  /// vehicle's motion is unknown.
   std::optional<ShownCrash> crashOf(const PlannerRow& test, const ListedAttack& attack,
                                     const std::string& scene) const {
     RolloutOutcome outcome = test.outcome;
@@ -341,12 +341,12 @@ class ReportBuilder {
   const ReportSettings& settings_;
   PageFile page_;
   std::vector<ReportFile> files_;
-  std::set<std::string> known_;          ///< scenes of the source
+  std::set<std::string> known_;          ///< names of the source's scenes
   std::unique_ptr<SceneSource> scenes_;  ///< of the scenario files; null without a source
   std::vector<ReportRow> rows_;
-  std::map<std::string, ListedAttack> attacks_;  ///< by the names of their cases
+  std::map<std::string, ListedAttack> attacks_;  ///< by case name
   std::map<std::string, std::string> lines_;     ///< see lineOf()
-  std::map<std::string, SceneExtent> extents_;   ///< by scene
+  std::map<std::string, SceneExtent> extents_;   ///< by scene name
 };
 
 }  // namespace

@@ -11,23 +11,26 @@
 
 namespace forge {
 
+/// Input files of a report page.
 struct ReportInputs {
-  std::vector<std::string> files;  ///< as openReportFile() takes them
-  LogSource logs;                  ///< that they are of; without a path: none
+  std::vector<std::string> files;  ///< of the kinds in ReportFileKind
+  LogSource logs;                  ///< recordings of these files; no path: none
 };
 
+/// Settings of a report page. References must outlive writeReportPage().
 struct ReportSettings {
   const ReportOptions& report;
   const DrawingOptions& drawing;
   const AnswerOptions& options;
-  double seconds_after_stand = 0.0;     ///< of AttackedBagOptions: how long a crash is shown
-  std::vector<RowFormat> formats = {};  ///< files of rows that the page shows beside ours
+  double seconds_after_stand =
+      0.0;  ///< s that a crash is shown after both vehicles stop (AttackedBagOptions)
+  std::vector<RowFormat> formats = {};  ///< additional input formats
 };
 
-/// Writes FOLDER/index.html, a page of all that is in the files, with progress on stderr. With a
-/// source of logs it shows map and traffic, and holds attacks against the recording. It shows the
-/// motions of planner tests of scenario files that are among the inputs. Returns the rows of its
-/// table. Throws std::runtime_error and the errors of those who read, naming file and line.
+/// Writes FOLDER/index.html, a page of all results in the files, with progress on stderr. With
+/// recordings it also shows map and traffic and replays attacks against the recorded ego. Motions
+/// of planner tests are shown if their scenario file is among the inputs. Returns the number of
+/// table rows. Throws std::runtime_error and the errors of the readers, naming file and line.
 std::size_t writeReportPage(const ReportInputs& inputs, const std::string& folder,
                             const ReportSettings& settings);
 

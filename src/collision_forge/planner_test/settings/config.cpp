@@ -9,7 +9,7 @@ void readMethods(Section file, Config& config) {
   file.finish();
 }
 
-/// The paths of weights that the configuration names.
+/// Returns the paths of weights in the configuration.
 std::vector<std::string*> weightsOf(Config& config) {
   return {&config.pattern_network, &config.speed_model, &config.planners.torchscript.file};
 }

@@ -15,8 +15,8 @@
 
 namespace forge {
 
-/// The numbers of the product, as read from the files of config/. Modules are handed their part.
-/// What studies need beside it: StudyConfig.
+/// The product's configuration as read from config/; each module gets its part. StudyConfig adds
+/// the options of studies.
 struct Config : AnswerOptions {
   EncodingOptions encoding;
   LiveOptions live;
@@ -28,13 +28,13 @@ struct Config : AnswerOptions {
   ExportOptions exports;
 };
 
-/// Reads the product's files of config/. If `non_commercial_weights` is false, the paths of weights
-/// that are for non-commercial use are empty. Throws ConfigError for a missing, unknown or
-/// malformed key, and for an unknown file of an overlay.
+/// Reads the product's files in config/. If `non_commercial_weights` is false, the paths of weights
+/// with a non-commercial licence are empty. Throws ConfigError for a missing, unknown or malformed
+/// key, and for an unknown file in an overlay.
 Config loadConfig(const ConfigFolder& folder);
 
-/// Whether weights for non-commercial use are in use, their names, and the key that switches them
-/// off: a sentence for people.
+/// Returns a sentence for users: whether weights with a non-commercial licence are in use, their
+/// names, and the key that disables them.
 std::string describeWeights(const Config& config);
 
 }  // namespace forge

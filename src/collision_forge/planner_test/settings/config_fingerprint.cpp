@@ -10,8 +10,8 @@
 namespace forge {
 namespace {
 
-/// True for files of config/ that no result depends on. Mappings of topics are named on the command
-/// line.
+/// Returns whether results do not depend on a file of config/. Topic mappings are set on the
+/// command line.
 bool isIndifferent(const std::string& name) {
   static const std::set<std::string> names = {"attacked_bag.yaml", "drawing.yaml",  "encoding.yaml",
                                               "export.yaml",       "live.yaml",     "ranks.yaml",

@@ -5,7 +5,8 @@
 
 namespace forge {
 
-/// As a column of a CSV file that nobody quotes: commas and line ends would break the row.
+/// Returns the text as a field of an unquoted CSV file: replaces commas by semicolons and line ends
+/// by spaces.
 inline std::string csvText(std::string text) {
   std::replace(text.begin(), text.end(), ',', ';');
   std::replace_if(

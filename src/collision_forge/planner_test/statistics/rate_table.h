@@ -10,15 +10,16 @@
 
 namespace forge {
 
-/// Something that one attack meets or does not, and that the tables have a rate of.
+/// A criterion that an attack meets or not, or a value of it; tables show its rate.
 struct Measure {
-  std::string name;  ///< column in results.csv
+  std::string name;  ///< column name in results.csv
   std::string title;
-  std::optional<std::size_t> given;  ///< rate among the rows that meet this measure; all if empty
-  bool is_headline = false;          ///< drawn as a chart
+  std::optional<std::size_t>
+      given;  ///< index of another measure; the rate is among rows that meet it; empty: all rows
+  bool is_headline = false;  ///< drawn as a chart
 };
 
-/// The rates of one measure: a row a method, a column a group (groupTrials()).
+/// Rates of one measure: one row per method, one column per group (groupTrials()).
 struct RateTable {
   Measure measure;
   std::vector<std::string> methods;
@@ -26,34 +27,35 @@ struct RateTable {
   std::vector<std::vector<Rate>> rates;  ///< by method, then by group
 };
 
-/// The trials of a table: for each method, in this order, those of its row.
+/// Trials of a table: one element per row, in order, with its method.
 using MethodTrials = std::vector<std::pair<std::string, std::vector<Trial>>>;
 
-/// The table of these trials.
+/// Computes the rates with intervals (pooledRate()) for each method and group.
 RateTable tabulateTrials(const Measure& measure, const MethodTrials& trials);
 
-/// What a table's values are shown in.
+/// Unit in which a table shows its values.
 struct TableUnit {
   const char* name = "%";
-  double scale = 100.0;  ///< shown for a value of 1
+  double scale = 100.0;  ///< factor from the value to the shown number
 };
 
-/// "81.2 [78, 84]", "81.2" without an interval, "-" without trials.
+/// Returns e.g. "81.2 [78, 84]", "81.2" without an interval, "-" without trials.
 std::string toText(const Rate& rate, double scale);
 
-/// The ends of the interval as CSV: "0.7760,0.8440", "," without one.
+/// Returns the ends of the interval as CSV, e.g. "0.7760,0.8440"; "," without an interval.
 std::string intervalCsv(const Rate& rate);
 
-/// As Markdown: title, then cells of toText() in the unit, and a last row with the
-/// number of trials, by method where they differ.
+/// Returns the table as Markdown: title, cells of toText() in the unit, and a last row with the
+/// number of trials (per method if they differ).
 std::string toMarkdown(const RateTable& table, const TableUnit& unit = {});
 
-/// "measure,method,group,trials,value,low,high", without the line's end.
+/// Returns "measure,method,group,trials,value,low,high", without a line end.
 std::string rateCsvHeader();
-/// A line a method and group, each with its end; values as they are, empty without trials.
+/// Returns one line per method and group, each with a line end; values unscaled, empty without
+/// trials.
 std::string toCsv(const RateTable& table);
 
-/// The first line of a report with rates.
+/// Returns the first line of a report with rates, which names the confidence level.
 std::string reportTitle(const std::string& title);
 
 }  // namespace forge

@@ -13,7 +13,7 @@ struct Sum {
   int trials = 0;
 };
 
-/// The published types' short names, those of the requests' grammar.
+/// Short names of the published types, as in the requests' grammar.
 const char* shortName(CollisionType type) {
   switch (type) {
     case CollisionType::kLaneChange:
@@ -32,10 +32,10 @@ const char* shortName(CollisionType type) {
 
 struct TtaBucket {
   const char* title;
-  double last;  ///< s, the latest TTA that falls into it
+  double last;  ///< s, largest TTA in the bucket
 };
 
-/// The buckets of the protocol, whose values are multiples of half a second, parted midway.
+/// Buckets of the protocol, whose TTAs are multiples of 0.5 s; borders are midway.
 constexpr TtaBucket kTtaBuckets[] = {
     {"0.5-1 s", 1.25}, {"1.5-2.5 s", 2.75}, {"3-4.5 s", 4.75}, {"5-6.5 s", 7.0}};
 
@@ -83,7 +83,7 @@ Rate pooledRate(const std::vector<Trial>& trials, const StatisticsOptions& optio
   for (int resample = 0; resample < options.resamples; ++resample) {
     Sum sum;
     for (std::size_t draw = 0; draw < scenes.size(); ++draw) {
-      // The standard's distributions differ between libraries; the generator does not.
+      // Standard distributions differ between libraries; the generator does not.
       const Sum& scene = scenes[generator() % scenes.size()];
       sum.values += scene.values;
       sum.trials += scene.trials;

@@ -10,55 +10,57 @@
 
 namespace forge {
 
-/// Bootstrap over scenes: clips of one scene are no independent samples.
+/// Options of the bootstrap over scenes: clips of one scene are not independent samples.
 struct StatisticsOptions {
-  int resamples = 1000;      ///< of the scenes
-  double confidence = 0.95;  ///< share of the resampled rates within an interval
+  int resamples = 1000;      ///< number of resampled rates
+  double confidence = 0.95;  ///< share 0..1 of the resampled rates within an interval
   std::uint64_t seed = 1;    ///< of the resampling
 };
 
-/// One trial of something that succeeds or fails, or has another value.
+/// One trial: a success or failure, or a value.
 struct Trial {
-  std::string scene;  ///< trials of one scene depend on each other
+  std::string scene;  ///< cluster: trials of one scene are dependent
   CollisionType type = CollisionType::kRearEnd;
-  double tta = 0.0;    ///< seconds
+  double tta = 0.0;    ///< s
   double value = 0.0;  ///< 1 for a success, 0 for a failure
 };
 
+/// Confidence interval.
 struct Interval {
   double low = 0.0;
   double high = 0.0;
 };
 
-/// Scenes that an interval needs: fewer say too little about other scenes.
+/// Minimum number of scenes for an interval; fewer do not generalise.
 inline constexpr std::size_t kMinScenes = 5;
 
-/// Successes over trials, all trials weighing the same ("pooled"); the mean of other values.
+/// Pooled rate: successes over trials with equal weights, or the mean of other values.
 struct Rate {
   int trials = 0;
-  double value = 0.0;                ///< valid with trials
+  double value = 0.0;                ///< valid if `trials` > 0
   std::optional<Interval> interval;  ///< empty below kMinScenes scenes
 };
 
-/// With a bootstrap interval by scenes: as many scenes as there are, drawn with replacement, give
-/// one resampled rate; the interval holds the middle `confidence` of `resamples` of them, between
-/// order statistics interpolated linearly. Resamples without a trial cannot occur. Same trials and
-/// seed, same interval, in whatever order the trials come (values other than 0 and 1 to
-/// rounding).
+/// Returns the rate with a bootstrap interval over scenes: resamples the scenes with replacement
+/// `resamples` times and takes the middle `confidence` of the resampled rates, with linear
+/// interpolation between order statistics. Every resample has trials. Deterministic for the same
+/// trials and seed, independent of the order of trials (up to rounding for values other than 0 and
+/// 1).
 Rate pooledRate(const std::vector<Trial>& trials, const StatisticsOptions& options = {});
 
-/// The value below which a share of at least one sorted value lies, linear between them.
+/// Returns the `share` quantile (0..1) of sorted values, with linear interpolation. `sorted` must
+/// not be empty.
 double quantile(const std::vector<double>& sorted, double share);
 
-/// A set of trials that the tables have a column for.
+/// The trials of one table column.
 struct TrialGroup {
   std::string title;
   std::vector<Trial> trials;
 };
 
-/// By type ("LC", "OD", "RE", "JC", "LTAP"), by TTA ("0.5-1 s", "1.5-2.5 s", "3-4.5 s", "5-6.5 s")
-/// and "all", in this order. A TTA between two buckets falls into the nearer one, the earlier of
-/// equals; above 7 s it falls into none.
+/// Groups trials by type ("LC", "OD", "RE", "JC", "LTAP"), by TTA ("0.5-1 s", "1.5-2.5 s", "3-4.5
+/// s", "5-6.5 s") and "all", in this order. A TTA between two buckets belongs to the nearer one,
+/// the earlier if equal; above 7 s it belongs to none.
 std::vector<TrialGroup> groupTrials(const std::vector<Trial>& trials);
 
 }  // namespace forge

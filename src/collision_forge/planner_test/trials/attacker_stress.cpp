@@ -21,10 +21,10 @@ constexpr EnumWord<EgoConduct> kConductWords[] = {
 
 constexpr double kJump = 30.0;         // m ahead
 constexpr double kReverseSpeed = 3.0;  // m/s
-constexpr double kLatestStart = 0.9;   // of the time asked for
+constexpr double kLatestStart = 0.9;   // share of the requested TTA
 constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 
-/// The recorded state at `time`; straight on where the recording has ended.
+/// Returns the recorded state at `time`; extrapolates straight ahead after the recording's end.
 AgentState recordedAt(const Track& ego, double time) {
   if (const auto state = stateAt(ego, time)) return *state;
   AgentState last = ego.states.back();
@@ -34,7 +34,7 @@ AgentState recordedAt(const Track& ego, double time) {
   return last;
 }
 
-/// Where an ego is that was at `from` when it began to confuse.
+/// Returns the state of an ego that performs the disturbance since it was at `from`.
 AgentState confusing(EgoConduct conduct, const AgentState& from, double time) {
   AgentState state = from;
   state.time = time;
@@ -59,7 +59,7 @@ AgentState confusing(EgoConduct conduct, const AgentState& from, double time) {
   return state;
 }
 
-/// The ego every step, from now to the scenario's end.
+/// Returns the ego's motion at every step from t0 to the scenario's end.
 Track egoOf(const CrashScenario& scenario, double tta, EgoConduct conduct, std::uint64_t seed,
             const RolloutSetup& setup) {
   const double step = setup.planners.rollout.step;
@@ -113,7 +113,7 @@ StressOutcome stressAttacker(const CrashScenario& scenario, const CollisionReque
                        setup.attack.verification);
   };
   const bool touches_ego = verified().contact;
-  driven.ego.states.resize(1);  // without a contact all that was driven is held to the limits
+  driven.ego.states.resize(1);  // without a contact, the limits are checked over the whole motion
   const CollisionReport whole = verified();
   return {whole.broken_limit, whole.first_other_id, touches_ego, traffic.attacker().phase()};
 }

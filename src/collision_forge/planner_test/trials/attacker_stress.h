@@ -9,31 +9,33 @@
 
 namespace forge {
 
-/// What an ego does, from an instant on, to confuse who attacks it.
+/// Disturbance that the ego applies from a given time on to test the robustness of an attacker
+/// policy.
 enum class EgoConduct {
   kEvades,    ///< drives one of the plans of EvasiveDrives
-  kStops,     ///< stands at once
+  kStops,     ///< stops at once
   kReverses,  ///< drives backwards at once, at 3 m/s
-  kJumps,     ///< is 30 m ahead at once, and drives on there
-  kVanishes,  ///< is not seen any more
+  kJumps,     ///< is moved 30 m ahead at once and continues there
+  kVanishes,  ///< is no longer observed
 };
 inline constexpr std::array<EgoConduct, 5> kEgoConducts = {
     EgoConduct::kEvades, EgoConduct::kStops, EgoConduct::kReverses, EgoConduct::kJumps,
     EgoConduct::kVanishes};
-/// "evades", "stops", "reverses", "jumps", "vanishes".
+/// Returns "evades", "stops", "reverses", "jumps" or "vanishes".
 const char* toString(EgoConduct conduct);
 
-/// What became of an attacker.
+/// Result of stressAttacker().
 struct StressOutcome {
-  std::string broken_limit;  ///< that it was to keep, by all that it drove; empty where all are
-  std::string touched;       ///< whom it touched, the ego aside; empty: nobody
+  std::string
+      broken_limit;     ///< limit that the attacker violated over its whole motion; empty if none
+  std::string touched;  ///< id of an agent that it touched, the ego excluded; empty if none
   bool touches_ego = false;
   AttackerPhase phase = AttackerPhase::kAttacking;  ///< at the end
 };
 
-/// Drives the setup's attacker to the scenario's end against an ego that drives as recorded, and
-/// from a random instant on, within nine tenths of the time asked for, does `conduct`. Both drive
-/// on through whom they touch. Deterministic by the seed. Throws as checkScenario().
+/// Simulates the setup's attacker to the scenario's end against an ego that drives as recorded and
+/// performs `conduct` from a random time within 0.9 of the requested TTA. Contacts do not stop
+/// either vehicle. Deterministic for a given `seed`. Throws as checkScenario().
 StressOutcome stressAttacker(const CrashScenario& scenario, const CollisionRequest& request,
                              EgoConduct conduct, std::uint64_t seed, const RolloutSetup& setup);
 

@@ -10,7 +10,7 @@
 namespace forge {
 namespace {
 
-/// The search in one scenario.
+/// Searches for evasive motions in one scenario.
 class Search {
  public:
   Search(const CrashScenario& scenario, const AvoidabilityOptions& options,
@@ -43,7 +43,7 @@ class Search {
   }
 
  private:
-  /// The recorded motion, if it touches nobody to the end, straight on from where it ends.
+  /// Returns the recorded motion, extrapolated straight ahead at its end, if it has no contact.
   std::optional<Avoidance> keep() {
     const Track& ego = scenario_.recorded.ego;
     Avoidance kept{EvasiveManoeuvre::kKeeping, ego.states.front().time, {}, 0.0};
@@ -77,7 +77,8 @@ class Search {
     return std::nullopt;
   }
 
-  /// The gentlest witness, of one kind or any, that stays on the road; one off it otherwise.
+  /// Returns the gentlest witness, of one kind or of any kind; one that stays on the road if there
+  /// is one.
   std::optional<Avoidance> searchFrom(double start, std::optional<EvasiveManoeuvre> kind) const {
     const auto state = stateAt(scenario_.recorded.ego, start);
     if (!state) return std::nullopt;
@@ -103,8 +104,8 @@ class Search {
   const CrashScenario& scenario_;
   const AvoidabilityOptions& options_;
   EvasiveDrives drives_;
-  Future others_;              // the attacker in the ego's place, for EvasiveDrives::verify()
-  double contact_time_ = 0.0;  // s, of the recorded ego with anybody; the end without
+  Future others_;              // with the attacker as `ego`, for EvasiveDrives::verify()
+  double contact_time_ = 0.0;  // s, first contact of the recorded ego; else the end
 };
 
 }  // namespace

@@ -7,32 +7,36 @@
 
 namespace forge {
 
-/// A motion of the ego that touches nobody: the witness that a crash can be avoided.
+/// A motion of the ego without contact: the witness that a crash can be avoided.
 struct Avoidance {
   EvasiveManoeuvre manoeuvre = EvasiveManoeuvre::kKeeping;
-  double start = 0.0;  ///< s, the scene's clock; until then the ego drives as recorded
+  double start = 0.0;                   ///< s, scene clock; the ego drives as recorded until then
   std::vector<TrajectoryPoint> motion;  ///< from `start` to the attacker's end
-  double off_road_share = 0.0;          ///< mean share of the box off the drivable area
+  double off_road_share = 0.0;          ///< share 0..1 of the box off the drivable area, mean
 };
 
+/// Result of findAvoidability().
 struct Avoidability {
-  /// From now on: the gentlest found of each kind, gentlest kind first; at most one with kKeeping.
+  /// Motions that start at t0: the gentlest found of each kind, gentlest kind first; at most one
+  /// with kKeeping.
   std::vector<Avoidance> from_now;
-  /// That with the latest start, of now and each `interval` later. It works at every one before,
-  /// too: the ego can drive on as recorded until then.
+  /// The motion with the latest start, out of t0 and every `interval` later. The crash is avoidable
+  /// from every earlier start, too, because the ego can drive as recorded until then.
   std::optional<Avoidance> last;
 
-  /// Proven by a witness; otherwise the search found none, which proves nothing.
+  /// Returns whether a witness was found. False does not prove that the crash is unavoidable.
   bool isAvoidable() const { return last.has_value(); }
+  /// Returns the element of `from_now` of this kind, or null.
   const Avoidance* find(EvasiveManoeuvre manoeuvre) const;
 };
 
-/// Looks for motions of the ego within the vehicle limits that touch nobody up to the end of the
-/// attacker's trajectory: the attacker drives as it does, the others as recorded. A motion has two
-/// stretches of constant acceleration along the ego's way (routeOf() its recording) or a way beside
-/// it, which it steers to as hard as grip and curvature allow; motions on the road are preferred.
-/// Every witness is verified by verifyDrive(): continuous contact and every limit. Who overlaps
-/// the ego already now is not looked at. Deterministic. Throws as checkScenario() and routeOf().
+/// Searches for motions of the ego within the vehicle limits that have no contact until the end of
+/// the attacker's trajectory. The attacker follows its trajectory; other agents drive as recorded.
+/// A motion has two phases of constant acceleration along the ego's path (routeOf() its recording)
+/// or parallel to it, reached by steering as hard as grip and curvature allow. Motions on the road
+/// are preferred. verifyDrive() checks every witness: continuous contact and every limit. Agents
+/// that overlap the ego at t0, except the attacker, are ignored. Deterministic. Throws as
+/// checkScenario() and routeOf().
 Avoidability findAvoidability(const CrashScenario& scenario, const AvoidabilityOptions& options,
                               const RouteOptions& route, const AttackOptions& attack);
 

@@ -15,11 +15,11 @@ std::string avoidanceWords(EvasiveManoeuvre manoeuvre, double start, bool is_esc
   if (manoeuvre == EvasiveManoeuvre::kKeeping) {
     if (!is_escape) return "by driving as recorded";
     return is_at_once ? "by keeping its speed"
-                      : "by keeping its speed from " + secondsText(start) + " on";
+                      : "by keeping its speed from " + secondsText(start) + " after t0 on";
   }
   const bool is_both = manoeuvre == EvasiveManoeuvre::kBoth;
-  return (is_at_once ? "at once" : "up to " + secondsText(start)) + " by " +
-         (is_both ? "steering and braking" : toString(manoeuvre));
+  return (is_at_once ? "at once" : "up to " + secondsText(start) + " after t0") + " by " +
+         (is_both ? "braking and steering" : toString(manoeuvre));
 }
 
 }  // namespace forge

@@ -130,9 +130,9 @@ ContactPlace placeOf(const Vector2& point, const LaneIndex& lanes, double radius
   return place;
 }
 
-std::optional<CollisionType> typeOf(const ContactPoses& poses, CollisionType asked,
+std::optional<CollisionType> typeOf(const ContactPoses& poses, CollisionType requested,
                                     const TypeDefinitions& definitions, DrivingSide driving_side) {
-  if (isOfType(poses, asked, definitions.at(asked), driving_side)) return asked;
+  if (isOfType(poses, requested, definitions.at(requested), driving_side)) return requested;
   for (const CollisionType type : kCollisionTypes) {
     if (isOfType(poses, type, definitions.at(type), driving_side)) return type;
   }

@@ -8,69 +8,76 @@
 
 namespace forge {
 
-/// Who is to blame for a contact, as nuPlan derives it.
+/// Thresholds for the ego's fault in a contact, as nuPlan defines it.
 struct FaultOptions {
-  double standstill_speed = 0.05;                          ///< m/s; slower is stopped; nuPlan
+  double standstill_speed = 0.05;  ///< m/s; an agent below it is stopped; nuPlan
   double behind_angle = PdmScoringOptions().behind_angle;  ///< rad; nuPlan
-  double front_tolerance = 0.01;  ///< m between the ego's front edge and the other, for a front one
-  double off_road_share = 0.05;  ///< of the box off the drivable area; more is off the road; STRIVE
-  double lane_radius = 15.0;     ///< m; lanes that may hold the ego come as near
+  double front_tolerance =
+      0.01;  ///< m between the ego's front edge and the other box, for a frontal contact
+  double off_road_share = 0.05;  ///< share 0..1 of the box off the drivable area; above it the ego
+                                 ///< is off the road; STRIVE
+  double lane_radius = 15.0;     ///< m; lanes within this distance may contain the ego
 };
 
-/// How the ego came to touch somebody, as nuPlan tells collisions apart; the first that fits.
+/// Kind of contact in nuPlan's classification; the first kind that applies.
 enum class ContactCause {
-  kStoppedEgo,    ///< the ego stands
-  kStoppedOther,  ///< the other stands, or is an object
-  kRear,          ///< the other's middle is behind the ego's rear axle
-  kFront,         ///< the ego's front edge touches
+  kStoppedEgo,    ///< the ego is stopped
+  kStoppedOther,  ///< the other agent is stopped, or is an object
+  kRear,          ///< the other agent's middle is behind the ego's rear axle
+  kFront,         ///< the other agent touches the ego's front edge
   kLateral,       ///< anything else
 };
+/// Returns the name in results.jsonl.
 const char* toString(ContactCause cause);
 std::optional<ContactCause> contactCauseFromString(const std::string& name);
 
-/// One of two at the moment of contact.
+/// State of one of the two agents at contact.
 struct ContactSide {
   OrientedBox box;
   Vector2 velocity = Vector2::Zero();  ///< m/s, global map frame
-  bool is_object = false;              ///< that never moves, whatever its velocity says
+  bool is_object = false;              ///< static object: counts as stopped whatever its velocity
 };
 
-/// rad in [0, pi], from the ego's heading to the other's middle, seen from the ego's rear axle,
-/// `center_offset` metres behind the middle of its box.
+/// Returns the angle (rad, [0, pi]) between the ego's heading and the direction from its rear axle
+/// to the other box's middle. `center_offset`: m from the rear axle to the middle of the ego's box.
 double angleToOther(const OrientedBox& ego, double center_offset, const OrientedBox& other);
 
+/// Classifies a contact. `center_offset` (m) as in EgoVehicle.
 ContactCause causeOf(const ContactSide& ego, double center_offset, const ContactSide& other,
                      const FaultOptions& options);
 
-/// m/s, norm of the relative velocity; each of two of the same mass is changed by half of it.
+/// Returns the norm of the relative velocity, m/s. In a crash of two equal masses the speed of each
+/// changes by half of it.
 double impactSpeed(const ContactSide& ego, const ContactSide& other);
 
-/// The ego is at fault when it touches one that stands or drives its front into one that does not
-/// come from behind; for a lateral contact when it is not within one lane.
+/// Returns whether the ego is at fault: it touches a stopped agent, or its front hits an agent that
+/// is not coming from behind, or a lateral contact occurs while it is not within one lane.
 bool isAtFault(ContactCause cause, bool is_within_a_lane);
 
-/// The same with an ego that is within a lane unless it is in several lanes or partly off the road.
+/// As above; derives from the map whether the ego is within one lane: not in several lanes and not
+/// partly off the road.
 bool isAtFault(ContactCause cause, const OrientedBox& ego, const LaneIndex& lanes,
                const FaultOptions& options);
 
-/// Not all of the box is in one lane: no polygon of a lane near it, with that of a successor, holds
-/// its four corners, and one holds some of them. False where the map has no polygons.
+/// Returns whether the box is in several lanes: no lane polygon within `radius` metres, joined with
+/// a successor's, contains all four corners, but one contains some of them. False if the map has no
+/// polygons.
 bool isInSeveralLanes(const OrientedBox& box, const LaneIndex& lanes, double radius);
 
-/// What road a contact is on.
+/// Kind of road at a contact.
 enum class ContactPlace {
   kLane,       ///< a lane outside junctions
   kJunction,   ///< otherwise near a lane or connector of a junction
   kElsewhere,  ///< anything else
 };
-/// "lane", "junction", "elsewhere".
+/// Returns "lane", "junction" or "elsewhere".
 const char* toString(ContactPlace place);
 std::optional<ContactPlace> contactPlaceFromString(const std::string& name);
 
-/// `radius`: metres within which lanes and connectors are near.
+/// Returns the kind of road at `point`. Lanes and connectors within `radius` metres count as near.
 ContactPlace placeOf(const Vector2& point, const LaneIndex& lanes, double radius);
 
-/// The two at the start and at the contact.
+/// Poses of the ego and the other agent at t0, and their boxes at contact.
 struct ContactPoses {
   Pose2 ego_now;
   Pose2 other_now;
@@ -78,9 +85,9 @@ struct ContactPoses {
   OrientedBox other;
 };
 
-/// The collision type that the contact is of, by its full definition: `asked` if it fits, else the
-/// first of kCollisionTypes that does.
-std::optional<CollisionType> typeOf(const ContactPoses& poses, CollisionType asked,
+/// Returns the collision type of a contact by its full definition: `requested` if it applies, else
+/// the first of kCollisionTypes that does; empty if none does.
+std::optional<CollisionType> typeOf(const ContactPoses& poses, CollisionType requested,
                                     const TypeDefinitions& definitions, DrivingSide driving_side);
 
 }  // namespace forge

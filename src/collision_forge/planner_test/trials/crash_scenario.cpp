@@ -44,24 +44,26 @@ void showPast(CrashScenario& scenario) {
 }
 
 void checkScenario(const CrashScenario& scenario) {
-  constexpr double kSameTime = 1e-5;  // s; of numbers that files have to the microsecond
+  constexpr double kSameTime = 1e-5;  // s; files store microseconds
   const auto& points = scenario.attacker.points;
   const double now = scenario.snapshot.now;
   const auto refuse = [&](const std::string& problem) {
     throw std::invalid_argument("attacker " + scenario.attacker.attacker_id + ": " + problem);
   };
   if (!scenario.lanes) throw std::invalid_argument("the scenario has no map");
-  if (points.size() < 2) refuse("the trajectory has fewer than two points");
-  if (std::abs(points.front().time - now) > kSameTime) refuse("does not start now");
+  if (points.size() < 2) refuse("its trajectory has fewer than two points");
+  if (std::abs(points.front().time - now) > kSameTime)
+    refuse("its trajectory does not start at t0");
   for (std::size_t i = 1; i < points.size(); ++i) {
-    if (!(points[i].time > points[i - 1].time)) refuse("its times do not increase");
+    if (!(points[i].time > points[i - 1].time))
+      refuse("the times of its trajectory do not increase");
   }
   if (scenario.snapshot.ego.states.empty() || scenario.recorded.ego.states.empty()) {
-    throw std::invalid_argument("the ego is not there now");
+    throw std::invalid_argument("the ego has no state at t0");
   }
   const Pose2& ego = scenario.snapshot.ego.states.back().pose;
   if (overlaps({ego, scenario.ego.size}, {points.front().pose, scenario.attacker.size})) {
-    refuse("touches the ego already now");
+    refuse("it touches the ego at t0");
   }
 }
 

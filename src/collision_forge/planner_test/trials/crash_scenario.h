@@ -11,35 +11,35 @@
 
 namespace forge {
 
-/// A generated crash that a planner is driven through. All times on the scene's clock.
+/// A generated crash in which a planner can drive the ego. All times on the scene clock, s.
 struct CrashScenario {
-  Snapshot snapshot;                             ///< known at now
-  Future recorded;                               ///< what came: the ego and the others from now on
-  AttackerTrajectory attacker;                   ///< from now on, in place of its recorded track
-  CollisionType type = CollisionType::kRearEnd;  ///< asked for
+  Snapshot snapshot;                             ///< scene up to t0
+  Future recorded;                               ///< recorded ego and other agents from t0 on
+  AttackerTrajectory attacker;                   ///< from t0 on; replaces its recorded track
+  CollisionType type = CollisionType::kRearEnd;  ///< requested
   EgoVehicle ego;
   std::shared_ptr<const LaneIndex> lanes;
 
   double end() const { return attacker.points.back().time; }
 };
 
-/// The attacker's motion as a track; nothing before now.
+/// Returns the attacker's trajectory as a track from t0 on.
 Track attackerTrack(const CrashScenario& scenario);
 
-/// Everybody but the ego from now on: the attacker first, as it drives, then the others as
-/// recorded.
+/// Returns all agents except the ego from t0 on: the attacker on its trajectory first, then the
+/// others as recorded.
 std::vector<Track> othersFromNow(const CrashScenario& scenario);
 
-/// The ids of those, the attacker aside, whose recorded boxes overlap the ego's now: what is made
-/// of a recording may be so, and is no contact.
+/// Returns the ids of the agents, except the attacker, whose recorded boxes overlap the ego's at
+/// t0. Such overlaps occur in recordings and do not count as contacts.
 std::set<std::string> overlappingNow(const CrashScenario& scenario);
 
-/// Puts the past of an attacker that was added among what was seen up to now.
+/// If the attacker was added to the scene, adds its past states to the snapshot.
 void showPast(CrashScenario& scenario);
 
-/// Throws std::invalid_argument, naming what is wrong, for a scenario that nobody can be driven
-/// through: without lanes, points of the attacker or an ego at now; times that do not increase; an
-/// attacker that does not start now, or touches the ego then.
+/// Throws std::invalid_argument with the reason if no rollout of the scenario is possible: no
+/// lanes, no attacker points, no ego at t0, times that do not increase, or an attacker that does
+/// not start at t0 or touches the ego then.
 void checkScenario(const CrashScenario& scenario);
 
 }  // namespace forge

@@ -8,9 +8,9 @@
 namespace forge {
 namespace {
 
-constexpr double kMillionths = 1e6;  // um, urad, um/s: exact enough for accelerations to 1e-3 m/s2
-constexpr int kMaxEntries = 10000;   // plans, or agents, of a drive
-constexpr double kLargest = 1e9;     // m, rad, m/s, m/s2, s; nothing that was driven comes near it
+constexpr double kMillionths = 1e6;  // um, urad, um/s: accelerations stay exact to 1e-3 m/s2
+constexpr int kMaxEntries = 10000;   // plans or agents in a drive
+constexpr double kLargest = 1e9;     // m, rad, m/s, m/s2, s; far above any driven value
 
 struct MotionField {
   const char* name;
@@ -24,7 +24,7 @@ constexpr MotionField kMotionFields[] = {
     {"v", [](TrajectoryPoint& point) -> double& { return point.speed; }},
     {"a", [](TrajectoryPoint& point) -> double& { return point.acceleration; }}};
 
-/// The fields of a motion, into the object that is open.
+/// Writes the fields of a motion into the open object.
 void writeMotion(JsonLineWriter& writer, std::vector<TrajectoryPoint> points, double now) {
   std::vector<double> values;
   for (const TrajectoryPoint& point : points) values.push_back(fromNow(point.time, now));
@@ -51,13 +51,14 @@ std::vector<TrajectoryPoint> readMotionFields(JsonObject& object, double now) {
     std::vector<double> values = object.numbers(key);
     const auto is_beyond = [](double value) { return std::abs(value) > kLargest; };
     if (std::any_of(values.begin(), values.end(), is_beyond))
-      object.fail(key, "has too large a value");
+      object.fail(key, "has a value above 1e9");
     return values;
   };
   for (const double time : numbers("t")) points.emplace_back().time = now + time;
   for (const MotionField& field : kMotionFields) {
     const std::vector<double> values = numbers(field.name);
-    if (values.size() != points.size()) object.fail(field.name, "has not as many values as t");
+    if (values.size() != points.size())
+      object.fail(field.name, "has another number of values than t");
     for (std::size_t i = 0; i < values.size(); ++i) field.value(points[i]) = values[i];
   }
   object.finish();
@@ -91,7 +92,7 @@ void readPlans(JsonObject& drive, std::vector<AttackerPlan>& plans, double now) 
     plan.seen = now + entry.number("seen_t");
     plan.from = now + entry.number("from_t");
     const auto phase = attackerPhaseFromString(entry.text("phase"));
-    if (!phase) entry.fail("phase", "is no phase of an attacker");
+    if (!phase) entry.fail("phase", "is not a known attacker phase");
     plan.phase = *phase;
     plan.reason = entry.text("reason");
     plan.points = readMotion(entry, "trajectory", now);
@@ -138,7 +139,7 @@ void readDrive(JsonObject& object, PlannerRow& row, double now) {
   }
   auto escape = drive->objectOrNull("escape");
   if (escape.has_value() != (row.escape && row.escape->is_avoidable)) {
-    drive->fail("escape", "does not fit the field escape of the row");
+    drive->fail("escape", "contradicts the field escape of the row");
   }
   if (escape) {
     Escape& read = row.escape_drive.emplace();

@@ -5,13 +5,13 @@
 
 namespace forge {
 
-/// Writes the object "drive" of a row: the motions of its outcome and of its escape, as
-/// docs/planners.md has it; null for a row without motions. Reacting agents are written with a
-/// contact only.
+/// Writes the object "drive" of a row: the motions of its outcome and its evasive manoeuvre, as
+/// docs/planners.md defines it; null for a row without motions. Writes reactive agents only if
+/// there was a contact. `now`: s, scene clock.
 void writeDrive(JsonLineWriter& writer, const PlannerRow& row, double now);
 
-/// Reads that object into the row, whose other fields must have been read. Agents and attackers
-/// have ids and motions only. Throws JsonLineError.
+/// Reads that object into the row, whose other fields must have been read before. Agents and
+/// attackers get ids and motions only. Throws JsonLineError.
 void readDrive(JsonObject& object, PlannerRow& row, double now);
 
 }  // namespace forge

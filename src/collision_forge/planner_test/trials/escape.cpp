@@ -12,7 +12,7 @@
 namespace forge {
 namespace {
 
-/// A motion that may be a witness, before the attacker reacted to it.
+/// A candidate motion, before the attacker's reaction is simulated.
 struct Trial {
   EvasiveManoeuvre manoeuvre = EvasiveManoeuvre::kKeeping;
   std::vector<TrajectoryPoint> points;
@@ -41,7 +41,7 @@ class Search {
   }
 
  private:
-  /// Everybody as they were at the instants that are asked about, before the contact.
+  /// Records all agents at the start times before the contact.
   std::vector<Traffic> momentsOf(const std::vector<TrajectoryPoint>& driven) const {
     Traffic traffic(scenario_, attackerOf(scenario_, setup_), setup_.background,
                     setup_.planners.traffic, setup_.planners.planning.history);
@@ -71,8 +71,8 @@ class Search {
     return std::nullopt;
   }
 
-  /// The plans that the attacker's present one does not meet; first those that stay on the road,
-  /// of these the farthest from it.
+  /// Returns the plans that the attacker's current plan does not touch: first those that stay on
+  /// the road, among them those farthest from it.
   std::vector<Trial> trialsFrom(const Traffic& moment, const AgentState& state) const {
     const Future others = expectedAt(moment);
     const Obstacles obstacles(others, state.time, scenario_.end(), options_.step);
@@ -93,7 +93,7 @@ class Search {
     return trials;
   }
 
-  /// The attacker, in the ego's place, by its plan, and the others as recorded.
+  /// Returns the attacker (as `ego`) on its plan and the other agents as recorded.
   Future expectedAt(const Traffic& moment) const {
     Future others;
     const AttackerTrajectory& attacker = moment.attacker().trajectory();
@@ -107,7 +107,7 @@ class Search {
     return others;
   }
 
-  /// In the mean over the points.
+  /// Mean over the points.
   static double distanceTo(const Track& attacker, const std::vector<TrajectoryPoint>& points) {
     double sum = 0.0;
     int count = 0;
@@ -120,7 +120,7 @@ class Search {
     return count > 0 ? sum / count : std::numeric_limits<double>::infinity();
   }
 
-  /// Drives the motion in closed loop; empty where it touches somebody on the way.
+  /// Simulates the motion in closed loop; empty if it touches an agent.
   std::optional<CollisionReport> drive(Traffic& traffic,
                                        const std::vector<TrajectoryPoint>& points) const {
     std::map<std::string, Track> met;
@@ -158,7 +158,7 @@ class Search {
   const RolloutSetup& setup_;
   const AvoidabilityOptions& options_;
   EvasiveDrives drives_;
-  std::set<std::string> ignored_;  // who overlaps the ego already now
+  std::set<std::string> ignored_;  // ids of agents that overlap the ego at t0
 };
 
 }  // namespace

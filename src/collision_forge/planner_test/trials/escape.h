@@ -8,27 +8,31 @@
 
 namespace forge {
 
-/// A motion of the ego that escapes an attacker who sees and reacts.
+/// An evasive manoeuvre against an adaptive attacker.
 struct Escape {
-  Avoidance ego;  ///< until its start the ego drives as it did; kKeeping: at its speed of then
-  AttackerTrajectory attacker;  ///< as it drove against that, from the scenario's now on
+  Avoidance ego;  ///< until its start the ego drives as in the rollout; kKeeping: at its speed at
+                  ///< the start
+  AttackerTrajectory attacker;  ///< its reaction to that motion, from t0 on
 };
 
-/// Looks for a motion by which an ego that was hit would have escaped the setup's attacker: the ego
-/// leaves what it drove at an instant, and the attacker reacts to that in closed loop. `driven`:
-/// the ego in a rollout of the scenario by this setup, from now to the contact. Tried at an instant
-/// are the plans of EvasiveDrives that touch nobody if the attacker goes on with what it then means
-/// to do: first those that stay on the road, of these those that stay farthest from it, `tries` at
-/// most. The answer's start is the latest, of now and each `interval` later, from which one works.
-/// Every witness is verified against attacker and others as they drove in that loop, up to the
-/// scenario's end: continuous contact and every limit of the ego. Who overlaps the ego already now
-/// is not looked at. Empty where none is found, which proves nothing. Deterministic. Throws as
-/// checkScenario() and routeOf().
+/// Searches for an evasive manoeuvre of an ego that was hit by the setup's attacker: the ego
+/// deviates from `driven` at a start time and the attacker reacts in closed loop. Returns the
+/// manoeuvre with the latest start, out of t0 and every `interval` later, or nothing if none is
+/// found (which proves nothing).
+/// - `driven`: the ego in a rollout of the scenario with this setup, from t0 to contact.
+/// - At each start, tries at most `tries` plans of EvasiveDrives that touch no agent if the
+///   attacker keeps its current plan: first those that stay on the road, among them those farthest
+///   from it.
+/// - Every witness is verified against the simulated attacker and other agents up to the scenario's
+///   end: continuous contact and every limit of the ego. Agents that overlap the ego at t0, except
+///   the attacker, are ignored.
+/// Deterministic. Throws as checkScenario() and routeOf().
 std::optional<Escape> findEscape(const CrashScenario& scenario,
                                  const std::vector<TrajectoryPoint>& driven,
                                  const RolloutSetup& setup);
 
-/// What the ego does in place of `driven`: the same up to the start of the escape.
+/// Returns the ego's whole motion: `driven` up to the start of the evasive manoeuvre, then
+/// `escape`.
 std::vector<TrajectoryPoint> wholeEscape(const std::vector<TrajectoryPoint>& driven,
                                          const Avoidance& escape);
 

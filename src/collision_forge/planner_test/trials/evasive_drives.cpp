@@ -13,7 +13,7 @@
 namespace forge {
 namespace {
 
-constexpr double kStanding = 1e-3;  // m/s; no slower car is held by its grip
+constexpr double kStanding = 1e-3;  // m/s; below it grip does not limit the car
 constexpr EnumWord<EvasiveManoeuvre> kManoeuvreNames[] = {
     {EvasiveManoeuvre::kKeeping, "keeping"},
     {EvasiveManoeuvre::kBraking, "braking"},
@@ -24,13 +24,13 @@ constexpr EnumWord<EvasiveManoeuvre> kManoeuvreNames[] = {
 
 std::vector<EvasivePlan> listPlans(const AvoidabilityOptions& options,
                                    const VehicleLimits& limits) {
-  constexpr double kNarrowest = 1e-3;  // m, where nothing is steered to
+  constexpr double kNarrowest = 1e-3;  // m; below it there is no lateral offset
   std::vector<EvasivePlan> plans;
   for (const double acceleration : options.accelerations) {
     for (const double offset : options.offsets) {
       for (const double duration : options.durations) {
         plans.push_back({{acceleration, offset}, duration, {0.0, offset}});
-        if (acceleration == 0.0) break;  // the same for every duration
+        if (acceleration == 0.0) break;  // the duration has no effect
       }
     }
   }
@@ -58,7 +58,7 @@ std::vector<EvasivePlan> listPlans(const AvoidabilityOptions& options,
   return plans;
 }
 
-/// A car that is driven along a path, middle of the box.
+/// State of a car along a path, middle of the box.
 struct Car {
   Pose2 pose;
   double speed = 0.0;       ///< m/s
@@ -67,7 +67,7 @@ struct Car {
   double heading = 0.0;     ///< rad from the path's
 };
 
-/// Drives plans from one start.
+/// Simulates plans from one start.
 class PlanDriver {
  public:
   PlanDriver(const ReferencePath& path, const AvoidabilityOptions& options,
@@ -83,8 +83,8 @@ class PlanDriver {
     return {pose, speed, arc_length, local.y, local.yaw};
   }
 
-  /// From `start` to `end`, a point every step and one at the end. The offsets asked for are from
-  /// where the car is now: it need not be in the middle of its way.
+  /// Simulates from `start` to `end`: a point every step and one at the end. Offsets are relative
+  /// to the car's current lateral position, which need not be the path.
   void drive(Car car, const EvasivePlan& plan, double start, double end,
              std::vector<TrajectoryPoint>& points) const {
     points.clear();
@@ -111,7 +111,7 @@ class PlanDriver {
     return std::clamp(wanted, -car.speed / step, (limits_.max_speed - car.speed) / step);
   }
 
-  /// Towards the offset without overshooting, as far as grip and steering allow.
+  /// Steers towards the offset without overshoot, as far as grip and steering permit.
   double curvatureOf(const Car& car, const ReferencePath::Place& place, double offset,
                      double acceleration, double step) const {
     const double distance =
@@ -245,7 +245,7 @@ CollisionReport EvasiveDrives::verify(const std::vector<TrajectoryPoint>& points
   Snapshot snapshot;
   snapshot.now = points.front().time;
   CollisionRequest request;
-  request.crash.limits = LimitSet::kStrict;  // those that the plans are driven by
+  request.crash.limits = LimitSet::kStrict;  // the limits of the simulated plans
   return verifyDrive(ego, {snapshot, others, request, *scenario_.lanes}, attack_.verification);
 }
 

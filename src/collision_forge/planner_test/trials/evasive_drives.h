@@ -13,59 +13,62 @@
 
 namespace forge {
 
-/// config/planners.yaml, section avoidability, where each number's unit and source stand.
+/// Options of findAvoidability() and findEscape(): config/planners.yaml, section avoidability,
+/// where each number's source stands.
 struct AvoidabilityOptions {
-  double interval = 0.0;
-  double step = 0.1;  ///< s; that of RolloutOptions
-  std::vector<double> accelerations;
+  double interval = 0.0;              ///< s between two start times that are tried
+  double step = 0.1;                  ///< s; must equal RolloutOptions::step
+  std::vector<double> accelerations;  ///< m/s2
   std::vector<double> offsets = {0.0,  1.0, -1.0, 2.0,
                                  -2.0, 3.5, -3.5};   ///< m to the left of the ego's way
-  std::vector<double> durations = {1.0, 2.0, 20.0};  ///< s that the acceleration lasts
-  double return_time = 0.4;  ///< s in which an offset is steered to at the speed of then ...
-  double min_return_distance = 3.0;  ///< m, at least
-  double margin = 0.1;  ///< m kept to everybody at the points of a motion, before it is verified
-  int draws = 0;
-  std::uint64_t seed = 1;  ///< of the draws
-  int tries = 0;
+  std::vector<double> durations = {1.0, 2.0, 20.0};  ///< s of the first phase
+  double return_time = 0.4;          ///< s in which an offset is reached at the current speed ...
+  double min_return_distance = 3.0;  ///< m; ... but over at least this distance
+  double margin = 0.1;  ///< m kept to all agents at the points of a motion, before it is verified
+  int draws = 0;        ///< number of random motions, after the grid
+  std::uint64_t seed = 1;  ///< of the random motions
+  int tries = 0;  ///< motions per start time that are simulated against an adaptive attacker
 };
 
-/// What an ego does to avoid a crash.
+/// Kind of evasive manoeuvre.
 enum class EvasiveManoeuvre {
-  kKeeping,       ///< nothing: it drives on as recorded
-  kBraking,       ///< along its way
-  kAccelerating,  ///< along its way
-  kSteering,      ///< to a way beside, at its speed
+  kKeeping,       ///< none: drives as recorded
+  kBraking,       ///< along its path
+  kAccelerating,  ///< along its path
+  kSteering,      ///< to a parallel path, at constant speed
   kBoth,          ///< braking or accelerating, and steering
 };
-/// "keeping", "braking", "accelerating", "steering", "both".
+/// Returns "keeping", "braking", "accelerating", "steering" or "both".
 const char* toString(EvasiveManoeuvre manoeuvre);
 std::optional<EvasiveManoeuvre> evasiveManoeuvreFromString(const std::string& name);
 
-/// What the ego is asked to do for a while: an acceleration, and a way beside its own.
+/// Control targets of the ego during one phase of an evasive plan.
 struct EvasiveDemand {
   double acceleration = 0.0;  ///< m/s2
-  double offset = 0.0;        ///< m to the left of where it is on its way
+  double offset = 0.0;        ///< m to the left of its lateral position on its path
 };
 
-/// The first demand for `duration` seconds, then the second.
+/// Two phases: `first` for `duration` seconds, then `second`.
 struct EvasivePlan {
   EvasiveDemand first;
   double duration = 0.0;
   EvasiveDemand second;
 };
 
+/// Returns the kind of a plan by its accelerations and offsets.
 EvasiveManoeuvre kindOf(const EvasivePlan& plan);
 
-/// m/s along the heading; an ego that reverses stands.
+/// Returns the speed along the heading, m/s; 0 if the ego reverses.
 double speedOf(const AgentState& state);
 
-/// Where everybody but the ego is at instants `step` seconds apart.
+/// Boxes of all agents except the ego, every `step` seconds.
 class Obstacles {
  public:
-  /// As of EvasiveDrives::verify().
+  /// `others` as in EvasiveDrives::verify(); samples from `start` to `end` (s, scene clock).
   Obstacles(const Future& others, double start, double end, double step);
 
-  /// At the instants of the points, which are those of the constructor.
+  /// Returns whether a box of `size` at the points touches no agent. The points must be at the
+  /// times of the constructor.
   bool areClearOf(const std::vector<TrajectoryPoint>& points, const BoxSize& size) const;
 
  private:
@@ -80,34 +83,36 @@ class Obstacles {
   std::vector<Course> courses_;
 };
 
-/// What the ego of a crash could drive to avoid it, along its way (routeOf() its recording) or a
-/// way beside it, and whether it touches somebody then. Keeps references to scenario and options.
+/// Simulates and verifies evasive motions of a crash's ego along its path (routeOf() its recording)
+/// or parallel to it. Keeps references to `scenario` and `options`.
 class EvasiveDrives {
  public:
   /// Throws as routeOf().
   EvasiveDrives(const CrashScenario& scenario, const AvoidabilityOptions& options,
                 const RouteOptions& route, const AttackOptions& attack);
 
-  /// Every plan that is tried, the gentler ones first: the grid of the options, then draws.
+  /// Returns all plans to try, gentler ones first: the grid of the options, then random ones.
   const std::vector<EvasivePlan>& plans() const { return plans_; }
 
-  /// From a state of the ego to the scenario's end, a point every step and one at the end.
+  /// Simulates `plan` from a state of the ego to the scenario's end; writes a point every step and
+  /// one at the end into `points`.
   void drive(const AgentState& from, const EvasivePlan& plan,
              std::vector<TrajectoryPoint>& points) const;
 
-  /// The ego's box with the options' margin around it.
+  /// Returns the ego's box enlarged by `options.margin`.
   BoxSize wideBox() const;
 
+  /// Returns whether the ego is off the road at any point.
   bool leavesRoad(const std::vector<TrajectoryPoint>& points) const;
 
-  /// verifyDrive() with the ego in the attacker's place, by the strict limits: `contact` is that
-  /// with the attacker, who is `others.ego`.
+  /// Runs verifyDrive() on the ego's motion with the strict limits. `others.ego` must be the
+  /// attacker; the report's `contact` is the one with it.
   CollisionReport verify(const std::vector<TrajectoryPoint>& points, const Future& others) const;
 
-  /// True where nobody is touched and every limit kept.
+  /// Returns whether the report has no contact and no violated limit.
   static bool isEvasion(const CollisionReport& report);
 
-  /// Mean share of the ego's box off the drivable area.
+  /// Returns the mean share (0..1) of the ego's box off the drivable area.
   double shareOff(const std::vector<TrajectoryPoint>& points, const CollisionReport& report) const;
 
  private:

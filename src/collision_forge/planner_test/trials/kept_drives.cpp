@@ -32,7 +32,7 @@ PlannerRow KeptDrives::rowOf(const PlannerCase& one, std::size_t index, const st
     if (row.escape_drive) complete(row.escape_drive->attacker);
     return row;
   }
-  throw std::out_of_range(where + ": has no row of " + rowName(planner, policy));
+  throw std::out_of_range(where + ": has no row for planner " + rowName(planner, policy));
 }
 
 }  // namespace forge

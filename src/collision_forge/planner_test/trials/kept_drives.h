@@ -8,20 +8,21 @@
 
 namespace forge {
 
-/// The motions in a file of results, which testCases() wrote: read when they are asked for.
+/// Reads motions on demand from a results file that testCases() wrote.
 class KeptDrives {
  public:
-  /// Throws std::runtime_error for a file that cannot be read.
+  /// Throws std::runtime_error if the file cannot be read.
   explicit KeptDrives(const std::string& path);
 
-  /// The row of a planner in the case at `index`, with its motions. `one` is that case. Throws
-  /// JsonLineError as readPlannerResultLine(), std::out_of_range for a row that is not there.
+  /// Returns the row, with its motions, of a planner and policy in the case `one`, which has this
+  /// index. Throws JsonLineError as readPlannerResultLine(), and std::out_of_range if the file has
+  /// no such row.
   PlannerRow rowOf(const PlannerCase& one, std::size_t index, const std::string& planner,
                    PolicyKind policy) const;
 
  private:
   std::string path_;
-  std::vector<std::streamoff> lines_;  ///< where they begin
+  std::vector<std::streamoff> lines_;  ///< byte offset of each line
 };
 
 }  // namespace forge

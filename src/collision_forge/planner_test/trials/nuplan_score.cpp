@@ -6,7 +6,7 @@
 namespace forge {
 namespace {
 
-constexpr double kTtcStep = 0.1;  // s between the moments that are looked at ahead; nuPlan
+constexpr double kTtcStep = 0.1;  // s between the predicted times that are tested; nuPlan
 
 Eigen::VectorXd filtered(const std::vector<double>& values, int window, int order, int derivative,
                          double step) {
@@ -137,7 +137,7 @@ double NuplanJudge::drivingDirection() const {
 }
 
 bool NuplanJudge::isComfortable() const {
-  constexpr std::size_t kLeast = 5;  // states that a cubic is told from
+  constexpr std::size_t kLeast = 5;  // states that a cubic fit needs
   if (driven_.size() < kLeast) return true;
   const double step =
       (driven_.back().time - driven_.front().time) / static_cast<double>(driven_.size() - 1);

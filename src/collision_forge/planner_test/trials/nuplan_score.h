@@ -13,64 +13,66 @@
 
 namespace forge {
 
-/// The numbers of nuplan-devkit's metrics; angles, distances and limits of comfort are those of
+/// Parameters of nuplan-devkit's metrics; angles, distances and limits of comfort are in
 /// PdmScoringOptions.
 struct NuplanScoreOptions {
-  double min_progress_share = 0.2;  ///< of the recorded ego's progress; less is no progress
-  double least_progress = 2.0;      ///< m; less counts as this, of ego and recording
-  double ttc_horizon = 0.95;        ///< s; a collision sooner, at constant velocities, is too close
-  double direction_window = 1.0;    ///< s over which driving off the route's lanes is summed
-  double max_overspeed = 2.23;      ///< m/s over the limit in the mean; the score is then 0
-  int acceleration_window = 8;      ///< states over which accelerations are smoothed
-  int rate_window = 15;             ///< states that jerk and rates of the yaw are derived from
+  double min_progress_share =
+      0.2;  ///< share 0..1 of the recorded ego's progress; below it making_progress is 0
+  double least_progress = 2.0;    ///< m; lower bound applied to the progress of ego and recording
+  double ttc_horizon = 0.95;      ///< s; a collision sooner, at constant velocities, is too close
+  double direction_window = 1.0;  ///< s over which the distance off the route's lanes is summed
+  double max_overspeed = 2.23;    ///< m/s over the limit, mean, at which the score reaches 0
+  int acceleration_window = 8;    ///< states over which accelerations are smoothed
+  int rate_window = 15;           ///< states from which jerk and yaw rates are derived
   double progress_weight = 5.0;
   double ttc_weight = 5.0;
-  double speed_limit_weight = 4.0;  ///< where a lane has a limit; nuScenes' have none
+  double speed_limit_weight = 4.0;  ///< used if a lane has a limit; nuScenes' lanes have none
   double comfort_weight = 2.0;
 };
 
-/// A rollout in the terms of nuPlan's closed-loop score (nuplan-devkit, evaluation metrics); every
-/// one in [0, 1], 1 is good.
+/// The terms of nuPlan's closed-loop score of a rollout (nuplan-devkit, evaluation metrics); each
+/// in [0, 1], where 1 is good.
 struct NuplanScore {
-  double no_at_fault_collision = 1.0;  ///< 0 with an agent, 0.5 with a static object
+  double no_at_fault_collision = 1.0;  ///< 0 after one with an agent, 0.5 with a static object
   double drivable_area = 1.0;
   double driving_direction = 1.0;     ///< 1, 0.5 or 0
   double making_progress = 1.0;       ///< 1 or 0
   double time_to_collision = 1.0;     ///< 1 or 0
   double comfort = 1.0;               ///< 1 or 0
-  double progress = 1.0;              ///< of the recorded ego's
-  std::optional<double> speed_limit;  ///< empty where no lane that was driven on has a limit
-  /// The product of the first four times the weighted mean of the others that are known.
+  double progress = 1.0;              ///< share of the recorded ego's progress
+  std::optional<double> speed_limit;  ///< empty if no lane driven on has a limit
+  /// Product of the first four terms times the weighted mean of the remaining known ones.
   double total = 1.0;
 };
 
-/// A part of the score by its name, as results and tables have it.
+/// A term of the score with its name in results and tables.
 struct NuplanPart {
   const char* name;
   double NuplanScore::*value;
 };
-/// All but the speed limit, the total last.
+/// All terms but the speed limit; the total is last.
 const std::array<NuplanPart, 8>& nuplanParts();
 
-/// Who the ego touched, if anybody.
+/// The ego's contact, as the score needs it.
 struct NuplanContact {
   bool at_fault = false;
   bool is_static_object = false;
 };
 
-/// Looks at a rollout step by step.
+/// Accumulates the data of a rollout step by step and computes its score.
 class NuplanJudge {
  public:
-  /// `map` must outlive it. `scoring` has the angles and distances that PDM-Closed shares.
+  /// `map` must outlive the judge. `scoring`: angles and distances shared with PDM-Closed.
   NuplanJudge(const PdmMap& map, const EgoVehicle& ego, const PdmScoringOptions& scoring,
               const NuplanScoreOptions& options);
 
-  /// The ego and everybody else at a time, in order; `ignored` are looked at by nobody.
+  /// Adds the states of one step; call in order of time. Agents with an id in `ignored` are
+  /// skipped.
   void see(const TrajectoryPoint& ego, const std::vector<Track>& agents,
            const std::set<std::string>& ignored);
 
-  /// What was seen until the contact or the end; `driven` and `recorded` are the progress along the
-  /// route, m.
+  /// Returns the score of the steps so far. `driven` and `recorded`: progress of the ego and the
+  /// recorded ego along the route, m.
   NuplanScore score(const std::optional<NuplanContact>& contact, double driven,
                     double recorded) const;
 

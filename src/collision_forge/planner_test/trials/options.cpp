@@ -26,13 +26,14 @@ static void readOptions(Section& section, UntilHitOptions& options) {
   options.min_impact_speed = section.nonNegative("min_impact_speed");
 }
 
-/// Planners are called between steps of a rollout.
+/// Checks that `interval` is a multiple of the rollout's step.
 static void checkIntervals(const Section& file, const TrialOptions& options) {
   const double step = options.rollout.step;
   const auto check = [&](const char* key, double interval) {
     const double steps = interval / step;
     if (std::round(steps) >= 1.0 && std::abs(steps - std::round(steps)) < 1e-6) return;
-    file.refuse(key, numberText(interval) + " s, the time between two calls of a planner, is no " +
+    file.refuse(key, numberText(interval) +
+                         " s, the time between two calls of a planner, is not a " +
                          "multiple of rollout.step, which is " + numberText(step) + " s");
   };
   check("planning.interval", options.planning.interval);

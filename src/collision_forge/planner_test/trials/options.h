@@ -7,22 +7,23 @@
 
 namespace forge {
 
-/// config/planners.yaml, section rollout, where unit and source of its key stand.
+/// Options of rollout(): config/planners.yaml, section rollout, where the source of its key stands.
 struct RolloutOptions {
-  double step = 0.0;
-  double hard_braking = PdmComfortOptions().max_braking;  ///< m/s2
+  double step = 0.0;                                      ///< s between two states
+  double hard_braking = PdmComfortOptions().max_braking;  ///< m/s2; stronger braking counts as hard
   FaultOptions fault;
 };
 
-/// config/planners.yaml, section until_hit.
+/// Options of forge test --until-hit: config/planners.yaml, section until_hit.
 struct UntilHitOptions {
-  int tries = 0;
-  double min_impact_speed = 0.0;
+  int tries = 0;                  ///< number of requests
+  double min_impact_speed = 0.0;  ///< m/s; softer hits are ignored
 };
 
-/// config/planners.yaml: the planners, and how they are tried.
+/// All options of config/planners.yaml: the planners and the tests.
 struct TrialOptions : PlannerOptions {
-  /// Of the others with Background::kIdm: `idm` of the file, whatever planner or variant is tested.
+  /// Drives other agents with Background::kIdm: `idm` of the file, whatever planner or variant is
+  /// tested.
   IdmOptions traffic;
   RolloutOptions rollout;
   NuplanScoreOptions nuplan_score;
@@ -30,8 +31,8 @@ struct TrialOptions : PlannerOptions {
   UntilHitOptions until_hit;
 };
 
-/// Reads all of planners.yaml; `limits` are those of the ego. Throws ConfigError for a missing,
-/// unknown or malformed key.
+/// Reads all of planners.yaml; `limits` are the ego's. Throws ConfigError for a missing, unknown or
+/// malformed key.
 void readOptions(Section& file, TrialOptions& options, const VehicleLimits& limits);
 
 }  // namespace forge

@@ -12,8 +12,8 @@
 
 namespace forge {
 
-/// The protocol of arXiv 2510.12206 on a clip of COLLIDE. It decides whether the case's attacker
-/// hits an ego that a planner drives.
+/// The protocol of arXiv 2510.12206 on a clip of COLLIDE: decides whether the case's attacker hits
+/// an ego that a planner drives. Several threads may call the same object.
 class PublishedProtocol {
  public:
   virtual ~PublishedProtocol() = default;
@@ -25,21 +25,21 @@ class PublishedProtocol {
   virtual bool isIdmHit(const PublishedIdmOptions& idm) const = 0;
 };
 
-/// A crash that planners are tested on, wherever it comes from.
+/// A crash that planners are tested in, from any source.
 struct PlannerCase {
-  std::string name;    ///< of the clip, or of the scenario's line
-  std::string source;  ///< of scenarios: the tables have a row each
-  std::string scene;   ///< what the intervals are clustered by
+  std::string name;    ///< of the clip, or of the scenario's line; unique
+  std::string source;  ///< data set or scenario file; tables have one row per source
+  std::string scene;   ///< confidence intervals are clustered by it
   CollisionRequest request;
-  Status status;             ///< why there is nothing to test on, where there is not
-  CrashScenario scenario;    ///< with kOk only, but snapshot.now always
-  CollisionPattern pattern;  ///< aimed at; with kOk only
-  double effort = 0.0;       ///< Realization::effort
-  std::shared_ptr<const PublishedProtocol> published;  ///< of a clip of COLLIDE, else null
+  Status status;                                       ///< kOk, or why the case cannot be tested
+  CrashScenario scenario;                              ///< valid with kOk; `snapshot.now` always
+  CollisionPattern pattern;                            ///< requested pattern; valid with kOk
+  double effort = 0.0;                                 ///< Realization::effort
+  std::shared_ptr<const PublishedProtocol> published;  ///< for a clip of COLLIDE, else null
 };
 
-/// A line of a scenario file over its scene. Declined answers keep their status; kNoScene where
-/// the scene has no frame at its time.
+/// Combines a line of a scenario file with its scene. A rejected request keeps its status; kNoScene
+/// if the scene has no frame at the line's time.
 PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed,
                            const AnswerOptions& options);
 

@@ -15,11 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A line of a file of scenarios.
+/// A line of a scenario file.
 struct ScenarioLine {
   std::string where;
-  std::optional<Scenario> scenario;  ///< of a line that can be read
-  std::string error;                 ///< why it cannot be read
+  std::optional<Scenario> scenario;  ///< set if the line is valid
+  std::string error;                 ///< otherwise the reason
 };
 
 struct ScenarioLines {
@@ -39,7 +39,7 @@ struct ScenarioLines {
         lines.push_back({where(), std::nullopt, error.what()});
       }
     }
-    if (number == 1) throw std::runtime_error(path + ": has no scenarios");
+    if (number == 1) throw std::runtime_error(path + ": contains no scenarios");
   }
 };
 
@@ -53,7 +53,9 @@ class ScenarioCases : public PlannerCases {
     for (const std::string& path : paths) {
       const std::string source = fs::path(path).stem().string();
       if (!sources.insert(source).second) {
-        throw std::runtime_error("two scenario files have the same name, " + source);
+        throw std::runtime_error(
+            "two scenario files have the same name, which names their cases; rename one: " +
+            source);
       }
       const std::size_t before = read_.lines.size();
       read_.add(path, options.input_limits);
@@ -83,7 +85,7 @@ class ScenarioCases : public PlannerCases {
     const Scenario& scenario = *line.scenario;
     if (known_.count(scenario.asked.scene) == 0) {
       throw std::runtime_error(line.where + ": scene = \"" + scenario.asked.scene +
-                               "\" is not in the data");
+                               "\" is not in the data; check --source");
     }
     PlannerCase one = caseOfScenario(scenario, *scenes_->at(scenario.asked.scene), options_);
     one.name = names_[index];
@@ -92,7 +94,7 @@ class ScenarioCases : public PlannerCases {
   }
 
  private:
-  /// Those that there are, of the lines that can be read, in the order of the lines.
+  /// Loads the scenes that exist, for the valid lines in their order.
   std::vector<std::string> wantedScenes() const {
     std::vector<std::string> wanted;
     std::set<std::string> seen;

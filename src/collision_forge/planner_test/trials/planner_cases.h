@@ -11,25 +11,28 @@
 
 namespace forge {
 
-/// The crashes that a run of forge test is over, by index. Thread-safe.
+/// Extension point: the cases of a run of forge test, by index. All functions are called from
+/// several threads at once and must be thread-safe and deterministic.
 class PlannerCases {
  public:
   virtual ~PlannerCases() = default;
-  /// One a case, all different.
+  /// Returns one unique name per case; its size is the number of cases.
   virtual const std::vector<std::string>& names() const = 0;
-  /// What the cases depend on, to tell runs apart.
+  /// Returns a text that changes if any case changes; a resumed run compares it.
   virtual std::string fingerprint() const = 0;
-  /// Throws what is wrong with a case that cannot be read.
+  /// Returns a case. Throws any std::exception if the case cannot be read; the run then records it
+  /// as kUnreadable and continues.
   virtual PlannerCase at(std::size_t index) const = 0;
 };
 
-/// The scenes that the readable lines of scenario files are of. Throws as openScenarioCases().
+/// Returns the names of the scenes in the readable lines of scenario files. Throws as
+/// openScenarioCases().
 std::set<std::string> readScenes(const std::vector<std::string>& paths, const InputLimits& limits);
 
-/// The lines of scenario files, named FILE:LINE without the file's ending; the source is that name.
-/// Throws std::runtime_error for a file that cannot be read or has no lines, InputError as
-/// readInputLine(); a line that is none of the format, or of a scene that the source does not have,
-/// is a case that cannot be read.
+/// Opens the lines of scenario files as cases named FILE:LINE, with FILE (no extension) as source.
+/// `scenes_kept`: number of scenes held in memory. Throws std::runtime_error if a file cannot be
+/// read or has no lines, InputError as readInputLine(). at() throws for a malformed line and for a
+/// scene missing in the source.
 std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& paths,
                                                 const LogSource& logs, std::size_t scenes_kept,
                                                 const AnswerOptions& options,

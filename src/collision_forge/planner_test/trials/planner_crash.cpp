@@ -5,7 +5,7 @@
 namespace forge {
 namespace {
 
-/// As it drove; as it was recorded where it did not react.
+/// Returns the touched vehicle's motion: as simulated if it reacted, else as recorded.
 const Track* findOther(const RolloutOutcome& outcome, const std::vector<Track>& recorded) {
   const std::string& id = outcome.contact->other_id;
   const Track* driven = findTrack(outcome.others, id);

@@ -8,14 +8,14 @@
 
 namespace forge {
 
-/// The contact of a planner's ego with any vehicle, and what follows it.
+/// The contact of a planner's ego with any vehicle, and the motion after it.
 struct PlannerCrash {
-  Track other;             ///< the touched vehicle as it drove, from now to the contact or longer
-  PostCrashMotion motion;  ///< of the ego and, as attackerAt(), of the touched vehicle
+  Track other;             ///< the touched vehicle as it drove, from t0 at least to contact
+  PostCrashMotion motion;  ///< of the ego and, as attackerAt(), the touched vehicle
 };
 
-/// Returns the crash of a rollout by an ego of this size. `recorded`: the vehicles that did not
-/// react to it. Empty without a contact, and where the touched vehicle has no state at the contact.
+/// Returns the crash of a rollout. `recorded`: the agents that replay their recording. Empty
+/// without a contact, and if the touched vehicle has no state at contact.
 std::optional<PlannerCrash> crashOf(const RolloutOutcome& outcome, const BoxSize& ego_size,
                                     const std::vector<Track>& recorded,
                                     const DriveLimitOptions& options);

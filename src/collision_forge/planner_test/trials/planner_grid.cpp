@@ -17,7 +17,7 @@
 namespace forge {
 namespace {
 
-/// A number in a text: where it stands and what stands there.
+/// A number in a text with its position.
 struct NumberPlace {
   int line = 0;    ///< from 0 on
   int column = 0;  ///< from 0 on
@@ -66,7 +66,7 @@ PlannerGrid readPlannerGrid(Section file, const std::string& planner) {
   for (const std::string& key : keys) {
     std::vector<double> values = section.numbers(key, -kInfinity, kInfinity);
     if (std::set<double>(values.begin(), values.end()).size() < values.size()) {
-      section.refuse(key, "has a value twice");
+      section.refuse(key, "lists a value twice");
     }
     grid[key] = std::move(values);
   }
@@ -92,7 +92,7 @@ std::string withPlannerValues(const std::string& path, const std::string& text,
     const NumberPlace place = findNumber(path, root, key);
     if (place.value != value) changes.emplace_back(place, value);
   }
-  // The last in a line first, so that the columns of the others hold.
+  // Replaces from the end of each line, so that earlier columns stay valid.
   std::sort(changes.begin(), changes.end(), [](const auto& a, const auto& b) {
     return std::tie(a.first.line, a.first.column) > std::tie(b.first.line, b.first.column);
   });
@@ -103,7 +103,7 @@ std::string withPlannerValues(const std::string& path, const std::string& text,
     std::string& line = lines[place.line];
     if (line.compare(place.column, place.text.size(), place.text) != 0) {
       throw ConfigError(path + ": line " + std::to_string(place.line + 1) + ": the number " +
-                        place.text + " is in quotes");
+                        place.text + " is in quotes; write it without them");
     }
     line.replace(place.column, place.text.size(), shortestText(value));
   }
@@ -123,7 +123,7 @@ TrialOptions readTrialOptions(const std::string& path, const std::string& text,
 
 std::string shortestText(double value) {
   char text[32];
-  constexpr double kLargest = 1e15;  // whole numbers up to there are written without an exponent
+  constexpr double kLargest = 1e15;  // integers up to this are written without an exponent
   const bool is_whole = std::floor(value) == value && std::abs(value) < kLargest;
   const auto end = is_whole
                        ? std::to_chars(text, text + sizeof(text), value, std::chars_format::fixed)

@@ -9,34 +9,33 @@
 
 namespace forge {
 
-/// Numbers of planners.yaml by their keys' paths in the file, as "pdm.idm.min_gap".
+/// Values of planners.yaml by the path of their key, e.g. "pdm.idm.min_gap".
 using PlannerValues = std::map<std::string, double>;
 
-/// The values to be tried of some of these keys, each at least one, all different.
+/// Values to try for some of these keys; at least one per key, without duplicates.
 using PlannerGrid = std::map<std::string, std::vector<double>>;
 
-/// Section `planner` of a file like config/tuning.yaml. Throws ConfigError for a missing section,
-/// one without keys, and a value that is no list of different numbers.
+/// Reads section `planner` of a file like config/tuning.yaml. Throws ConfigError for a missing or
+/// empty section, and for a value that is not a list of distinct numbers.
 PlannerGrid readPlannerGrid(Section file, const std::string& planner);
 PlannerGrid readPlannerGrid(const std::string& path, const std::string& planner);
 
-/// The numbers that planners.yaml, whose text is `text`, has for the keys of the grid. Throws
-/// ConfigError, naming `path`, for a key that the file does not have or that is no number.
+/// Returns the values in planners.yaml (whose text is `text`) of the keys in the grid. Throws
+/// ConfigError, naming `path`, for a missing key or a value that is not a number.
 PlannerValues readPlannerValues(const std::string& path, const std::string& text,
                                 const PlannerGrid& grid);
 
-/// `text` with these numbers; those that it has already, comments and all else stay as written.
+/// Returns `text` with these values inserted; everything else, comments included, stays as written.
 /// Throws as readPlannerValues().
 std::string withPlannerValues(const std::string& path, const std::string& text,
                               const PlannerValues& values);
 
-/// The options of planners.yaml with these numbers for the planner under test: the traffic that
-/// reacts keeps those of `text`. `limits` are those of the ego. Throws ConfigError, naming `path`,
-/// for a key or value that the file cannot have.
+/// Parses `text` with these values for the planner under test; reactive traffic keeps the values in
+/// `text`. `limits` are the ego's. Throws ConfigError, naming `path`, for an invalid key or value.
 TrialOptions readTrialOptions(const std::string& path, const std::string& text,
                               const PlannerValues& values, const VehicleLimits& limits);
 
-/// The shortest text that reads back as the same number, in planners.yaml and in reports.
+/// Returns the shortest text that parses to the same number.
 std::string shortestText(double value);
 
 }  // namespace forge

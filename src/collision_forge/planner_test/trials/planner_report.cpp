@@ -13,11 +13,11 @@ namespace forge {
 namespace {
 
 constexpr TableUnit kShare{};
-constexpr double kSoft = 0.5;  // m/s; a softer contact does no harm
+constexpr double kSoft = 0.5;  // m/s; a softer contact is harmless
 
 using ValueOf = std::function<std::optional<double>(const PlannerTestResult&, const PlannerRow&)>;
 
-/// A measure of a rollout; its value is empty where the rollout is no trial of it.
+/// A measure of a rollout; its value is empty if the rollout does not count.
 struct RolloutMeasure {
   Measure measure;
   TableUnit unit;
@@ -31,7 +31,7 @@ bool hitsAttacker(const RolloutOutcome& outcome) {
   return outcome.contact && outcome.contact->is_attacker;
 }
 
-/// 1 where it is met, of the rollouts without a failure in the cases that are wanted.
+/// Returns 1 if the condition holds; counts rollouts without a failure in the selected cases.
 ValueOf shareOf(const std::function<bool(const PlannerTestResult&)>& is_wanted,
                 const std::function<bool(const RolloutOutcome&)>& is_met) {
   return [=](const PlannerTestResult& result, const PlannerRow& row) -> std::optional<double> {
@@ -53,7 +53,7 @@ std::optional<double> impactSpeed(const PlannerTestResult&, const PlannerRow& ro
   return outcome.contact->impact_speed;
 }
 
-/// 1 where the contact with the attacker is such, of those collisions.
+/// Returns 1 if the condition holds; counts collisions with the attacker.
 ValueOf shareOfCollisions(const std::function<bool(const PlannerContact&)>& is_met) {
   return [=](const PlannerTestResult&, const PlannerRow& row) -> std::optional<double> {
     if (hasFailed(row.outcome) || !hitsAttacker(row.outcome)) return std::nullopt;
@@ -61,7 +61,7 @@ ValueOf shareOfCollisions(const std::function<bool(const PlannerContact&)>& is_m
   };
 }
 
-/// 1 where it is true of the attacker, of the rollouts without a failure.
+/// Returns 1 if the condition holds; counts rollouts without a failure.
 ValueOf ofAttackers(const std::function<bool(const AttackerSummary&)>& is_met) {
   return [=](const PlannerTestResult&, const PlannerRow& row) -> std::optional<double> {
     if (hasFailed(row.outcome)) return std::nullopt;
@@ -69,7 +69,7 @@ ValueOf ofAttackers(const std::function<bool(const AttackerSummary&)>& is_met) {
   };
 }
 
-/// Without unfair hits, which say nothing of the planner.
+/// Leaves out unfair hits, which do not characterise the planner.
 std::optional<double> fairCollision(const PlannerTestResult&, const PlannerRow& row) {
   if (hasFailed(row.outcome) || !row.is_fair) return std::nullopt;
   return hitsAttacker(row.outcome) ? 1.0 : 0.0;
@@ -92,12 +92,12 @@ std::optional<double> offRoad(const PlannerTestResult&, const PlannerRow& row) {
 
 std::optional<double> progress(const PlannerTestResult&, const PlannerRow& row) {
   const RolloutOutcome& outcome = row.outcome;
-  constexpr double kStanding = 1.0;  // m; less progress is nothing to compare with
+  constexpr double kStanding = 1.0;  // m; less progress gives no meaningful ratio
   if (hasFailed(outcome) || outcome.recorded_progress < kStanding) return std::nullopt;
   return outcome.progress / outcome.recorded_progress;
 }
 
-/// Of every part of nuPlan's score the mean.
+/// Adds the mean of each term of nuPlan's score.
 std::vector<RolloutMeasure> nuplanMeasures() {
   std::vector<RolloutMeasure> measures;
   for (const NuplanPart& part : nuplanParts()) {
@@ -130,50 +130,47 @@ std::vector<RolloutMeasure> rolloutMeasures() {
         false},
        kShare,
        shareOf(isStrictAvoidable, collides)},
-      {{"collision_fair", "Collisions with the attacker, without unfair ones", {}, false},
+      {{"collision_fair", "Collisions with the attacker, unfair ones excluded", {}, false},
        kShare,
        fairCollision},
-      {{"escape",
-        "Collisions with the attacker that the ego could escape, of all these",
-        {},
-        false},
+      {{"escape", "Avoidable collisions, share of collisions with the attacker", {}, false},
        kShare,
        canEscape},
       {{"as_asked",
-        "Collisions with the attacker of the type and at the time asked for",
+        "Collisions with the attacker of the requested type at the requested time",
         {},
         false},
        kShare,
        ofAttackers([](const AttackerSummary& attacker) { return attacker.as_asked; })},
-      {{"gave_up", "Attackers that gave up, or were done, before the end", {}, false},
+      {{"gave_up", "Attackers that aborted or finished before the end", {}, false},
        kShare,
        ofAttackers([](const AttackerSummary& attacker) {
          return attacker.phase == AttackerPhase::kDrivingOn;
        })},
-      {{"attacker_limits", "Attackers that broke a limit that they were to keep", {}, false},
+      {{"attacker_limits", "Attackers that violated one of their limits", {}, false},
        kShare,
        ofAttackers([](const AttackerSummary& attacker) { return !attacker.broken_limit.empty(); })},
-      {{"attacker_touched", "Attackers that touched somebody else, who does not react", {}, false},
+      {{"attacker_touched", "Attackers that touched another agent that does not react", {}, false},
        kShare,
        ofAttackers([](const AttackerSummary& attacker) { return !attacker.touched.empty(); })},
       {{"published_hit", "Collisions with the attacker by the published protocol", {}, false},
        kShare,
        publishedHit,
        true},
-      {{"at_fault", "First contacts, with anybody, that the planner is to blame for", {}, false},
+      {{"at_fault", "First contacts with any agent, planner at fault", {}, false},
        kShare,
        shareOf(isAny, [](const RolloutOutcome& o) { return o.contact && o.contact->at_fault; })},
-      {{"other", "First contacts with somebody else than the attacker", {}, false},
+      {{"other", "First contacts with an agent other than the attacker", {}, false},
        kShare,
        shareOf(isAny, [](const RolloutOutcome& o) { return o.contact && !hitsAttacker(o); })},
       {{"impact_speed", "Impact speed of collisions with the attacker, mean", {}, false},
        {"m/s", 1.0},
        impactSpeed},
-      {{"soft", "Collisions with the attacker below 0.5 m/s, of all these", {}, false},
+      {{"soft", "Collisions below 0.5 m/s, share of collisions with the attacker", {}, false},
        kShare,
        shareOfCollisions([](const PlannerContact& c) { return c.impact_speed < kSoft; })},
       {{"collision_at_fault",
-        "Collisions with the attacker that the planner is to blame for, of all these",
+        "Collisions with the planner at fault, share of collisions with the attacker",
         {},
         false},
        kShare,
@@ -184,10 +181,10 @@ std::vector<RolloutMeasure> rolloutMeasures() {
       {{"off_road", "Share of the ego's box off the drivable area, mean", {}, false},
        kShare,
        offRoad},
-      {{"progress", "Progress along the route, of the recorded ego's, mean", {}, false},
+      {{"progress", "Progress along the route, share of the recorded ego's, mean", {}, false},
        kShare,
        progress},
-      {{"failure", "Rollouts that a failure of the planner ended", {}, false},
+      {{"failure", "Rollouts that ended with a planner failure", {}, false},
        kShare,
        [](const PlannerTestResult&, const PlannerRow& row) -> std::optional<double> {
          return hasFailed(row.outcome) ? 1.0 : 0.0;
@@ -197,7 +194,7 @@ std::vector<RolloutMeasure> rolloutMeasures() {
   return measures;
 }
 
-/// In the order in which they come; a case that cannot be read has none.
+/// Returns the sources in order of appearance; unreadable cases have none.
 std::vector<std::string> sourcesOf(const std::vector<PlannerTestResult>& results) {
   std::vector<std::string> sources;
   for (const PlannerTestResult& result : results) {
@@ -237,8 +234,7 @@ PlannerTable rolloutTable(const RolloutMeasure& measure,
 
 using IsMet = std::function<bool(const PlannerTestResult&)>;
 
-/// The share of the tested cases that meet something; a row a source and, of `conditions`, one
-/// each.
+/// Returns the share of tested cases that meet each condition, one row per source and condition.
 PlannerTable caseTable(const Measure& measure,
                        const std::vector<std::pair<std::string, IsMet>>& conditions,
                        const IsMet& is_wanted, const std::vector<PlannerTestResult>& results) {
@@ -275,8 +271,8 @@ std::vector<PlannerTable> avoidabilityTables(const std::vector<PlannerTestResult
                     isAny, results),
           caseTable({"avoidable_strict", "Avoidable crashes, of strict ones", {}, false},
                     {{"avoidable", isAvoidable}}, isStrict, results),
-          caseTable({"from_now", "Crashes that a manoeuvre avoids from now on", {}, false},
-                    manoeuvres, isAny, results)};
+          caseTable({"from_now", "Crashes that a manoeuvre from t0 avoids", {}, false}, manoeuvres,
+                    isAny, results)};
 }
 
 }  // namespace

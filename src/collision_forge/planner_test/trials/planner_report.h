@@ -8,30 +8,30 @@
 
 namespace forge {
 
-/// A table of planner tests with the unit of its values.
+/// A table with the unit of its values.
 struct PlannerTable {
   RateTable table;
   TableUnit unit;
 };
 
-/// What results of planner tests say, with intervals over scenes: a row each of `rows` (rowName();
-/// and source, where there are several), a column a type. docs/planners.md defines every measure.
-/// Cases that were not tested count in no table, rollouts that a failure of the planner ended in
-/// that of failures alone.
+/// Returns the tables of results with confidence intervals over scenes: one row for each of `rows`
+/// (rowName(); and source, if there are several), one column per type. docs/planners.md defines
+/// every measure. Untested cases are not counted; rollouts that ended with a planner failure count
+/// only in the failure table.
 std::vector<PlannerTable> plannerTables(const std::vector<PlannerTestResult>& results,
                                         const std::vector<std::string>& rows);
 
-/// How many cases were tested, and why the others were not; as Markdown lines.
+/// Returns Markdown lines with the number of tested cases and the statuses of the others.
 std::string describeCases(const std::vector<PlannerTestResult>& results);
 
-/// A rollout of a list of results.
+/// Identifies a rollout in a list of results.
 struct WorstCase {
-  std::size_t result = 0;  ///< index
+  std::size_t result = 0;  ///< index in the list
   std::string planner;
 };
 
-/// Of each planner the `count` fair contacts (PlannerRow::is_fair) with the attacker of the highest
-/// impact speed, worst first; at most one a scene.
+/// Returns, for each planner, the `count` fair hits by the attacker (PlannerRow::is_fair) with the
+/// highest impact speed, in descending order; at most one per scene.
 std::vector<WorstCase> worstCases(const std::vector<PlannerTestResult>& results,
                                   const std::vector<std::string>& planners, std::size_t count);
 

@@ -42,7 +42,8 @@ RolloutOutcome drive(const PlannerCase& one, const std::string& planner,
   return rollout(*made.planner, made.driving, one.scenario, setup);
 }
 
-/// What the attacker did, held against the ego as it was driven and the others as recorded.
+/// Summarises the attacker's motion, verified against the ego as driven and the other agents as
+/// recorded.
 AttackerSummary summaryOf(const PlannerCase& one, PolicyKind policy, Background background,
                           const RolloutOutcome& outcome, const AnswerOptions& options) {
   AttackerSummary summary;
@@ -51,7 +52,7 @@ AttackerSummary summaryOf(const PlannerCase& one, PolicyKind policy, Background 
   summary.plans = static_cast<int>(outcome.attacker_plans.size());
   const CrashScenario& scenario = one.scenario;
   Future driven = scenario.recorded;
-  // Where they react, nobody knows afterwards where the others were.
+  // The positions of reactive agents are not kept.
   if (background == Background::kIdm) driven.agents.clear();
   driven.ego.states = toStates(outcome.driven);
   AttackerTrajectory attacker = outcome.attacker;
@@ -74,7 +75,8 @@ AttackerSummary summaryOf(const PlannerCase& one, PolicyKind policy, Background 
   return summary;
 }
 
-/// Empty where a failure ends the drive that goes on after a contact. `one.published` must be set.
+/// Returns nothing if a planner failure ends the rollout through contacts. `one.published` must be
+/// set.
 std::optional<bool> isPublishedHit(const PlannerCase& one, const std::string& planner,
                                    Background background, const AnswerOptions& options,
                                    const TrialOptions& trials) {

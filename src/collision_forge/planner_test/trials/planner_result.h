@@ -14,18 +14,17 @@
 
 namespace forge {
 
-/// What is kept of an Avoidability, or of findEscape().
+/// Summary of an Avoidability or of findEscape().
 struct AvoidabilitySummary {
   bool is_avoidable = false;
-  std::vector<EvasiveManoeuvre>
-      from_now;  ///< those that work from now on; not asked of findEscape()
+  std::vector<EvasiveManoeuvre> from_now;  ///< kinds that work from t0; not set for findEscape()
   EvasiveManoeuvre last =
       EvasiveManoeuvre::kKeeping;  ///< these three with is_avoidable: the witness with the
   double last_after = 0.0;         ///< latest start, s from now
   double off_road_share = 0.0;
 };
 
-/// Who is tested, and against whom.
+/// What a test runs: planners, background traffic and attacker policies.
 struct TestPlan {
   std::vector<std::string> planners;
   Background background = Background::kReplay;
@@ -33,94 +32,95 @@ struct TestPlan {
   Foresight foresight = {};  ///< of adaptive attackers
 };
 
-/// What tables call a planner that is tested against such an attacker: its own name where the
-/// attacker is fixed.
+/// Returns the row title of a planner tested against such an attacker; the planner's own name for a
+/// fixed one.
 std::string rowName(const std::string& planner, PolicyKind policy);
-/// Of all rows of a plan, in their order: the policies of a planner beside each other.
+/// Returns the names of all rows of a plan, in order; the policies of each planner are adjacent.
 std::vector<std::string> rowNames(const TestPlan& plan);
 
-/// What became of an attacker.
+/// State of an attacker at the end of a rollout.
 struct AttackerSummary {
   PolicyKind policy = PolicyKind::kFixed;
   AttackerPhase phase = AttackerPhase::kCommitted;  ///< at the end
-  int plans = 0;                                    ///< that it made, the first one counted
-  std::string broken_limit;  ///< that it was to keep, by what it drove; empty where all are kept
-  /// Whom it touched before the end, the ego aside; empty if nobody, and where the others react.
+  int plans = 0;                                    ///< number of its plans, including the first
+  std::string broken_limit;  ///< limit that its motion violated; empty if none
+  /// Id of the agent that it touched before the end, the ego excluded; empty if none, and if the
+  /// other agents are reactive.
   std::string touched;
-  /// It touched the ego as the type that was asked for, at most the tolerance before or after the
-  /// time asked for.
+  /// It hit the ego with the requested type, within the tolerance of the requested time.
   bool as_asked = false;
 };
 
-/// One planner in one case. The motions of the outcome and `escape_drive` are there until
-/// dropMotions().
+/// Result of one planner in one case. dropMotions() removes the motions of the outcome and
+/// `escape_drive`.
 struct PlannerRow {
   std::string planner;
   RolloutOutcome outcome;
   AttackerSummary attacker;
-  /// Where the attacker has hit the ego: findEscape().
+  /// Result of findEscape(); set if the attacker hit the ego.
   std::optional<AvoidabilitySummary> escape = {};
   std::optional<Escape> escape_drive = {};  ///< with an escape
-  /// False of a hit that the ego could not have escaped, driving as it did, for at least
-  /// FairnessOptions::avoidable_for.
+  /// False for a hit without a known evasive manoeuvre that starts at least
+  /// FairnessOptions::avoidable_for after t0.
   bool is_fair = true;
-  /// In a clip of COLLIDE: the published protocol sees the attacker hit the ego that the planner
-  /// drives to the last frame, through whom it may touch (PublishedProtocol).
+  /// For a clip of COLLIDE: whether the attacker hits the planner's ego by the published protocol
+  /// (PublishedProtocol). The ego drives to the last frame, even through contacts.
   std::optional<bool> published_hit = {};
 };
 
-/// Status of a case that cannot be read: its name alone is known.
+/// Status of a case that cannot be read; only its name is known.
 inline constexpr const char* kUnreadable = "UNREADABLE";
 
-/// Status of a case that nobody can be driven through.
+/// Status of a case that checkScenario() rejects.
 inline constexpr const char* kUnfit = "UNFIT";
 
-/// All planners in one case.
+/// Results of all planners in one case.
 struct PlannerTestResult {
   std::string name;
-  std::string source;  ///< these five with isRead()
+  std::string source;  ///< these five are valid with isRead()
   std::string scene;
   CollisionType type = CollisionType::kRearEnd;
   double tta = 0.0;
-  double now = 0.0;  ///< s, the scene's clock
+  double now = 0.0;  ///< s, scene clock; t0
   Background background = Background::kReplay;
-  std::string status;      ///< "OK", a StatusCode, kUnreadable or kUnfit: nothing to test on
-  std::string message;     ///< for people; empty with OK
-  bool is_strict = false;  ///< with OK: all conditions of the strict protocol against the recording
-  AvoidabilitySummary avoidability;  ///< these two with OK
-  /// With OK a row a planner and policy, in the order of rowNames(). Of an unfit clip idm_published
-  /// alone, with `published_hit` alone: that test drives the clip from its first frame.
+  std::string status;   ///< "OK", or why there is no test: a StatusCode, kUnreadable or kUnfit
+  std::string message;  ///< for people; empty with OK
+  bool is_strict =
+      false;  ///< with OK: meets all conditions of the strict protocol against the recording
+  AvoidabilitySummary avoidability;  ///< valid with OK, like `rows`
+  /// With OK one row per planner and policy, ordered as rowNames(). An unfit clip has one row,
+  /// idm_published, with only `published_hit` set: that test drives the clip from its first frame.
   std::vector<PlannerRow> rows;
 
   bool isTested() const { return status == "OK"; }
   bool isRead() const { return status != kUnreadable; }
 };
 
-/// A result without anything tested.
+/// Returns a result without rows.
 PlannerTestResult untested(const PlannerCase& one, const std::string& status,
                            const std::string& message);
 
-/// Tells what a case is without a planner: its status and, with OK, whether it is strict and
-/// avoidable. A case that checkScenario() refuses is kUnfit.
+/// Evaluates a case without a planner: its status and, with OK, whether it is strict and avoidable.
+/// A case that checkScenario() rejects is kUnfit.
 PlannerTestResult judgeCase(const PlannerCase& one, const AnswerOptions& options,
                             const TrialOptions& trials);
 
-/// Who drives the attacker of a case; null for PolicyKind::kFixed.
+/// Creates the attacker's policy for a case; null for PolicyKind::kFixed.
 std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind policy,
                                              const Foresight& foresight,
                                              const AnswerOptions& options);
 
-/// Drives a planner through a case that judgeCase() finds OK; of the plan the background and the
-/// foresight count. Throws std::invalid_argument for an unknown planner.
+/// Runs a planner through a case that judgeCase() found OK. Uses only the background and the
+/// foresight of the plan. Throws std::invalid_argument for an unknown planner.
 PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, PolicyKind policy,
                        const TestPlan& plan, const AnswerOptions& options,
                        const TrialOptions& trials);
 
-/// Removes the motions from the rows: what the tables need is small.
+/// Removes the motions from the rows to save memory; tables do not need them.
 void dropMotions(PlannerTestResult& result);
 
-/// Drives every planner of the plan through the case as judgeCase() finds it, against an attacker
-/// of each policy; rows as PlannerTestResult has them. Throws as testPlanner().
+/// Runs judgeCase(), then every planner of the plan against an attacker of each policy; rows as in
+/// PlannerTestResult. Throws as testPlanner().
 PlannerTestResult testPlanners(const PlannerCase& one, const TestPlan& plan,
                                const AnswerOptions& options, const TrialOptions& trials);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kFormat = "collision_forge/planner_test";
 constexpr int kVersion = 5;
-constexpr int kMaxRows = 10000;  // of a case
+constexpr int kMaxRows = 10000;  // rows of a case
 
 void writeNuplan(JsonLineWriter& writer, const NuplanScore& score) {
   writer.beginObject("nuplan");
@@ -59,7 +59,7 @@ void writeContact(JsonLineWriter& writer, const PlannerContact& contact, double 
   writer.endObject();
 }
 
-/// What a case that can be read was asked for.
+/// Writes the request of a readable case.
 void writeCase(JsonLineWriter& writer, const PlannerTestResult& result) {
   if (!result.isRead()) {
     for (const char* key : {"source", "scene", "type", "tta", "now"}) writer.null(key);
@@ -72,21 +72,21 @@ void writeCase(JsonLineWriter& writer, const PlannerTestResult& result) {
   writer.number("now", result.now);
 }
 
-/// A name that `parse` knows; fails naming the field otherwise.
+/// Returns the parsed name; fails with the field's name if `parse` does not know it.
 template <typename Parse>
 auto readName(JsonObject& object, const char* key, const Parse& parse) {
   const auto value = parse(object.text(key));
-  if (!value) object.fail(key, "is no known name");
+  if (!value) object.fail(key, "is not a known name");
   return *value;
 }
 
 void readCase(JsonObject& object, PlannerTestResult& result) {
   if (!result.isRead()) {
     for (const char* key : {"source", "scene", "type"}) {
-      if (object.textOrNull(key)) object.fail(key, "is there without a case that can be read");
+      if (object.textOrNull(key)) object.fail(key, "must be absent in an unreadable case");
     }
     for (const char* key : {"tta", "now"}) {
-      if (object.numberOrNull(key)) object.fail(key, "is there without a case that can be read");
+      if (object.numberOrNull(key)) object.fail(key, "must be absent in an unreadable case");
     }
     return;
   }
@@ -102,11 +102,11 @@ AvoidabilitySummary readAvoidability(JsonObject object) {
   summary.is_avoidable = object.flag("avoidable");
   for (const std::string& name : object.texts("from_now")) {
     const auto manoeuvre = evasiveManoeuvreFromString(name);
-    if (!manoeuvre) object.fail("from_now", "\"" + name + "\" is no manoeuvre");
+    if (!manoeuvre) object.fail("from_now", "\"" + name + "\" is not a known manoeuvre");
     summary.from_now.push_back(*manoeuvre);
   }
   auto last = object.objectOrNull("last");
-  if (last.has_value() != summary.is_avoidable) object.fail("last", "does not fit avoidable");
+  if (last.has_value() != summary.is_avoidable) object.fail("last", "contradicts avoidable");
   if (last) {
     summary.last = readName(*last, "manoeuvre", evasiveManoeuvreFromString);
     summary.last_after = last->number("start_t");
@@ -125,7 +125,7 @@ PlannerContact readContact(JsonObject object, double now) {
   contact.place = readName(object, "place", contactPlaceFromString);
   if (const auto type = object.textOrNull("type")) {
     contact.type = collisionTypeFromString(*type);
-    if (!contact.type) object.fail("type", "is no collision type");
+    if (!contact.type) object.fail("type", "is not a collision type");
   }
   contact.relative_heading = object.number("relative_heading");
   contact.ego_side = readName(object, "ego_side", sideFromString);
@@ -183,7 +183,7 @@ PlannerRow readRow(JsonObject& object, double now) {
   return row;
 }
 
-/// What describes the case in a row of the CSV file.
+/// Returns the case's columns in a row of the CSV file.
 std::string csvStart(const PlannerTestResult& result) {
   if (!result.isRead()) return csvText(result.name) + ",,,,," + result.status;
   return csvText(result.name) + ',' + csvText(result.source) + ',' + csvText(result.scene) + ',' +
@@ -203,7 +203,7 @@ std::string csvContact(const std::optional<PlannerContact>& contact, double now)
          toString(contact->place);
 }
 
-/// Their names, each after a comma.
+/// Returns the column names, each after a comma.
 std::string nuplanColumns() {
   std::string names;
   for (const NuplanPart& part : nuplanParts()) names += std::string(",nuplan_") + part.name;
@@ -224,7 +224,7 @@ std::string csvAttacker(const AttackerSummary& attacker) {
          csvText(attacker.touched) + ',' + (attacker.as_asked ? "1" : "0");
 }
 
-/// Manoeuvre and s from now of the last witness; without them where there is none.
+/// Returns manoeuvre and start (s after t0) of the last witness; empty columns if there is none.
 std::string csvLast(const AvoidabilitySummary& summary) {
   if (!summary.is_avoidable) return ",";
   return formatted("%s,%.3f", toString(summary.last), summary.last_after);
@@ -232,7 +232,7 @@ std::string csvLast(const AvoidabilitySummary& summary) {
 
 std::string csvHit(const std::optional<bool>& hit) { return hit ? (*hit ? "1" : "0") : ""; }
 
-/// One without a planner where there is none.
+/// Returns one row per planner, or one without a planner if there is none.
 std::vector<std::string> untestedCsvRows(const std::string& start,
                                          const std::vector<PlannerRow>& rows) {
   constexpr std::size_t kBefore = 5;  // columns up to the planner's

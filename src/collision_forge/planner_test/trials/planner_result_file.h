@@ -8,19 +8,20 @@
 
 namespace forge {
 
-/// One line of results.jsonl, without a line end; times from now, as docs/planners.md has it.
+/// Returns one line of results.jsonl without a line end; times are relative to t0, as
+/// docs/planners.md defines.
 std::string plannerResultLine(const PlannerTestResult& result);
-/// The opposite. Throws JsonLineError naming `where`.
+/// Parses such a line. Throws JsonLineError naming `where`.
 PlannerTestResult readPlannerResultLine(const std::string& where, const std::string& line);
 
-// Parts of the line, for files that hold the same.
+// Parts of the line, shared with other files.
 
 void writeAvoidability(JsonLineWriter& writer, const char* key, const AvoidabilitySummary& summary);
 
-/// The fields of an element of "planners", into the object that is open.
+/// Writes the fields of an element of "planners" into the open object. `now`: s, scene clock.
 void writePlannerRow(JsonLineWriter& writer, const PlannerRow& row, double now);
 
-/// A line a planner, without the line's end.
+/// Header and lines of results.csv, one line per planner, without line ends.
 std::string plannerResultCsvHeader();
 std::vector<std::string> plannerResultCsvRows(const PlannerTestResult& result);
 

@@ -31,7 +31,9 @@ std::vector<PlannerTestResult> testCases(
   run.take = [&](std::size_t index, const std::string& where, const std::string& line) {
     PlannerTestResult result = readPlannerResultLine(where, line);
     if (result.name != cases.names()[index]) {
-      throw std::runtime_error(where + ": name = \"" + result.name + "\" is not expected there");
+      throw std::runtime_error(
+          where + ": name = \"" + result.name +
+          "\" is not the case of this line; delete the file, or choose another --out");
     }
     dropMotions(result);
     results.push_back(std::move(result));

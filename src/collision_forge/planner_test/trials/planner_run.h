@@ -9,10 +9,11 @@
 
 namespace forge {
 
-/// Tests every case; the results without motions, which the file keeps (KeptDrives), in their order
-/// on the master, none elsewhere. A case that cannot
-/// be read is kUnreadable. `run`: path, options and jobs, a line a case. Throws as carryOut() and
-/// readPlannerResultLine(), std::runtime_error for a line of another case.
+/// Tests every case in parallel. `run` has path, options and jobs; its file gets one line per case.
+/// Returns the results in order on the master, without motions (KeptDrives reads them from the
+/// file), and an empty list on other ranks. A case that cannot be read is kUnreadable. Throws as
+/// carryOut() and readPlannerResultLine(), and std::runtime_error if the file has a line of another
+/// case.
 std::vector<PlannerTestResult> testCases(
     Run run, const PlannerCases& cases,
     const std::function<PlannerTestResult(const PlannerCase&)>& test);

@@ -58,7 +58,7 @@ std::vector<PlannerSummary> summarizePlanners(const std::vector<PlannerTestResul
 
 std::string summaryText(const std::vector<PlannerSummary>& summaries,
                         const std::map<std::string, double>& milliseconds) {
-  std::size_t width = 7;  // of the title "planner"
+  std::size_t width = 7;  // length of the title "planner"
   for (const PlannerSummary& summary : summaries) width = std::max(width, summary.planner.size());
   std::ostringstream text;
   const auto begin = [&](const std::string& name) {

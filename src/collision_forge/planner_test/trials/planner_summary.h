@@ -9,7 +9,7 @@
 
 namespace forge {
 
-/// How one planner did against attackers of one policy, over all tested cases.
+/// Result of one planner against attackers of one policy, over all tested cases.
 struct PlannerSummary {
   struct Impact {
     double speed = 0.0;     ///< m/s
@@ -20,17 +20,17 @@ struct PlannerSummary {
   int scenes = 0;       ///< distinct scenes of the cases
   int cases = 0;        ///< rollouts, failures included
   int hits = 0;         ///< first contacts with the attacker, without failures
-  int avoidable = 0;    ///< hits that the planner could have escaped (PlannerRow::is_fair)
+  int avoidable = 0;    ///< hits that the planner could have avoided (PlannerRow::is_fair)
   int failures = 0;
-  std::optional<Impact> worst;  ///< the hardest hit; without a value if there is none
+  std::optional<Impact> worst;  ///< the hardest hit; empty if there is none
 };
 
 /// Returns one summary for each name of `rows` (rowName()), in their order.
 std::vector<PlannerSummary> summarizePlanners(const std::vector<PlannerTestResult>& results,
                                               const std::vector<std::string>& rows);
 
-/// Returns a table for a terminal: a line of titles, then a line for each summary.
-/// `milliseconds`: mean computing time of a call by row name; a row that it lacks shows "-".
+/// Returns a table for a terminal: a title line, then one line per summary. `milliseconds`: mean
+/// computing time of a call by row name; "-" if a row is missing in it.
 std::string summaryText(const std::vector<PlannerSummary>& summaries,
                         const std::map<std::string, double>& milliseconds);
 

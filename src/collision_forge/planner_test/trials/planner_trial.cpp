@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-/// Watches a planner at work.
+/// Forwards calls to a planner and measures their time.
 class WatchedPlanner : public Planner {
  public:
   explicit WatchedPlanner(Planner& planner) : planner_(planner) {}
@@ -36,11 +36,11 @@ class WatchedPlanner : public Planner {
   Planner& planner_;
   double sum_ = 0.0;  // s
   double max_ = 0.0;  // s
-  int calls_ = 0;     // that were answered
+  int calls_ = 0;     // successful ones
   std::vector<std::vector<Pose2>> proposals_;
 };
 
-/// Of an attacker that sees and reacts.
+/// Returns the avoidability of a rollout against an adaptive attacker.
 Avoidability avoidabilityOf(const RolloutOutcome& outcome, const CrashScenario& scenario,
                             const RolloutSetup& setup) {
   Avoidability found;

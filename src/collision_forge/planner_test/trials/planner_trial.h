@@ -7,18 +7,18 @@
 
 namespace forge {
 
-/// One planner in one crash, with what a picture of it needs.
+/// Result of one planner in one crash, with the data that a figure needs.
 struct PlannerTrial {
   RolloutOutcome outcome;
   Avoidability avoidability;
   std::vector<std::vector<Pose2>> proposals;  ///< Planner::proposals() of the last call
-  double mean_call = 0.0;                     ///< s of the wall clock in an answered call of plan()
+  double mean_call = 0.0;                     ///< s of the wall clock per successful call of plan()
   double max_call = 0.0;
 };
 
-/// rollout() and findAvoidability(). Where the setup has an attacker of its own, findEscape() from
-/// the contact; what drove on without one is avoidable by that, and of a failure nothing is known.
-/// Throws as they do.
+/// Runs rollout() and findAvoidability(). If the setup has its own attacker policy, uses
+/// findEscape() after a hit instead; a rollout without contact then counts as avoidable, and one
+/// with a failure has no result. Throws as these functions.
 PlannerTrial tryPlanner(Planner& planner, const Driving& driving, const CrashScenario& scenario,
                         const RolloutSetup& setup);
 

@@ -26,7 +26,7 @@ std::size_t sizeOf(const PlannerGrid& grid) {
   return size;
 }
 
-/// The combination at an index, counted through with the last key fastest.
+/// Returns the combination at an index; the last key changes fastest.
 PlannerValues combinationAt(const PlannerGrid& grid, std::size_t index) {
   PlannerValues values;
   for (auto entry = grid.rbegin(); entry != grid.rend(); ++entry) {
@@ -36,7 +36,8 @@ PlannerValues combinationAt(const PlannerGrid& grid, std::size_t index) {
   return values;
 }
 
-/// 1 for a collision in an avoidable crash; empty in other cases and without a row of that name.
+/// Returns 1 for a collision in an avoidable crash; empty in other cases and without a row of that
+/// name.
 std::optional<double> collisionOf(const PlannerTestResult& result, const std::string& name) {
   if (!result.isTested() || !result.avoidability.is_avoidable) return std::nullopt;
   for (const PlannerRow& row : result.rows) {
@@ -116,7 +117,7 @@ PlannerTestResult testVariants(const PlannerCase& one, const std::string& planne
         testPlanner(one, planner, PolicyKind::kFixed, plan, options, variant.options));
     result.rows.back().planner = variant.name;
   }
-  if (only_avoidable) dropMotions(result);  // a line has a row of every variant
+  if (only_avoidable) dropMotions(result);  // saves memory: a result has a row for every variant
   return result;
 }
 
@@ -158,7 +159,7 @@ RateTable comparisonTable(const std::vector<PlannerTestResult>& results) {
     addTrial(trials[2].second, result, *after - *before);
   }
   return tabulateTrials({"tuned_collision",
-                         "Collisions that tuning counts (with the attacker, at fault, failures), "
+                         "Collisions as counted in tuning (with the attacker, at fault, failures), "
                          "of avoidable crashes",
                          {},
                          false},

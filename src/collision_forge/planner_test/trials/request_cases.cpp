@@ -19,13 +19,14 @@ CrashDefinition withoutThreshold(CrashDefinition crash) {
   return crash;
 }
 
-/// Every request of a scene: each manoeuvre of each type, by a recorded vehicle or a new one.
+/// Returns every request of a scene: each manoeuvre of each type, by a recorded or an added
+/// vehicle.
 std::vector<SceneRequest> everyRequestOf(const Scene& scene, const RequestListOptions& list,
                                          const AnswerOptions& options) {
   std::vector<SceneRequest> requests;
   CollisionRequest asked;
   asked.crash = withoutThreshold(options.crash);
-  asked.crash.types = {};  // the same for all, and large
+  asked.crash.types = {};  // identical for all requests, and large
   for (const Manoeuvre manoeuvre : kManoeuvres) {
     for (const AttackerChoice choice : {AttackerChoice::kExisting, AttackerChoice::kNew}) {
       asked.manoeuvre = manoeuvre;
@@ -39,7 +40,7 @@ std::vector<SceneRequest> everyRequestOf(const Scene& scene, const RequestListOp
   return requests;
 }
 
-/// `start`: s, the scene's first frame.
+/// `start`: s, time of the scene's first frame.
 std::string nameOf(const SceneRequest& asked, double start) {
   return asked.scene +
          formatted("/%.1f/%s/%g/", asked.now - start, toString(asked.request.type),
@@ -76,7 +77,7 @@ RequestCases::RequestCases(SceneSource& scenes, const MethodMaker& method,
   }
   if (requests_.empty()) {
     throw std::runtime_error(
-        "no collision can be asked for in these scenes: each is too short, "
+        "no collision request is possible in these scenes: each is too short, "
         "its ego too slow, or the road allows none");
   }
 }

@@ -14,24 +14,23 @@
 
 namespace forge {
 
-/// Which collisions are tried in scenes.
+/// Options of RequestCases.
 struct RequestDraw {
-  RequestListOptions list;  ///< instants, TTAs and types
+  RequestListOptions list;  ///< times, TTAs and types
   std::size_t tries = 0;
   std::uint64_t seed = 0;  ///< of the draw
-  /// Called with the scenes that were looked through, and their number.
+  /// Progress callback: number of scenes processed, total number.
   std::function<void(std::size_t, std::size_t)> on_scene = {};
 };
 
-/// Collisions that can be asked for in recorded scenes, drawn from every instant, type, TTA,
-/// manoeuvre and attacker (a recorded or a new one) that the road allows: `tries` different ones,
-/// or all where there are fewer. Attackers set out as in history mode, however little they promise.
-/// The source is "until_hit"; names are SCENE/SECONDS/TYPE/TTA/MANOEUVRE/ATTACKER, seconds from the
-/// scene's first frame.
+/// Cases from random requests in recorded scenes: `tries` distinct ones (or all, if fewer) of all
+/// times, types, TTAs, manoeuvres and attackers (recorded or added) that the road permits.
+/// Attackers start as in history mode, even with a low score. The source is "until_hit"; names are
+/// SCENE/SECONDS/TYPE/TTA/MANOEUVRE/ATTACKER, seconds from the scene's first frame.
 class RequestCases : public PlannerCases {
  public:
-  /// `scenes` and `options` must outlive it. Throws std::runtime_error where nothing can be asked
-  /// for.
+  /// `scenes` and `options` must outlive the object. Throws std::runtime_error if no request is
+  /// possible.
   RequestCases(SceneSource& scenes, const MethodMaker& method, const AnswerOptions& options,
                const RequestDraw& draw);
 
@@ -43,9 +42,9 @@ class RequestCases : public PlannerCases {
   PlannerCase at(std::size_t index) const override;
 
   const CollisionRequest& request(std::size_t index) const { return requests_[index].request; }
-  /// The first plan of the attacker. Takes as long as a request.
+  /// Generates the attacker's first plan; takes as long as a request.
   Scenario scenario(std::size_t index) const;
-  /// The case of that scenario.
+  /// Returns the case of a scenario that scenario(index) returned.
   PlannerCase caseOf(const Scenario& scenario, std::size_t index) const;
 
  private:

@@ -20,7 +20,7 @@ namespace forge {
 namespace {
 
 constexpr double kTimeSlack = 1e-3;    // s; no step is shorter
-constexpr double kLongestPlan = 60.0;  // s; no scenario lasts longer, later points are not driven
+constexpr double kLongestPlan = 60.0;  // s; no scenario lasts longer, later points are ignored
 
 constexpr EnumWord<PlannerFailure> kFailureNames[] = {
     {PlannerFailure::kNone, "none"},           {PlannerFailure::kError, "error"},
@@ -39,14 +39,14 @@ bool isFinite(const TrajectoryPoint& point) {
          std::isfinite(point.acceleration) && std::isfinite(point.curvature);
 }
 
-/// What is wrong with a plan made at `now` that has to last until the next call.
+/// Returns the failure of a plan made at `now` that must last until the next call.
 Failure failureOf(const std::vector<TrajectoryPoint>& plan, double now, double next_call) {
   if (plan.empty()) return {PlannerFailure::kEmpty, "the trajectory has no points"};
   for (std::size_t i = 0; i < plan.size(); ++i) {
     const std::string where = "point " + std::to_string(i);
     if (!isFinite(plan[i])) return {PlannerFailure::kNotFinite, where + " is not finite"};
     if (i > 0 && plan[i].time <= plan[i - 1].time) {
-      return {PlannerFailure::kUnordered, where + " is not later than the one before"};
+      return {PlannerFailure::kUnordered, where + " is not later than the previous one"};
     }
   }
   const double first = plan.front().time - now;
@@ -59,7 +59,7 @@ Failure failureOf(const std::vector<TrajectoryPoint>& plan, double now, double n
   return {};
 }
 
-/// Linear between the points; the last after them.
+/// Interpolates linearly between the points; the last point after them.
 TrajectoryPoint pointAt(const std::vector<TrajectoryPoint>& plan, double time) {
   const auto after = std::lower_bound(
       plan.begin(), plan.end(), time,
@@ -75,7 +75,7 @@ TrajectoryPoint pointAt(const std::vector<TrajectoryPoint>& plan, double time) {
   return point;
 }
 
-/// Moves the ego along the plans.
+/// Moves the ego along its plans.
 class EgoDriver {
  public:
   EgoDriver(const TrajectoryPoint& start, const Driving& driving, const EgoVehicle& ego,
@@ -126,7 +126,7 @@ class EgoDriver {
   std::vector<TrajectoryPoint> plan_;
 };
 
-/// The recorded ego now, its motion told from the past.
+/// Returns the recorded ego at t0 with its motion estimated from the past.
 TrajectoryPoint startOf(const CrashScenario& scenario, const AttackOptions& options) {
   const Motion motion = estimateMotion(scenario.snapshot.ego, options.prediction.motion_frames);
   TrajectoryPoint start{scenario.snapshot.now, motion.pose, std::max(motion.speed, 0.0),
@@ -189,7 +189,7 @@ class Run {
  private:
   double now() const { return ego_.point().time; }
 
-  /// The last step ends with the attacker's trajectory, a little early or late.
+  /// The last step ends with the attacker's trajectory and may be slightly shorter or longer.
   double timeOfStep(int step) const {
     const double time = outcome_.driven.front().time + step * options_.step;
     return time > scenario_.end() - kTimeSlack ? scenario_.end() : time;
@@ -200,7 +200,7 @@ class Run {
            outcome_.failure != PlannerFailure::kNone || now() >= scenario_.end() - kTimeEpsilon;
   }
 
-  /// The planner is a guest: what it throws is its failure, and is timed like all that it does.
+  /// Exceptions of the planner count as its failures; their time is measured like any call's.
   template <typename Call>
   void attempt(const Call& call) {
     const auto start = std::chrono::steady_clock::now();
@@ -250,7 +250,7 @@ class Run {
     }
   }
 
-  /// Where they are now. Those who do not react are where they were recorded.
+  /// Returns the current poses of the agents; agents that do not react are at their recorded poses.
   void keepOthers() {
     if (setup_.background != Background::kIdm) return;
     for (const Track& agent : traffic_.agents()) {
@@ -306,7 +306,7 @@ class Run {
     nuplan_contact_ = {contact.at_fault, other.agent_class == AgentClass::kStaticObject};
   }
 
-  /// Now, or where the other was first seen after now.
+  /// Returns the time t0, or when the other agent was first observed after it.
   Pose2 startPoseOf(const Track& other) const {
     if (other.id == scenario_.attacker.attacker_id) return scenario_.attacker.points.front().pose;
     const Track* recorded = findTrack(scenario_.recorded.agents, other.id);
@@ -317,7 +317,8 @@ class Run {
     return scenario_.lanes->offRoadShare({ego_.point().pose, scenario_.ego.size}).value_or(0.0);
   }
 
-  /// Every `off_road_interval`: adds to the share, and ends where the whole car has left the road.
+  /// Every `off_road_interval`, adds to the off-road share and ends the rollout if the whole box
+  /// has left the road.
   void checkRoad() {
     const double interval = setup_.attack.verification.off_road_interval;
     const double start = outcome_.driven.front().time;
@@ -326,7 +327,7 @@ class Run {
     off_road_sum_ += share;
     ++road_checks_;
     if (share >= 1.0 && was_on_road_) {
-      fail({PlannerFailure::kOffMap, "the whole car is off the drivable area"});
+      fail({PlannerFailure::kOffMap, "the ego's whole box is off the drivable area"});
     }
     was_on_road_ = was_on_road_ || share < 1.0;
   }
@@ -369,7 +370,7 @@ class Run {
   Traffic traffic_;
   EgoDriver ego_;
   std::map<std::string, Track> others_;
-  std::set<std::string> ignored_;  // who overlaps the ego from the start
+  std::set<std::string> ignored_;  // ids of agents that overlap the ego at t0
   RolloutOutcome outcome_;
   int steps_ = 0;
   double off_road_sum_ = 0.0;

@@ -16,31 +16,31 @@
 
 namespace forge {
 
-/// Everything that a rollout depends on, beside scenario and planner.
+/// Settings of a rollout, apart from scenario and planner.
 struct RolloutSetup {
   const TrialOptions& planners;
-  const AttackOptions& attack;   ///< of contacts: tolerance; of the start's motion
-  const TypeDefinitions& types;  ///< what contacts are told to be of
+  const AttackOptions& attack;   ///< contact tolerance; motion estimation at the start
+  const TypeDefinitions& types;  ///< to classify contacts
   Background background = Background::kReplay;
-  /// Otherwise the ego drives on to the end, through whom it touches.
+  /// If false, the ego continues through contacts until the end.
   bool ends_at_contact = true;
-  /// Who drives the attacker, from the scenario's trajectory on; null: that trajectory as it is. A
-  /// copy of it does.
+  /// Policy that drives the attacker, starting with the scenario's trajectory; the rollout uses a
+  /// copy. Null: the attacker follows that trajectory unchanged.
   const AttackerPolicy* attacker = nullptr;
 };
 
-/// What a planner did that ended its rollout.
+/// Failure of a planner that ends its rollout.
 enum class PlannerFailure {
   kNone,
-  kError,      ///< threw, at the start or when called
+  kError,      ///< initialize() or plan() threw an exception
   kEmpty,      ///< a trajectory without points
-  kNotFinite,  ///< a number that is none
-  kUnordered,  ///< times that do not increase
-  kLate,       ///< a trajectory that does not span from now to the next call, or LatePlan
-  kTimedOut,   ///< threw PlannerTimeout: who should have planned did not answer
-  kOffMap,     ///< the whole car left the drivable area
+  kNotFinite,  ///< a number is not finite
+  kUnordered,  ///< times do not increase
+  kLate,       ///< a trajectory that does not span from the call to the next call, or LatePlan
+  kTimedOut,   ///< threw PlannerTimeout: an external planner did not respond
+  kOffMap,     ///< the whole box left the drivable area
 };
-/// "none", "error", "empty", "not_finite", "unordered", "late", "timed_out", "off_map".
+/// Returns "none", "error", "empty", "not_finite", "unordered", "late", "timed_out" or "off_map".
 const char* toString(PlannerFailure failure);
 std::optional<PlannerFailure> plannerFailureFromString(const std::string& name);
 
@@ -48,49 +48,53 @@ std::optional<PlannerFailure> plannerFailureFromString(const std::string& name);
 struct PlannerContact {
   std::string other_id;
   bool is_attacker = false;
-  double time = 0.0;                              ///< s, the scene's clock
+  double time = 0.0;                              ///< s, scene clock
   ContactPlace place = ContactPlace::kElsewhere;  ///< of the ego
-  std::optional<CollisionType> type;              ///< see typeOf(); empty when it is of none
-  double relative_heading = 0.0;   ///< rad (-pi, pi], the other's yaw minus the ego's
-  Side ego_side = Side::kFront;    ///< of the ego's box, where the other's touches it
-  Side other_side = Side::kFront;  ///< of the other's box
+  std::optional<CollisionType> type;              ///< see typeOf(); empty if no type applies
+  double relative_heading = 0.0;   ///< rad (-pi, pi], the other agent's yaw minus the ego's
+  Side ego_side = Side::kFront;    ///< side of the ego's box that is touched
+  Side other_side = Side::kFront;  ///< side of the other box
   double impact_speed = 0.0;       ///< m/s, norm of the relative velocity
   double ego_speed = 0.0;          ///< m/s
   ContactCause cause = ContactCause::kLateral;
   bool at_fault = false;
 };
 
+/// Result of rollout().
 struct RolloutOutcome {
   PlannerFailure failure = PlannerFailure::kNone;
-  std::string failure_message;  ///< for people: what the planner returned; empty without failure
+  std::string failure_message;  ///< for users; empty without failure
   std::optional<PlannerContact> contact;
-  double duration = 0.0;           ///< s from now to the contact, the failure or the attacker's end
-  double max_braking = 0.0;        ///< m/s2, hardest braking of the ego, not negative
-  double hard_braking = 0.0;       ///< s that it braked harder than `hard_braking`
-  double off_road_share = 0.0;     ///< mean share of the box off the drivable area
+  double duration = 0.0;           ///< s from t0 to the contact, the failure or the attacker's end
+  double max_braking = 0.0;        ///< m/s2, hardest braking of the ego, >= 0
+  double hard_braking = 0.0;       ///< s of braking harder than RolloutOptions::hard_braking
+  double off_road_share = 0.0;     ///< share 0..1 of the box off the drivable area, mean
   double progress = 0.0;           ///< m along the route
-  double recorded_progress = 0.0;  ///< m along the route, of the recorded ego over the same time
+  double recorded_progress = 0.0;  ///< m along the route, of the recorded ego in the same time
   NuplanScore nuplan;
-  std::vector<TrajectoryPoint> driven;  ///< the ego every step, the last at the end
-  std::vector<Track> others;    ///< those who react (Background::kIdm), as they drove, every step
-  AttackerTrajectory attacker;  ///< as it drove up to the end, and meant to after it
+  std::vector<TrajectoryPoint> driven;  ///< the ego at every step; the last point is at the end
+  std::vector<Track> others;            ///< reactive agents (Background::kIdm) at every step
+  AttackerTrajectory attacker;          ///< as driven up to the end, and as planned after it
   AttackerPhase phase = AttackerPhase::kCommitted;  ///< of the attacker at the end
   std::vector<AttackerPlan> attacker_plans;         ///< AttackerPolicy::plans()
-  int plans = 0;                                    ///< calls of the planner
-  double planning_seconds = 0.0;  ///< of computing in these calls; the one thing that is measured
+  int plans = 0;                                    ///< number of calls of the planner
+  double planning_seconds =
+      0.0;  ///< s of computing time in these calls; the only non-deterministic field
 };
 
-/// Who drives the attacker of a rollout, as it sets out.
+/// Creates the attacker's policy for a rollout: a copy of the setup's, or one that follows the
+/// scenario's trajectory.
 std::unique_ptr<AttackerPolicy> attackerOf(const CrashScenario& scenario,
                                            const RolloutSetup& setup);
 
-/// Drives the ego by the planner from now on until its first contact (unless the setup says
-/// otherwise), a failure of the planner or the end of the attacker's trajectory. Whoever drives the
-/// attacker is shown every step as it comes. The start is the recorded state now, its speed told
-/// from the past (estimateMotion()). Within a step ego and others move linearly, so contacts are
-/// found to `overlap_tolerance`. Who overlaps the ego already now, the attacker aside, is not
-/// looked at. Same input, same outcome (planning_seconds aside). Throws as checkScenario() and
-/// routeOf().
+/// Simulates the planner's ego from t0 until its first contact (unless the setup says otherwise), a
+/// failure of the planner or the end of the attacker's trajectory.
+/// - The start is the recorded state at t0 with the speed from estimateMotion() of the past.
+/// - The attacker's policy observes every step before it moves.
+/// - Within a step all boxes move linearly; contacts are found to `overlap_tolerance`. Agents that
+///   overlap the ego at t0, except the attacker, are ignored.
+/// Deterministic (apart from planning_seconds). Throws as checkScenario() and routeOf(); exceptions
+/// of the planner become a PlannerFailure.
 RolloutOutcome rollout(Planner& planner, const Driving& driving, const CrashScenario& scenario,
                        const RolloutSetup& setup);
 

@@ -16,7 +16,7 @@ constexpr EnumWord<Background> kBackgroundWords[] = {
     {Background::kIdm, "idm"},
 };
 
-/// Linear between the states; constant beyond them.
+/// Interpolates linearly between the states; constant beyond them.
 double arcLengthAt(const std::vector<AgentState>& states, const std::vector<double>& arc_lengths,
                    double time) {
   const auto after =
@@ -29,7 +29,7 @@ double arcLengthAt(const std::vector<AgentState>& states, const std::vector<doub
   return arc_lengths[i - 1] + ratio * (arc_lengths[i] - arc_lengths[i - 1]);
 }
 
-/// The latest time up to `latest` at which the recording had come no further.
+/// Returns the latest time, at most `latest`, at which the recording had driven no farther.
 double timeAt(const std::vector<AgentState>& states, const std::vector<double>& arc_lengths,
               double arc_length, double latest) {
   const auto after = std::upper_bound(arc_lengths.begin(), arc_lengths.end(), arc_length);
@@ -78,7 +78,8 @@ Traffic::Traffic(const Traffic& other)
       drivers_(other.drivers_),
       agents_(other.agents_) {}
 
-/// Who hardly moves in the recording has no way, and stays a replay.
+/// Prepares a vehicle to react; one that hardly moves in the recording has no path and keeps
+/// replaying.
 void Traffic::prepareToReact(Driver& driver) {
   constexpr double kShortest = 2.0;  // m
   std::vector<Vector2> points;
@@ -135,9 +136,9 @@ void Traffic::drive(Driver& driver, double time, const std::vector<Track>& in_si
   driver.clock = timeAt(states, driver.arc_lengths, here + next * step, time);
 }
 
-/// Appends where the driver is now, if it is there, with the velocity over the last step.
+/// Appends the driver's current state, if it is in sight, with the velocity over the last step.
 void Traffic::show(Driver& driver, double step) const {
-  // Who reacts may have to wait where the recording has lost sight of it.
+  // A delayed vehicle may wait at a place where the recording has lost it.
   auto state = stateAt(driver.recorded, driver.clock,
                        driver.way ? std::numeric_limits<double>::infinity() : kMaxGap);
   if (!state) return;

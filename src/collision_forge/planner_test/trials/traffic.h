@@ -10,43 +10,42 @@
 
 namespace forge {
 
-/// How everybody but ego and attacker moves.
+/// How other agents move: replay their recording, or react by the intelligent driver model.
 enum class Background { kReplay, kIdm };
-/// "replay", "idm".
+/// Returns "replay" or "idm".
 const char* toString(Background background);
 std::optional<Background> backgroundFromString(const std::string& name);
 
-/// Everybody but the ego, step by step. The attacker looks at every step before it is driven, and
-/// follows its policy's trajectory; the others replay their recorded tracks. With kIdm a vehicle
-/// that the recording moves drives its recorded way by a clock of its own, which falls behind the
-/// recording where the intelligent driver model says that somebody (the ego, the attacker, another)
-/// is in its way, and catches up no faster than the model accelerates. Nobody is ever ahead of the
-/// recording.
+/// Simulates all agents except the ego, step by step. The attacker's policy observes every step
+/// before it moves the attacker; other agents replay their recorded tracks. With kIdm, a vehicle
+/// that moves in the recording drives its recorded path at its own time: the intelligent driver
+/// model delays it behind the ego, the attacker or another agent, and it catches up no faster than
+/// the model accelerates. No agent is ever ahead of its recording.
 class Traffic {
  public:
-  /// `history`: seconds of past states that agents() holds. `attacker`: who drives the attacker,
-  /// from the scenario's trajectory on.
+  /// `attacker`: policy of the attacker, starting with the scenario's trajectory. `history`: s of
+  /// past states in agents().
   Traffic(const CrashScenario& scenario, std::unique_ptr<AttackerPolicy> attacker,
           Background background, const IdmOptions& idm, double history);
   Traffic(const Traffic& other);
 
   double time() const { return time_; }
-  /// Those in sight now, each with its states of the last `history` seconds, the newest at time().
-  /// Velocities are told from the past alone, the attacker's from its trajectory.
+  /// Returns the agents in sight at time(), each with its states of the last `history` seconds.
+  /// Velocities are estimated from past states only; the attacker's come from its trajectory.
   const std::vector<Track>& agents() const { return agents_; }
 
   const AttackerPolicy& attacker() const { return *attacker_; }
 
-  /// On to `time` (> time()); `ego` has its newest state at time().
+  /// Advances to `time` (s, scene clock, > time()). The newest state of `ego` must be at time().
   void advance(double time, const Track& ego);
 
  private:
   struct Driver {
-    Track recorded;  ///< from now on; the attacker's its trajectory
+    Track recorded;  ///< from t0 on; the attacker's trajectory
     Track shown;     ///< up to time()
     bool is_attacker = false;
-    double clock = 0.0;  ///< s, recorded time of where it is
-    /// Of those that look out for others: their recorded way, the arc length of each state on it.
+    double clock = 0.0;  ///< s, recorded time of its position
+    /// For vehicles that react: recorded path and the arc length of each recorded state on it.
     std::optional<Polyline> way;
     std::vector<double> arc_lengths;
     double speed = 0.0;      ///< m/s

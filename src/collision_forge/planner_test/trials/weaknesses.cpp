@@ -14,8 +14,8 @@ struct Hit {
   const PlannerContact& contact() const { return *row->outcome.contact; }
 };
 
-/// True if the attacker came from behind and is at fault: it drove into the ego's rear, or it is a
-/// follower that drove into an ego that turns.
+/// Returns whether the attacker came from behind and is at fault: it hit the ego's rear, or it is a
+/// follower that hit a turning ego.
 bool isRearEndFault(const PlannerContact& contact, Manoeuvre manoeuvre) {
   if (contact.at_fault) return false;
   return manoeuvre == Manoeuvre::kFollowerCloses || contact.cause == ContactCause::kRear ||

@@ -10,8 +10,7 @@
 
 namespace forge {
 
-/// A way in which a planner is hit though it could escape: by a manoeuvre, at a kind of place, by
-/// its own fault or not.
+/// A class of avoidable hits of a planner: same manoeuvre, kind of road and fault.
 struct Weakness {
   std::string planner;
   PolicyKind policy = PolicyKind::kAdaptive;
@@ -21,11 +20,11 @@ struct Weakness {
   std::vector<std::size_t> results;  ///< indices, the hardest impact first
 };
 
-/// The weaknesses that results show, that with the hardest impact first. Counted are fair hits
-/// (PlannerRow::is_fair) by attackers that had not given up, kept every limit and touched nobody
-/// else, no softer than `min_impact_speed`. Hits by attackers from behind are left out unless the
-/// planner is at fault: those into the ego's rear, and all of followers that close. `manoeuvreOf`:
-/// what was asked for in the case of a result.
+/// Groups the hits in `results` into weaknesses, hardest impact first. Counts fair hits
+/// (PlannerRow::is_fair) of at least `min_impact_speed` by attackers that had not aborted, kept
+/// every limit and touched no other agent. Unless the planner is at fault, leaves out hits from
+/// behind: those into the ego's rear and all with Manoeuvre::kFollowerCloses. `manoeuvreOf` returns
+/// the requested manoeuvre of the case with a result's index.
 std::vector<Weakness> findWeaknesses(const std::vector<PlannerTestResult>& results,
                                      const std::function<Manoeuvre(std::size_t)>& manoeuvreOf,
                                      const UntilHitOptions& options);

@@ -17,7 +17,7 @@
 namespace forge {
 namespace {
 
-/// False where whoever asks is gone.
+/// Returns false if the caller has closed the stream.
 bool receive(void* data, std::size_t size) {
   char* bytes = static_cast<char*>(data);
   while (size > 0) {
@@ -30,7 +30,7 @@ bool receive(void* data, std::size_t size) {
   return true;
 }
 
-/// Where nobody listens any more, the next receive() tells.
+/// Ignores a closed stream; the next receive() detects it.
 void send(const void* data, std::size_t size) {
   const char* bytes = static_cast<const char*>(data);
   while (size > 0) {
@@ -54,11 +54,11 @@ void answerError(const std::string& text) {
   send(text.data(), text.size());
 }
 
-/// Runs `call`, and answers with what it gives or why it fails. A process that nobody waits for any
-/// more ends itself.
+/// Runs `call` and sends its result or error; returns whether it succeeded. If the call exceeds
+/// `longest` seconds, ends the process, because the caller no longer waits.
 template <typename Call>
 bool answerWith(const Call& call, double longest) {
-  constexpr double kGrace = 2.0;  // s, so that a time-out is told where somebody waits
+  constexpr double kGrace = 2.0;  // s; a caller that still waits reports the timeout first
   alarm(static_cast<unsigned>(std::ceil(longest + kGrace)));
   bool is_done = false;
   try {

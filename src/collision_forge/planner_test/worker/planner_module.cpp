@@ -14,7 +14,7 @@
 namespace forge {
 namespace {
 
-constexpr std::uint64_t kSeed = 0;  // of random numbers that a file draws
+constexpr std::uint64_t kSeed = 0;  // of the file's random numbers
 
 torch::Device deviceOf(const std::string& name) {
   const bool has_cuda = torch::cuda::is_available();
@@ -24,7 +24,7 @@ torch::Device deviceOf(const std::string& name) {
   return name == "cpu" || !has_cuda ? torch::Device(torch::kCPU) : torch::Device(torch::kCUDA);
 }
 
-/// What libtorch complains of in a line: the last where it tells the way there, else the first.
+/// Returns libtorch's error in one line: the last line of a traceback, else the first line.
 std::string complaint(const std::exception& error) {
   std::istringstream text(error.what());
   const bool is_traced = text.str().find("Traceback of TorchScript") != std::string::npos;
@@ -43,12 +43,12 @@ torch::jit::Module loadModule(const std::string& file, const torch::Device& devi
     module.eval();
     return module;
   } catch (const std::exception& error) {
-    throw std::runtime_error("is no TorchScript file that libtorch " TORCH_VERSION " can load: " +
-                             complaint(error));
+    throw std::runtime_error(
+        "is not a TorchScript file that libtorch " TORCH_VERSION " can load: " + complaint(error));
   }
 }
 
-/// Has forward() the inputs of the contract, by name and in their order?
+/// Throws unless forward() has the required inputs by name and in order.
 void checkInputs(const torch::jit::Module& module) {
   const auto forward = module.find_method("forward");
   if (!forward) throw std::runtime_error("has no forward()");
@@ -94,7 +94,7 @@ std::vector<c10::IValue> tensorsOf(const std::vector<float>& numbers, const torc
   return tensors;
 }
 
-/// Checks type and shape.
+/// Throws unless type and shape of the tensor match.
 torch::Tensor checkedOutput(const c10::IValue& value) {
   const std::string name = kContractOutput.name;
   if (!value.isTensor()) {

@@ -9,20 +9,20 @@
 
 namespace forge {
 
-/// A TorchScript file as a planner. Deterministic as far as its operations are: one thread, no
-/// rewriting of the graph while it runs, the same random numbers in every rollout.
+/// Runs a TorchScript file as a planner. Deterministic if its operations are: one thread, no graph
+/// optimisation at run time, the same random seed in every rollout. Not thread-safe.
 class PlannerModule {
  public:
-  /// Loads the file and tries it on two inputs: nothing around the ego, and everything full.
-  /// `device`: "cpu", "cuda" or "auto". Throws std::runtime_error, naming the tensor, for a file
-  /// that does not fit.
+  /// Loads the file and runs it on two test inputs: no agents around the ego, and all inputs
+  /// filled. `device`: "cpu", "cuda" or "auto". Throws std::runtime_error, naming the tensor, if
+  /// the file does not match the required inputs and output.
   PlannerModule(const std::string& file, const std::string& device);
 
-  /// A new rollout: as just loaded.
+  /// Starts a new rollout: restores the state after loading.
   void begin();
-  /// The numbers of kContractInputs, one after the other; those of kContractOutput. Throws
-  /// std::runtime_error for what goes wrong in the file, and for an output of another shape or
-  /// type. Whether its numbers are finite is not looked at.
+  /// Runs forward() on the concatenated numbers of kContractInputs; returns the numbers of
+  /// kContractOutput. Throws std::runtime_error for an error in the file and for an output of
+  /// another shape or type; does not check that the output is finite.
   std::vector<float> plan(const std::vector<float>& inputs);
 
  private:

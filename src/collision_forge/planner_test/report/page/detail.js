@@ -1,4 +1,4 @@
-// One row opened: the top view, the time lines, and what the files say of it.
+// Details of one row: the top view, the timelines and the data in the files.
 import {stateAt} from './geometry.js';
 import {continued, motionOf} from './records.js';
 import {Timelines} from './timelines.js';
@@ -6,12 +6,12 @@ import {TopView} from './top_view.js';
 import {OUTCOME_NOTES, amount, degrees, element, title} from './words.js';
 
 const SPEEDS = [0.25, 0.5, 1, 2, 4];
-const FAR_LESS = 0.8; // of the height of the view
+const FAR_LESS = 0.8; // share of the view's height
 
-/** "scenarios:3, Left turn across path, 4.0 s from now, car, cut in"; of a test its planner comes second. */
+/** "scenarios:3, Left turn across path, 4.0 s after t0, car, cut in"; of a test its planner comes second. */
 export function headline(rows, row) {
   const parts = [rows.name(row), rows.text('planner', row), title(rows.text('type', row)) || 'Unreadable case'];
-  if (rows.number('tta', row) !== null) parts.push(amount(rows.number('tta', row), 1, 's') + ' from now');
+  if (rows.number('tta', row) !== null) parts.push(amount(rows.number('tta', row), 1, 's') + ' after t0');
   for (const key of ['class', 'manoeuvre']) parts.push(rows.text(key, row).replace(/_/g, ' '));
   return parts.filter((part) => part).join(', ');
 }
@@ -46,11 +46,11 @@ export function worldOf({now, tta, scene, attack, test}) {
       isTimed: true, isFollowed: true, isHeld: true, name: 'Ego as the planner drives it'});
     if (drive.escape) {
       world.roles.push({motion: motionOf(drive.escape), ...size, color: 'escape', isPale: true,
-        name: 'Ego as it could have escaped'});
+        name: 'Evasive manoeuvre of the ego'});
     }
     if (crash) world.end = motionOf(crash.ego).t.slice(-1)[0];
   }
-  // Without the recording nobody knows the ego, so nothing is shown after the predicted contact.
+  // Without the recording the ego's motion is unknown, so nothing is shown after the predicted contact.
   if (attack && !attack.recorded && !drive && attack.report.contact) world.end = attack.report.contact_t;
   world.contact = contactOf(attack, test, world);
   for (const role of world.roles) {
@@ -71,7 +71,7 @@ function addAttacker(world, attack, drive, withCrash) {
   world.end = motion.t[motion.t.length - 1];
   world.limits = attack.limits;
   if (past.t.length) {
-    world.roles.push({motion: past, ...size, color: 'attacker', isPale: true, name: 'Attacker before now'});
+    world.roles.push({motion: past, ...size, color: 'attacker', isPale: true, name: 'Attacker before t0'});
   }
   world.roles.push({motion, ...size, color: 'attacker', isAttacker: true, isTimed: true, name: 'Attacker'});
   world.aim = {ego: aim.ego, attacker: aim.attacker, attackerSize: size,
@@ -98,7 +98,7 @@ function rightwardsOf(world) {
 /** Of the planner, else in the recording, else as it was predicted. */
 function contactOf(attack, test, world) {
   if (test) {
-    if (!test.contact || !test.drive) return null; // without the drive nobody knows where
+    if (!test.contact || !test.drive) return null; // without the drive the place is unknown
     const ego = world.roles.find((role) => role.isFollowed);
     const state = ego && stateAt(ego.motion, Math.min(test.contact.t, ego.motion.t[ego.motion.t.length - 1]));
     const ahead = {front: [0.5, 0], rear: [-0.5, 0], left: [0, 0.5], right: [0, -0.5]}[test.contact.ego_side];
@@ -132,13 +132,13 @@ function reportList(name, report) {
     return list(name, [['Contact', 'none', 'missed'], ['Broken limit', report.broken_limit, 'missed']]);
   }
   return list(name, [
-    ['Contact', amount(report.contact_t, 2, 's') + ' from now', held(report.on_time)],
+    ['Contact', amount(report.contact_t, 2, 's') + ' after t0', held(report.on_time)],
     ['Heading', amount(degrees(report.relative_heading), 0, '°') + ' to the ego', held(report.type_kept)],
     ['Sides', `ego ${report.ego_side}, attacker ${report.attacker_side}, overlap ${percent(report.overlap)}`],
     ['Impact speed', amount(report.impact_speed, 1, 'm/s')],
     ['Manoeuvre', title(report.manoeuvre) + ' from ' + amount(report.manoeuvre_begin_t, 1, 's')],
     ['Limits', report.limits_kept ? 'all kept' : report.broken_limit, held(report.limits_kept)],
-    ['Touches first', report.first_other || 'nobody', held(!report.first_other)],
+    ['Other agents touched', report.first_other || 'none', held(!report.first_other)],
     ['Believable', report.unbelievable || 'yes', held(!report.unbelievable)],
     ['Use of the road', `on a lane ${percent(report.on_lane)}, wrong way ${percent(report.wrong_way)}, `
       + `walkway ${percent(report.on_walkway)}, off the road ${percent(report.off_road_share)}`],
@@ -178,7 +178,7 @@ function pictureList(pictures) {
 /** Commands in a box, with a button that copies them; where a browser forbids that they are selected. */
 function commandList(commands) {
   if (!commands.length) return null;
-  return element('section', {}, element('h3', {}, 'Make this row again'), ...commands.map(({title: name, lines}) => {
+  return element('section', {}, element('h3', {}, 'Reproduce this row'), ...commands.map(({title: name, lines}) => {
     // A line may not end at the hyphens of an option.
     const words = lines.split(/([ \n])/).map((word) => (word.startsWith('--') ? element('span', {}, word) : word));
     const text = element('pre', {tabIndex: 0}, ...words);
@@ -203,7 +203,7 @@ function planList(plans) {
 
 function avoidance(summary) {
   const {last} = summary;
-  return last ? `by ${last.manoeuvre}, at the latest from ${amount(last.start_t, 1, 's')}` : 'no way found';
+  return last ? `by ${last.manoeuvre}, up to ${amount(last.start_t, 1, 's')} after t0` : 'none found';
 }
 
 function testList(test) {
@@ -216,19 +216,20 @@ function testList(test) {
     contact && ['Impact speed', amount(contact.impact_speed, 1, 'm/s')],
     contact && ['Speed of the ego', amount(contact.ego_speed, 1, 'm/s')],
     contact && ['At fault', `${yesOrNo(contact.at_fault)} (${contact.cause})`, held(!contact.at_fault)],
-    ['Avoidable from now', avoidance(test.avoidability)],
-    test.escape && ['Escape from its drive', avoidance(test.escape)],
+    ['Avoidable', avoidance(test.avoidability)],
+    test.escape && ['Evasive manoeuvre', avoidance(test.escape)],
     test.escape && ['Fair', yesOrNo(test.fair)],
     ['Hardest braking', amount(test.max_braking, 1, 'm/s²')],
     ['Progress', `${amount(test.progress, 0, 'm')}, recorded ${amount(test.recorded_progress, 0, 'm')}`],
     ['nuPlan score', amount(test.nuplan.score, 2)],
-    ['Attacker', title(test.attacker.phase) + (test.attacker.broken_limit ? ', broke ' + test.attacker.broken_limit : '')],
+    ['Attacker', title(test.attacker.phase)
+      + (test.attacker.broken_limit ? ', violated ' + test.attacker.broken_limit : '')],
     !test.drive && ['Motion', 'not in this page: see docs/report.md'],
   ]);
 }
 
 export class Detail {
-  /** `dialog` has the elements of the page; `onStep` is told to go on to another row. */
+  /** `dialog` has the elements of the page; `onStep` is called to open another row. */
   constructor(dialog, rows, records, files, colors, onStep) {
     Object.assign(this, {dialog, rows, records, files, onStep});
     const find = (name) => dialog.querySelector('#' + name);
@@ -253,7 +254,7 @@ export class Detail {
     this.row = row;
     const [scene, attack, test, shell] = await Promise.all(['place', 'attack', 'test', 'commands'].map(
       (key) => this.records.at(this.rows.number(key, row))));
-    if (this.row !== row) return; // another one was opened meanwhile
+    if (this.row !== row) return; // another row was opened in the meantime
     this.play(false);
     const now = this.rows.number('now', row);
     this.world = worldOf({now, tta: this.rows.number('tta', row), scene, attack, test});
@@ -297,14 +298,14 @@ export class Detail {
       list('Why', [['Code', status === 'OK' ? '' : status], ['Reason', rows.text('message', row)]]),
       list('Request', [
         ['Scene', rows.text('scene', row)],
-        ['Now', now === null ? '' : amount(now, 2, 's') + ' into the scene'],
+        ['t0', now === null ? '' : amount(now, 2, 's') + ' into the scene'],
         ['Clock', rows.number('now', row) === null ? '' : amount(rows.number('now', row), 6, 's')],
-        ['Time to accident', rows.number('tta', row) === null ? '' : amount(rows.number('tta', row), 1, 's')],
+        ['Time to attack', rows.number('tta', row) === null ? '' : amount(rows.number('tta', row), 1, 's')],
         ['Mode', title(rows.text('mode', row))],
         ['Planner, method', rows.text('planner', row)],
         ['Attacker', attack ? `${rows.text('origin', row)}, ${attack.attacker.id}` : ''],
         ['Confidence', rows.number('confidence', row) === null ? '' : percent(rows.number('confidence', row))],
-        attack && ['Misses the aim by', amount(attack.aim.miss_distance, 2, 'm')],
+        attack && ['Distance to the pattern', amount(attack.aim.miss_distance, 2, 'm')],
         attack && ['Seed', String(attack.request.seed)],
       ]),
       test && testList(test),
@@ -323,7 +324,7 @@ export class Detail {
     this.time = Math.min(Math.max(time, this.world.begin), this.world.end);
     this.slider.value = this.time;
     this.clock.textContent = amount(this.time, 2, 's');
-    this.slider.setAttribute('aria-valuetext', this.clock.textContent + ' from now');
+    this.slider.setAttribute('aria-valuetext', this.clock.textContent + ' after t0');
     this.view.at(this.time);
     this.timelines.at(this.time);
   }

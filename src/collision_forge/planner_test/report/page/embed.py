@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """usage: embed.py OUT.cpp: the files of this folder as the C++ texts that planner_test/report/page_parts.h declares.
 
-The modules are put into one script in the order of MODULES; their import lines and the word export go. The page's
-Content-Security-Policy knows style and script by their hash, so that nothing else runs and nothing is fetched.
+Joins the modules into one script in the order of MODULES, without import lines and the word export. The page's
+Content-Security-Policy allows only style and script with these hashes, so nothing else runs and nothing is fetched.
 """
 import base64
 import hashlib
@@ -15,7 +15,7 @@ FOLDER = Path(__file__).parent
 
 
 def bundle(sources):
-    """Modules as one: each must be in the list after those that it imports from."""
+    """Return the modules as one script; each must come after the modules that it imports from."""
     text = '\n'.join(sources)
     text = re.sub(r'^import [^;]*;\n', '', text, flags=re.MULTILINE)
     return re.sub(r'^export ', '', text, flags=re.MULTILINE)
@@ -26,7 +26,7 @@ def source_hash(text):
 
 
 def literal(text):
-    """A C++ text of any length: compilers take long ones in pieces."""
+    """Return a C++ string literal of any length, split because compilers limit the length of one literal."""
     pieces = [text[i:i + 8000] for i in range(0, len(text), 8000)]
     return '\n'.join('R"__page__(' + piece + ')__page__"' for piece in pieces)
 

@@ -1,17 +1,17 @@
-// What is shown: words that are chosen in columns, and a text.
+// Filters of the rows: values chosen per column, and a search text.
 import {OUTCOMES, element, title} from './words.js';
 
 const FACETS = [
   {key: 'outcome', title: 'Outcome', show: title},
   {key: 'type', title: 'Type', show: title},
-  {key: 'tta', title: 'Time to accident', show: (word) => word + '\u202fs'},
+  {key: 'tta', title: 'Time to attack', show: (word) => word + '\u202fs'},
   {key: 'planner', title: 'Planner, method', show: (word) => word || 'None'},
   {key: 'manoeuvre', title: 'Manoeuvre', show: (word) => title(word) || 'None'},
   {key: 'believable', title: 'Believable', show: (word) => title(word) || 'Unknown'},
   {key: 'mode', title: 'Mode', show: (word) => title(word) || 'Unknown'},
 ];
 
-/** A facet's words in the order of the page. */
+/** Returns the values of a facet in the order of the page. */
 function sortedWords(facet, words) {
   if (facet.key === 'outcome') return [...words].sort((a, b) => OUTCOMES.indexOf(a) - OUTCOMES.indexOf(b));
   if (facet.key === 'tta') return [...words].sort((a, b) => a - b);
@@ -19,7 +19,7 @@ function sortedWords(facet, words) {
 }
 
 export class Filters {
-  /** Of the rows in `list`; `onChange` gets those of them that pass. */
+  /** Filters the rows in `list`; calls `onChange` with the rows that pass. */
   constructor(place, rows, list, onChange) {
     this.rows = rows;
     this.list = list;
@@ -66,7 +66,7 @@ export class Filters {
     this.apply();
   }
 
-  /** Chooses these words alone, by the keys of their facets; chooses none of them if that is so already. */
+  /** Selects only these values (by facet key); clears the selection if it is already the same. */
   toggleOnly(words) {
     const wanted = this.placesOf(words);
     const areChosen = wanted.every(([{chosen}, place]) => chosen.size === 1 && chosen.has(place));
@@ -82,13 +82,13 @@ export class Filters {
     return wanted.length > 0 && wanted.every(([{chosen}, place]) => chosen.has(place));
   }
 
-  /** Facets and the places of their words. A word that all rows have is of no facet. */
+  /** Creates the facets and the indices of their values. A value that all rows share has no facet. */
   placesOf(words) {
     return Object.entries(words).map(([key, word]) => [this.facet(key), word]).filter(([facet]) => facet)
       .map(([facet, word]) => [facet, facet.words.indexOf(word)]);
   }
 
-  /** The rows that pass the search and all facets but those of these keys. */
+  /** Returns the rows that pass the search and all facets except these keys. */
   passingBut(keys) {
     const facets = this.facets.filter(({key}) => !keys.includes(key));
     return this.list.filter((row) => (!this.search || this.matchesSearch(row))
@@ -110,7 +110,7 @@ export class Filters {
       this.rows.text('status', row)].some((text) => text.toLowerCase().includes(this.search));
   }
 
-  /** Tells who listens which rows pass; beside every word stands how many more rows it would show. */
+  /** Calls `onChange` with the rows that pass; shows beside each value how many more rows it would add. */
   apply() {
     const passing = [];
     const counts = this.facets.map(({words}) => new Int32Array(words.length));

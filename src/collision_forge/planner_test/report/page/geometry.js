@@ -1,6 +1,6 @@
-// Boxes and motions. Metres, radians, seconds from now; x ahead, y to the left.
+// Boxes and motions: m, rad, s after t0; x ahead, y to the left.
 
-/** The place in `times` of the last one at or before `t`; -1 before the first. */
+/** Returns the index of the last element of `times` at or before `t`; -1 before the first. */
 function placeOf(times, t) {
   let low = 0;
   let high = times.length;
@@ -14,7 +14,7 @@ function placeOf(times, t) {
 
 const turn = (from, to) => Math.atan2(Math.sin(to - from), Math.cos(to - from));
 
-/** Where a motion is at `t`, linear between its states; null before, after and in gaps. */
+/** Returns the pose of a motion at `t`, interpolated linearly; null before, after and in gaps. */
 export function stateAt(motion, t, maxGap = 1.1) {
   const count = motion ? motion.t.length : 0;
   if (!count || t < motion.t[0] - 1e-6 || t > motion.t[count - 1] + 1e-6) return null;
@@ -33,13 +33,13 @@ export function stateAt(motion, t, maxGap = 1.1) {
   };
 }
 
-/** The same, at rest before the first and after the last state. */
+/** As above, but at rest before the first and after the last state. */
 export function heldAt(motion, t) {
   const count = motion.t.length;
   return stateAt(motion, Math.min(Math.max(t, motion.t[0]), motion.t[count - 1]));
 }
 
-/** The part of [t - width / 2, t + width / 2] that the motion covers; a joint of `continued` is an edge of it. */
+/** Returns the part of [t - width / 2, t + width / 2] in the motion; the joint of continued() bounds it. */
 function windowAt(motion, t, width) {
   const last = motion.t[motion.t.length - 1];
   const [begin, end] = motion.joint === undefined ? [motion.t[0], last]
@@ -47,7 +47,7 @@ function windowAt(motion, t, width) {
   return [Math.max(t - width / 2, begin), Math.min(t + width / 2, end)];
 }
 
-/** Speed along the heading over `width` seconds around t. */
+/** Returns the mean speed along the heading over `width` seconds around t, m/s. */
 export function speedAt(motion, t, width = 0.6) {
   const state = stateAt(motion, t);
   if (!state || state.v !== null) return state && state.v;
@@ -95,7 +95,7 @@ function areApart(a, b) {
   return false;
 }
 
-/** The gap between two boxes, given by their corners; 0 where they overlap. */
+/** Returns the distance between two boxes given by their corners, m; 0 if they overlap. */
 export function gapBetween(a, b) {
   if (!areApart(a, b)) return 0;
   let least = Infinity;

@@ -1,4 +1,4 @@
-// Puts the page together.
+// Entry point: creates the parts of the page and connects them.
 import {Detail} from './detail.js';
 import {Filters} from './filters.js';
 import {Overview} from './overview.js';
@@ -8,7 +8,7 @@ import {element} from './words.js';
 
 const find = (id) => document.getElementById(id);
 
-// Colours of the ground in the dark; the light ones are those of config/drawing.yaml.
+// Map colours of the dark theme; config/drawing.yaml has the light ones.
 const DARK = {drivable: '#30353c', walkway: '#3d3627', lane: '#6a727c', connector: '#4a525b', agent: '#8795a5',
   ground: '#1b1f24', text: '#e6e9ed', mark: '#11141899', escape: '#4cc38a'};
 const LIGHT = {ground: '#ffffff', text: '#21262e', mark: '#ffffffcc', escape: '#1d8a56'};
@@ -16,7 +16,7 @@ const LIGHT = {ground: '#ffffff', text: '#21262e', mark: '#ffffffcc', escape: '#
 const css = (color) => `rgb(${color.map((share) => Math.round(255 * share)).join(' ')})`;
 const lighter = (color) => color.map((share) => share + 0.35 * (1 - share));
 
-/** Light, dark, or as the system has it; the colours of top view and style follow. */
+/** Theme: light, dark, or the system's; sets the colours of the top view and the style. */
 class Theme {
   constructor(colors, button) {
     this.given = colors;
@@ -42,7 +42,7 @@ class Theme {
   }
 }
 
-/** The name of a row in an address; empty where that is none. */
+/** Returns the row name in the address; empty if there is none. */
 function nameIn(hash) {
   try {
     return decodeURIComponent(hash.slice(1));
@@ -51,7 +51,7 @@ function nameIn(hash) {
   }
 }
 
-/** Shows either the planner tests or the attacks: charts, filters and table are of one kind of rows. */
+/** Shows either the planner tests or the attacks; charts, filters and table contain one kind of rows. */
 class Kinds {
   constructor(place, rows, table) {
     Object.assign(this, {rows, table});
@@ -84,7 +84,7 @@ class Kinds {
     find('clear').hidden = this.filters.isEmpty();
   }
 
-  /** Shows the kind that a row is of. */
+  /** Shows the kind of rows that a row belongs to. */
   chooseFor(row) {
     const kind = this.kinds.find(({list}) => list.includes(row));
     if (kind !== this.chosen) this.choose(kind);
@@ -142,7 +142,7 @@ addHelp();
 if (matchMedia('(max-width: 800px)').matches) find('filter-panel').open = false;
 readIndex().then(showIndex).then(() => {
   document.body.dataset.state = 'ready';
-  requestAnimationFrame(() => performance.mark('ready')); // for who measures
+  requestAnimationFrame(() => performance.mark('ready')); // for performance measurements
 }).catch((error) => {
   find('count').textContent = 'This page cannot be shown: ' + error.message;
   document.body.dataset.state = 'failed';

@@ -2,7 +2,7 @@
 import {OUTCOMES, amount, element, title} from './words.js';
 
 const BREAKDOWNS = ['type', 'tta', 'manoeuvre'];
-const SPEED_STEP = 2; // m/s a column
+const SPEED_STEP = 2; // m/s per column
 
 export class Overview {
   constructor(place, rows, filters) {
@@ -27,8 +27,8 @@ export class Overview {
   }
 
   /**
-   * A row a planner or method, a column an outcome; a click on a cell, a row or a column filters. Cases that no planner
-   * drove are counted below.
+   * A matrix of planners or methods (rows) and outcomes (columns); a click on a cell, row or column filters. Untested
+   * cases are counted below.
    */
   matrix() {
     const counts = new Map(['', ...this.planners].map((planner) => [planner, new Map()]));
@@ -68,7 +68,7 @@ export class Overview {
 
   untested(counts) {
     const sum = [...counts.values()].reduce((total, count) => total + count, 0);
-    return sum ? element('p', {className: 'note'}, `${sum} more cases hold no attack to test on.`) : null;
+    return sum ? element('p', {className: 'note'}, `${sum} more cases have no attack and were not tested.`) : null;
   }
 
   totals(shown) {
@@ -81,7 +81,7 @@ export class Overview {
     return this.card('Outcomes', ...lines);
   }
 
-  /** A bar a word, stacked by outcome; a click filters. */
+  /** Creates one bar per value, stacked by outcome; a click filters. */
   breakdown(facet, shown) {
     const counts = facet.words.map(() => new Map());
     for (const row of shown) {
@@ -124,7 +124,7 @@ export class Overview {
     const axis = element('div', {className: 'axis'}, element('span', {}, '0'),
       element('span', {}, counts.length * SPEED_STEP + '\u202fm/s'));
     return this.card('Impact speed', counts.length ? element('div', {className: 'histogram'}, ...columns)
-      : element('p', {}, 'No contact among these.'), counts.length ? axis : null);
+      : element('p', {}, 'No contact in these rows.'), counts.length ? axis : null);
   }
 
   card(name, ...content) {

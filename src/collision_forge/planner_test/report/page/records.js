@@ -1,4 +1,4 @@
-// The data of the page: an index that is read at once, and records that are unpacked when they are looked at.
+// The data of the page: an index that is read at the start, and records that are decompressed on demand.
 
 async function unpacked(base64) {
   const bytes = Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
@@ -12,7 +12,7 @@ export function summed(steps, unit) {
   return Float64Array.from(steps, (step) => (sum += step) * unit);
 }
 
-/** A motion of the files; times get `offset` seconds more. */
+/** Decodes a motion of the files; adds `offset` seconds to its times. */
 export function motionOf(packed, offset = 0) {
   const motion = {
     t: summed(packed.t, 1e-3).map((t) => t + offset),
@@ -25,7 +25,7 @@ export function motionOf(packed, offset = 0) {
   return motion;
 }
 
-/** The motion up to the first time of `next`, the joint, and `next` from then on. */
+/** Joins `motion` up to the first time of `next` (the joint) with `next` from then on. */
 export function continued(motion, next) {
   const place = motion.t.findIndex((t) => t >= next.t[0] - 1e-6);
   const count = place < 0 ? motion.t.length : place;
@@ -48,7 +48,7 @@ export class Rows {
     this.columns = index.columns;
     this.files = index.files;
     this.fileNames = namesOf(index.files);
-    this.parts = new Int32Array(this.length); // place of a row among those of its line, from 1 on
+    this.parts = new Int32Array(this.length); // number of a row among the rows of its line, from 1 on
     for (let row = 0; row < this.length; ++row) {
       const isSame = row > 0 && ['file', 'line'].every((key) => this.number(key, row) === this.number(key, row - 1));
       this.parts[row] = isSame ? this.parts[row - 1] + 1 : 1;

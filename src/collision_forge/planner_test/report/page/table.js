@@ -1,4 +1,4 @@
-// The table: only the rows in sight are elements, so that any number of rows can be scrolled.
+// The table: only visible rows are elements, so that it scrolls with any number of rows.
 import {amount, degrees, element, title} from './words.js';
 
 const ROW_HEIGHT = 34; // pixels, as in the style
@@ -6,11 +6,11 @@ const ROW_HEIGHT = 34; // pixels, as in the style
 const hasTests = (rows, list) => list.some((row) => rows.isTest(row));
 const hasAttacks = (rows, list) => !hasTests(rows, list);
 
-// Widths in rem. `isShown` is asked of the rows and the list of those that the table is of.
+// Widths in rem. `isShown(rows, list)` returns whether the table of the rows in `list` has the column.
 const COLUMNS = [
   {key: 'name', title: 'Line', wide: true, width: 7.4},
   {key: 'scene', title: 'Scene', wide: true, width: 7.2},
-  {key: 'now_in_recording', title: 'Now', unit: 's', digits: 2, wide: true, width: 4.8},
+  {key: 'now_in_recording', title: 't0', unit: 's', digits: 2, wide: true, width: 4.8},
   {key: 'type', title: 'Type', show: title, width: 10},
   {key: 'tta', title: 'TTA', unit: 's', digits: 1, width: 4.2},
   {key: 'planner', title: 'Planner', wide: true, width: 12, isShown: hasTests},
@@ -33,12 +33,12 @@ const WITHOUT_DRIVE = ['declined', 'untested'];
 const ALWAYS = () => true;
 
 export class Table {
-  /** `rows` has text(), number() and name() of a row; `onOpen` is told the row. */
+  /** `rows` has text(), number() and name() of a row; `onOpen` is called with the row. */
   constructor(place, rows, onOpen) {
     this.rows = rows;
     this.onOpen = onOpen;
     this.order = [];
-    this.chosen = 0; // place in the order
+    this.chosen = 0; // index in the order
     this.sorting = {key: 'name', falling: false};
     this.body = element('div', {className: 'rows'});
     this.scroller = element('div', {className: 'scroller', tabIndex: 0, role: 'grid', 'aria-label': 'Attacks'});
@@ -93,7 +93,7 @@ export class Table {
       const compare = (a, b) => {
         const [first, second] = [values.get(a), values.get(b)];
         if (first === second) return a - b;
-        if (first === null || first === '') return 1; // what is not there comes last
+        if (first === null || first === '') return 1; // missing values come last
         if (second === null || second === '') return -1;
         return sign * (first < second ? -1 : 1);
       };

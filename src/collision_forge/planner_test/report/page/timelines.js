@@ -1,9 +1,9 @@
-// Speed, distance and acceleration over time, with a line at the instant that is shown.
+// Speed, distance and acceleration over time, with a line at the shown time.
 import {accelerationAt, corners, gapBetween, speedAt, stateAt} from './geometry.js';
 import {amount, element} from './words.js';
 
 const STEP = 0.1; // s between values
-const WIDTH = 600; // of the drawing; it is stretched to the room there is
+const WIDTH = 600; // of the drawing, which is stretched to the available width
 const HEIGHT = 110;
 
 const svg = (tag, attributes = {}) => {

@@ -1,8 +1,8 @@
-// The top view: map, traffic, ego and attacker at an instant, drawn on a canvas.
+// The top view: map, traffic, ego and attacker at one time, drawn on a canvas.
 import {corners, heldAt, stateAt} from './geometry.js';
 import {summed} from './records.js';
 
-const GHOST_STEP = 1; // s between the pale boxes from now to the end
+const GHOST_STEP = 1; // s between the pale boxes from t0 to the end
 const ARROW_SPACING = 18; // m along a centreline
 const SMALL = ['pedestrian', 'bicycle', 'animal'];
 
@@ -54,7 +54,7 @@ class MapPaths {
 }
 
 export class TopView {
-  /** `colors` tells the colour of a name, as it is now. */
+  /** `colors` returns the current colour of a name. */
   constructor(canvas, colors) {
     this.canvas = canvas;
     this.colors = colors;
@@ -106,7 +106,7 @@ export class TopView {
     return [this.cos * x - this.sin * y, this.cos * y + this.sin * x];
   }
 
-  /** Shows all of the ways from now on. */
+  /** Fits all paths from t0 on into the view. */
   fit() {
     const places = this.world.focus.map((place) => this.turned(place));
     if (!places.length || !this.width) return;
@@ -261,7 +261,7 @@ export class TopView {
     this.drawBox(aim.attacker, aim.attackerSize, this.colors('aim-attacker'), 0.9, true);
   }
 
-  /** The way of a role from now on, and its ghosts. */
+  /** Draws the path of a role from t0 on, and its ghosts. */
   drawWay(role) {
     const {context} = this;
     const {motion} = role;

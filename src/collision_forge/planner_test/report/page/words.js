@@ -1,33 +1,33 @@
-// What the words of the files are called for people. A word that is not here is shown as it is, with spaces.
+// Titles of the words in the files. A word without a title is shown with spaces instead of underscores.
 const TITLES = {
   lane_change: 'Lane change',
   opposite_direction: 'Opposite direction',
   rear_end: 'Rear end',
   junction_crossing: 'Junction crossing',
   ltap: 'Left turn across path',
-  as_asked: 'Crash as asked',
+  as_asked: 'Crash as requested',
   otherwise: 'Other contact',
-  missed: 'No contact as recorded',
+  missed: 'No contact in the recording',
   generated: 'Generated',
-  declined: 'Declined',
+  declined: 'Rejected',
   hit: 'Hit by the attacker',
-  hit_other: 'Touched somebody else',
+  hit_other: 'Hit another agent',
   clear: 'No contact',
   failed: 'Planner failed',
   untested: 'Not tested',
 };
 
-// The order in which outcomes are stacked and listed.
+// Outcomes in the order of charts and filters.
 export const OUTCOMES = ['as_asked', 'otherwise', 'missed', 'generated', 'declined', 'hit', 'hit_other', 'clear',
   'failed', 'untested'];
 
-// What outcomes mean, beside their names.
+// Explanations of the outcomes.
 export const OUTCOME_NOTES = {
-  as_asked: 'In the recording the attacker touches the ego at the time, in the way and within the limits asked for.',
-  otherwise: 'In the recording the attacker touches the ego, but not as asked: the ego drove otherwise than predicted.',
-  missed: 'In the recording the attacker does not touch the ego: the ego drove otherwise than predicted.',
-  generated: 'Verified against the predicted motion. Whether it holds in the recording was not looked at.',
-  declined: 'There is no attack: see code and reason.',
+  as_asked: 'In the recording the attacker hits the ego at the requested time, as the requested type, within the limits.',
+  otherwise: 'In the recording the attacker hits the ego, but not as requested: the ego drove unlike the prediction.',
+  missed: 'In the recording the attacker does not hit the ego: the ego drove unlike the prediction.',
+  generated: 'Verified against the predicted motion, not against the recording.',
+  declined: 'No attack: see code and reason.',
 };
 
 export function title(word) {
@@ -36,7 +36,7 @@ export function title(word) {
   return plain[0].toUpperCase() + plain.slice(1);
 }
 
-/** A number with its unit, or a dash where there is none. */
+/** Returns a number with its unit, or a dash if there is none. */
 export function amount(value, digits, unit = '') {
   if (value === null || value === undefined || Number.isNaN(value)) return '–';
   return value.toFixed(digits) + (unit && '\u202f' + unit);
@@ -44,7 +44,7 @@ export function amount(value, digits, unit = '') {
 
 export const degrees = (radians) => (radians === null ? null : radians * 180 / Math.PI);
 
-/** An element with properties and children; texts become text, never markup. */
+/** Creates an element with properties and children; strings are inserted as text, never as markup. */
 export function element(tag, properties = {}, ...children) {
   const made = document.createElement(tag);
   for (const [name, value] of Object.entries(properties)) {
