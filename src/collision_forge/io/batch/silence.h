@@ -19,7 +19,7 @@ class Silence {
   void leave(int other) { is_expected_[other] = false; }
   bool hasLeft(int other) const { return !is_expected_[other]; }
   /// Resets a rank's silence: a heartbeat has arrived.
-  void hear(int other) { seconds_[other] = 0.0; }
+  void reset(int other) { seconds_[other] = 0.0; }
 
   /// Adds elapsed time (s) to every rank's silence.
   void pass(double seconds) {

@@ -84,7 +84,7 @@ class RecordBuilder {
     if (contact_) record.contact = *contact_ - begin_;
     record.ego = egoTrack();
     record.attacker = attackerTrack();
-    record.others = otherTracks(record);
+    record.other_agents = otherTracks(record);
     addLanes(record);
     return record;
   }
@@ -163,7 +163,7 @@ class RecordBuilder {
       const bool is_attacking = time >= now - kTimeEpsilon;
       return is_attacking ? stateAt(drive_, std::max(time, now)) : stateAt(past, time);
     });
-    track.states = seenStretches(track, step_).back();
+    track.states = splitAtGaps(track, step_).back();
     return track;
   }
 
@@ -225,7 +225,7 @@ class RecordBuilder {
 
 }  // namespace
 
-std::vector<std::vector<AgentState>> seenStretches(const Track& track, double step) {
+std::vector<std::vector<AgentState>> splitAtGaps(const Track& track, double step) {
   std::vector<std::vector<AgentState>> stretches;
   for (const AgentState& state : track.states) {
     if (stretches.empty() || state.time - stretches.back().back().time > 1.5 * step) {

@@ -36,7 +36,7 @@ PickleContent scenarioOf(const CrashRecord& record, const ExportOptions& options
   for (const Track& track : table.tracks) {
     for (const AgentState& state : track.states) ways.push_back(state.pose.position());
   }
-  table.tracks.insert(table.tracks.end(), record.others.begin(), record.others.end());
+  table.tracks.insert(table.tracks.end(), record.other_agents.begin(), record.other_agents.end());
   const auto now = static_cast<std::size_t>(std::lround(record.now / record.step));
   return describe({record.name, std::move(table), record.step, now, record.lanes,
                    [&](PickleWriter& own) { writeOwn(own, record); }},
