@@ -114,9 +114,9 @@ class RecordBuilder {
     const auto gaps = axisGaps({ego, scene_.ego.size}, {attacker, drive_.size});
     const auto widest = std::max_element(
         gaps.begin(), gaps.end(), [](const AxisGap& a, const AxisGap& b) { return a.gap < b.gap; });
-    const double way = std::max(0.0, widest->gap + kTouchDepth);
-    attacker.x -= way * widest->axis.x();
-    attacker.y -= way * widest->axis.y();
+    const double shift = std::max(0.0, widest->gap + kTouchDepth);
+    attacker.x -= shift * widest->axis.x();
+    attacker.y -= shift * widest->axis.y();
     return attacker;
   }
 

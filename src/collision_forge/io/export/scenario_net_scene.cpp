@@ -107,15 +107,16 @@ PickleContent scenarioNetOf(const Scene& scene, RowTimes rows, const ExportOptio
   const std::vector<RowTime> times =
       is_even ? rowsEvery(options.step, frames) : rowsAt(recordedTimes(scene, frames));
   TrackTable table = tableOf(scene, times, is_even ? kMaxGap : 0.0);
-  std::vector<Vector2> ways;
+  std::vector<Vector2> path_points;
   for (const AgentState& state : table.tracks.front().states) {
-    ways.push_back(state.pose.position());
+    path_points.push_back(state.pose.position());
   }
   const auto step = is_even ? std::optional(options.step) : std::nullopt;
   const auto write_own = [&](PickleWriter& own) {
     writeOwn(own, scene, times.front().of_scene, frames);
   };
-  return describe({scene.name, std::move(table), step, 0, *scene.map, write_own}, ways, options);
+  return describe({scene.name, std::move(table), step, 0, *scene.map, write_own}, path_points,
+                  options);
 }
 
 }  // namespace forge
