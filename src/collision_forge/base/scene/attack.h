@@ -55,6 +55,7 @@ struct AttackerTrajectory {
   /// Empty for a recorded vehicle, whose past is its track.
   std::vector<AgentState> past = {};
 
+  /// Returns true for a vehicle added to the scene, false for a recorded one.
   bool isAdded() const { return !past.empty(); }
 };
 

@@ -14,6 +14,7 @@ class Silence {
   Silence(int others, double most)
       : seconds_(others, 0.0), is_expected_(others, false), most_(most) {}
 
+  /// Marks a rank as expected to send.
   void expect(int other) { is_expected_[other] = true; }
   /// Marks a rank as gone: it is no longer expected to send.
   void leave(int other) { is_expected_[other] = false; }

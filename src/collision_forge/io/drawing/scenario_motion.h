@@ -19,6 +19,7 @@ class ScenarioMotion {
  public:
   explicit ScenarioMotion(const ScenarioView& view) : view_(view) {}
 
+  /// Returns t0, s.
   double now() const { return view_.snapshot.now; }
   /// Returns the time that a picture shows: the contact time; without a contact, the time of the
   /// hit that the ego avoids, else the pattern's time.

@@ -48,6 +48,7 @@ struct Junction {
   std::vector<Connection> connections;
 };
 
+/// Roads and junctions of one OpenDRIVE file.
 struct RoadNetwork {
   std::vector<Road> roads;
   std::vector<Junction> junctions;
