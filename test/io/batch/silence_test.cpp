@@ -10,7 +10,7 @@ TEST(Silence, ReturnsTheSilentRank) {
   for (const int other : {1, 2}) silence.expect(other);
   for (int second = 0; second < 5; ++second) {
     silence.pass(1.0);
-    silence.hear(1);
+    silence.reset(1);
   }
   EXPECT_EQ(silence.longerThan(5.0), std::nullopt);
   EXPECT_EQ(silence.longerThan(4.5), 2);

@@ -31,7 +31,7 @@ TEST(CaptionText, TheVerdictNamesTheFirstFailedCondition) {
     return verdictText(view).substr(verdictText(view).find(": ") + 2);
   };
   view.report.first_other_id = "truck-of-a-long-name";
-  EXPECT_EQ(reason(), "touches truck- first");
+  EXPECT_EQ(reason(), "hits truck- first");
   view.report.limits_kept = false;
   EXPECT_EQ(reason(), "a limit broken");
   view.report.on_time = false;

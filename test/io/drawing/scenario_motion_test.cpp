@@ -29,7 +29,7 @@ TEST(ScenarioMotion, AnAddedAttackerComesFromItsOwnPast) {
   EXPECT_DOUBLE_EQ(motion.attackerAt(99.0)->center.x, -25.0);
   EXPECT_EQ(motion.attackerAt(99.0)->size.length, view.trajectory.size.length);
   EXPECT_FALSE(motion.attackerAt(98.4));
-  EXPECT_EQ(motion.othersAt(99.0).size(), 1U);
+  EXPECT_EQ(motion.otherAgentsAt(99.0).size(), 1U);
 }
 
 TEST(ScenarioMotion, FollowsThePostCrashMotionAfterContact) {
@@ -55,13 +55,13 @@ TEST(ScenarioMotion, AnAnimationEndsSomeSecondsAfterTheStandOrWithTheRecording) 
 
 TEST(ScenarioMotion, AgentsInThePathAtContactWereElsewhereWhenPassed) {
   ScenarioView view = sampleView();
-  EXPECT_TRUE(ScenarioMotion(view).passedOthers().empty()) << "the truck stands beside the road";
+  EXPECT_TRUE(ScenarioMotion(view).passedAgents().empty()) << "the truck stands beside the road";
   // Crosses from the north: at contact it is on the attacker's path, 12.5 m behind the contact.
   Track& truck = view.future.agents.back();
   for (AgentState& state : truck.states) {
     state.pose = {-7.0, 10.0 * (102.04 - state.time), 0.0};
   }
-  const auto passed = ScenarioMotion(view).passedOthers();
+  const auto passed = ScenarioMotion(view).passedAgents();
   ASSERT_EQ(passed.size(), 1U);
   EXPECT_NEAR(passed.front().at_key_time.box.center.y, 0.0, 1e-9);
   // The attacker's rear, 2.5 m behind its centre, leaves the truck's front at x = -3: 0.6 s before.

@@ -198,7 +198,7 @@ TEST_F(CommonRoad, TagsFollowTypeAndManoeuvre) {
 
 TEST_F(CommonRoad, ElementsStandInTheOrderOfTheSchema) {
   CrashRecord record = slowCarRecord();
-  record.others.push_back(trackAt("parked", AgentClass::kCar, allSteps(record), 0.0));
+  record.other_agents.push_back(trackAt("parked", AgentClass::kCar, allSteps(record), 0.0));
   std::vector<std::string> order;
   for (const xml_node& child : written(record)) {
     if (order.empty() || order.back() != child.name()) order.emplace_back(child.name());
@@ -348,7 +348,7 @@ TEST_F(CommonRoad, LaneletsInJunctionsAreMarked) {
 
 TEST_F(CommonRoad, ATrackWithGapsIsOneObstaclePerStretch) {
   CrashRecord record = slowCarRecord();
-  record.others = {trackAt("b", AgentClass::kBicycle, {0, 1, 2, 5, 8, 9}, 3.0)};
+  record.other_agents = {trackAt("b", AgentClass::kBicycle, {0, 1, 2, 5, 8, 9}, 3.0)};
   std::vector<std::vector<int>> steps;
   for (const xml_node& obstacle : written(record).children("dynamicObstacle")) {
     if (std::string(obstacle.child_value("type")) != "bicycle") continue;
@@ -363,13 +363,13 @@ TEST_F(CommonRoad, VehiclesAtRestAreStaticObstacles) {
   CrashRecord record = slowCarRecord();
   const std::vector<int> steps = allSteps(record);
   const std::vector<int> later(steps.begin() + 3, steps.end());
-  record.others = {trackAt("parked", AgentClass::kTruck, steps, 0.0),
-                   trackAt("cone", AgentClass::kStaticObject, later, 0.0),
-                   trackAt("creeping", AgentClass::kCar, steps, 0.1),
-                   trackAt("turning", AgentClass::kCar, steps, 0.0),
-                   trackAt("later", AgentClass::kCar, later, 0.0),
-                   trackAt("waiting", AgentClass::kPedestrian, steps, 0.0)};
-  record.others[3].states.back().pose.yaw += 0.2;
+  record.other_agents = {trackAt("parked", AgentClass::kTruck, steps, 0.0),
+                         trackAt("cone", AgentClass::kStaticObject, later, 0.0),
+                         trackAt("creeping", AgentClass::kCar, steps, 0.1),
+                         trackAt("turning", AgentClass::kCar, steps, 0.0),
+                         trackAt("later", AgentClass::kCar, later, 0.0),
+                         trackAt("waiting", AgentClass::kPedestrian, steps, 0.0)};
+  record.other_agents[3].states.back().pose.yaw += 0.2;
   const xml_node root = written(record);
   std::vector<std::string> types;
   for (const xml_node& obstacle : root.children("staticObstacle")) {
@@ -396,8 +396,9 @@ TEST_F(CommonRoad, TypesAreValidInTheSchema) {
       {AgentClass::kPedestrian, "pedestrian"},
       {AgentClass::kAnimal, "unknown"}};
   CrashRecord record = slowCarRecord();
-  record.others.clear();
-  for (const auto& type : types) record.others.push_back(trackAt("b", type.first, {0, 1, 2}, 2.0));
+  record.other_agents.clear();
+  for (const auto& type : types)
+    record.other_agents.push_back(trackAt("b", type.first, {0, 1, 2}, 2.0));
   const auto obstacles = written(record).select_nodes("dynamicObstacle[@id>3]/type");
   ASSERT_EQ(obstacles.size(), types.size());
   for (std::size_t i = 0; i < types.size(); ++i) {

@@ -17,7 +17,7 @@ std::vector<double> timesOf(const Track& track) {
 }
 
 const Track& otherOf(const CrashRecord& record, const std::string& id) {
-  for (const Track& track : record.others) {
+  for (const Track& track : record.other_agents) {
     if (track.id == id) return track;
   }
   throw std::runtime_error("no " + id);
@@ -56,10 +56,10 @@ TEST(CrashRecord, AfterContactBothDecelerateTogether) {
 
 TEST(CrashRecord, HoldsNearbyAgentsAtTheStepsInSight) {
   const CrashRecord record = slowCarRecord();
-  ASSERT_EQ(record.others.size(), 2u);
-  EXPECT_EQ(record.others[0].id, "bicycle");
+  ASSERT_EQ(record.other_agents.size(), 2u);
+  EXPECT_EQ(record.other_agents[0].id, "bicycle");
   EXPECT_EQ(timesOf(otherOf(record, "walker")), timesOf(record.ego));
-  const auto stretches = seenStretches(otherOf(record, "bicycle"), record.step);
+  const auto stretches = splitAtGaps(otherOf(record, "bicycle"), record.step);
   ASSERT_EQ(stretches.size(), 2u);
   EXPECT_NEAR(stretches[0].back().time, 1.0, 1e-9);
   EXPECT_NEAR(stretches[1].front().time, 3.0, 1e-9);

@@ -36,7 +36,7 @@ CrashRecord sampleRecord() {
   record.contact = 0.35;
   record.ego = {kEgoId, AgentClass::kCar, {4.0, 2.0}, statesAt({0, 1, 2, 3}, 0.0)};
   record.attacker = {"a1", AgentClass::kTruck, {8.0, 2.5}, statesAt({1, 2, 3}, 4.0)};
-  record.others = {{"b1", AgentClass::kPedestrian, {0.5, 0.75}, statesAt({0, 3}, -9.0)}};
+  record.other_agents = {{"b1", AgentClass::kPedestrian, {0.5, 0.75}, statesAt({0, 3}, -9.0)}};
   record.lanes.location = "a-town";
   return record;
 }

@@ -178,7 +178,7 @@ TEST(NuScenesMap, moreLanesOrPointsThanTheLimitsHaveAreRefused) {
   EXPECT_EQ(errorWith(shippedLimits()), "");
   InputLimits limits = shippedLimits();
   limits.max_lanes = 2;
-  EXPECT_THAT(errorWith(limits), HasSubstr("tiny-town.json: lanes: 3, more than 2"));
+  EXPECT_THAT(errorWith(limits), HasSubstr("tiny-town.json: lanes: 3 is above the limit of 2"));
   limits = shippedLimits();
   limits.max_map_points = 20;
   EXPECT_THAT(errorWith(limits), HasSubstr("tiny-town.json: points of the map"));

@@ -90,7 +90,7 @@ TEST(RequestFields, ErrorsNameUnknownValues) {
               HasSubstr("impact_speed.mean"));
   EXPECT_THAT(complaintAbout(R"({"overlap":0.5})"), HasSubstr("overlap = 0.5"));
   EXPECT_THAT(complaintAbout(R"({"alternatives":-1})"), HasSubstr("alternatives = -1"));
-  EXPECT_THAT(complaintAbout(R"({"alternatives":4294967296})"), HasSubstr("too many"));
+  EXPECT_THAT(complaintAbout(R"({"alternatives":4294967296})"), HasSubstr("too large"));
 }
 
 }  // namespace

@@ -295,7 +295,7 @@ TEST(ScenarioFile, TrajectoriesHaveFromOnePointToTheLimit) {
   std::vector<TrajectoryPoint>& points = scenario.answer.trajectory.points;
   points.clear();
   EXPECT_THAT(complaintAbout(scenarioLine(scenario), "", ""),
-              HasSubstr("trajectory = [...] has no"));
+              HasSubstr("trajectory = [...] is empty"));
   for (int i = 0; i <= shippedLimits().max_points; ++i) points.push_back({kNow + 0.001 * i, {}});
   EXPECT_THAT(complaintAbout(scenarioLine(scenario), "", ""),
               HasSubstr("attacker.trajectory = [...] has 5001 elements, more than 5000"));

@@ -124,7 +124,7 @@ std::size_t Section::indexOf(const std::string& key, const std::vector<std::stri
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   std::string known;
   for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
-  fail(pathOf(key), value, "is none of " + known);
+  fail(pathOf(key), value, "is not one of " + known);
 }
 
 std::string Section::text(const std::string& key) {

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Returns the first bytes of a lock file; a real lock file is shorter.
-std::string beginOf(const Descriptor& lock) {
+std::string firstBytesOf(const Descriptor& lock) {
   char bytes[24];
   const ssize_t count = ::pread(lock.get(), bytes, sizeof(bytes), 0);
   return {bytes, static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
@@ -26,7 +26,7 @@ std::string beginOf(const Descriptor& lock) {
 
 /// Returns the holder, as "process 1234".
 std::string holderOf(const Descriptor& lock) {
-  const std::string number = beginOf(lock);
+  const std::string number = firstBytesOf(lock);
   return number.empty() ? "another process" : "process " + number;
 }
 
@@ -69,7 +69,7 @@ OutputLock::OutputLock(const std::string& output, std::string lock_path)
       throw std::runtime_error(output + ": is being written by " + holderOf(file));
     }
     if (!file.isNamed(lock_path_)) continue;  // the former holder ended and removed it
-    if (!isLock(beginOf(file))) {
+    if (!isLock(firstBytesOf(file))) {
       throw std::runtime_error(
           output + ": cannot be written: " + lock_path_ +
           ": is not a lock file of this program; delete it, or choose another output");
@@ -78,8 +78,9 @@ OutputLock::OutputLock(const std::string& output, std::string lock_path)
   }
   const std::string number = std::to_string(::getpid());
   // A full disk is reported when the output is written; the lock works without the number.
-  [[maybe_unused]] const bool is_told = ::ftruncate(lock_.get(), 0) == 0 &&
-                                        ::pwrite(lock_.get(), number.data(), number.size(), 0) > 0;
+  [[maybe_unused]] const bool is_written =
+      ::ftruncate(lock_.get(), 0) == 0 &&
+      ::pwrite(lock_.get(), number.data(), number.size(), 0) > 0;
 }
 
 OutputLock::~OutputLock() {

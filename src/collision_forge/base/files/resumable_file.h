@@ -10,7 +10,7 @@
 
 namespace forge {
 
-/// Lines of a ResumableFile.
+/// Format of a ResumableFile.
 struct ItemLayout {
   std::string header;  ///< first line of the file; "": none
   std::size_t lines_per_item = 1;

@@ -15,6 +15,7 @@ struct ArcPath {
   double radius = 1.0;                               ///< metres, > 0
   std::array<double, 3> segment_length = {0, 0, 0};  ///< metres, >= 0
 
+  /// Returns the length of the path, m.
   double length() const { return segment_length[0] + segment_length[1] + segment_length[2]; }
 };
 

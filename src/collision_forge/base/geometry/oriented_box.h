@@ -61,6 +61,7 @@ double intersectionOverUnion(const OrientedBox& a, const OrientedBox& b);
 /// A side of a box, in the box's frame.
 enum class Side { kFront, kRear, kLeft, kRight };
 const char* toString(Side side);
+/// Returns the side named "front", "rear", "left" or "right"; nullopt for another name.
 std::optional<Side> sideFromString(const std::string& name);
 
 /// Returns the side of `box` that `other` touches: the side beyond whose line `other` lies

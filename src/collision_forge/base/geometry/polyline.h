@@ -21,6 +21,7 @@ class Polyline {
  public:
   explicit Polyline(const std::vector<Vector2>& points);
 
+  /// Returns the length of the line, m.
   double length() const { return arc_lengths_.back(); }
   const std::vector<Vector2>& points() const { return points_; }
   /// Returns the arc length (m from the first point) of each point.

@@ -40,8 +40,11 @@ class ReferencePath {
   /// Throws std::invalid_argument if that leaves fewer than two distinct points.
   ReferencePath beside(double across) const;
 
+  /// m of arc length between two control points.
   double spacing() const { return spacing_; }
+  /// Control points of the spline, map frame; the curve runs near them, not through them.
   const std::vector<Vector2>& controls() const { return controls_; }
+  /// Nominal length of the path, m: the range of arc lengths of at().
   double length() const { return spacing_ * static_cast<double>(controls_.size() - 3); }
   /// Returns the point at an arc length (m); beyond either end the path continues straight.
   Place at(double arc_length) const;

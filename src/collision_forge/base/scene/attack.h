@@ -28,7 +28,7 @@ struct PatternMiss {
 };
 
 /// Returns the difference between two poses of the attacker that are given in the same frame.
-PatternMiss missBetween(const Pose2& asked, const Pose2& found);
+PatternMiss missBetween(const Pose2& expected, const Pose2& actual);
 
 /// Returns an upper bound, in m, on the displacement of any corner of the attacker's box.
 double cornerMiss(const PatternMiss& miss, const BoxSize& attacker);
@@ -55,6 +55,7 @@ struct AttackerTrajectory {
   /// Empty for a recorded vehicle, whose past is its track.
   std::vector<AgentState> past = {};
 
+  /// Returns true for a vehicle added to the scene, false for a recorded one.
   bool isAdded() const { return !past.empty(); }
 };
 

@@ -83,6 +83,7 @@ bool isOfTheScene(StatusCode code);
 /// Returns the code of a name as toString() spells it (upper case); nullopt for an unknown name.
 std::optional<StatusCode> statusCodeFromString(const std::string& name);
 
+/// Outcome of a request with a message.
 struct Status {
   StatusCode code = StatusCode::kOk;
   std::string message;  ///< for people; names the field and its value

@@ -56,6 +56,7 @@ void keepWithin(std::vector<Track>& agents, const InputLimits& limits,
 /// Also checks the map, if there is one.
 void checkScene(Scene& scene, const InputLimits& limits, const std::string& where,
                 std::vector<std::string>* warnings = nullptr);
+/// Checks a scene as known at t0.
 void checkSnapshot(Snapshot& snapshot, const InputLimits& limits, const std::string& where);
 /// The ego and each of `ego_samples` must have a state; agents without states are removed.
 void checkFuture(Future& future, const InputLimits& limits, const std::string& where);

@@ -33,6 +33,7 @@ inline constexpr AgentClass kAttackerClasses[] = {AgentClass::kCar,
                                                   AgentClass::kConstructionVehicle,
                                                   AgentClass::kEmergencyVehicle,
                                                   AgentClass::kMotorcycle};
+/// Returns true for kAttackerClasses.
 bool canAttack(AgentClass agent_class);
 /// Returns true for all classes but pedestrians, animals and static objects.
 bool isVehicle(AgentClass agent_class);

@@ -73,7 +73,7 @@ class Master {
       for (ItemResult& result : pool_.collect(ranks_.size() > 1 ? kPoll : kIdle)) {
         ledger_.put(std::move(result));
       }
-      while (const auto message = ranks_.receive()) hear(*message);
+      while (const auto message = ranks_.receive()) handle(*message);
       while (const auto result = ledger_.next()) {
         if (result->error) std::rethrow_exception(result->error);
         take(result->index, result->bytes);
@@ -83,9 +83,9 @@ class Master {
 
   /// Returns when every other rank has left; drops results that still arrive.
   void dismissOthers() const {
-    tellOthers(MessageTag::kStop);
+    sendToOthers(MessageTag::kStop);
     for (int rank = 1; rank < ranks_.size(); ++rank) waitFor(ranks_, MessageTag::kLeft);
-    tellOthers(MessageTag::kClosed);
+    sendToOthers(MessageTag::kClosed);
   }
 
  private:
@@ -104,7 +104,7 @@ class Master {
     }
   }
 
-  void hear(const RankMessage& message) {
+  void handle(const RankMessage& message) {
     if (message.tag == MessageTag::kReady) {
       wanted_[message.from] = std::stoull(message.bytes);
       return;
@@ -113,7 +113,7 @@ class Master {
     ledger_.put(resultOf(message));
   }
 
-  void tellOthers(MessageTag tag) const {
+  void sendToOthers(MessageTag tag) const {
     for (int rank = 1; rank < ranks_.size(); ++rank) ranks_.send(rank, tag, "");
   }
 

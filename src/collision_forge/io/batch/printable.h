@@ -13,6 +13,7 @@ std::string printable(std::string_view text);
 /// While it exists, filters std::cout through printable(), line by line.
 class PrintableOutput : public std::streambuf {
  public:
+  /// Redirects std::cout to this filter; the destructor restores it.
   PrintableOutput();
   ~PrintableOutput() override;
   PrintableOutput(const PrintableOutput&) = delete;

@@ -78,9 +78,9 @@ void RankWatch::run() {
   while (!is_ending_ && !(has_left && haveOthersLeft())) {
     if (!has_left) {
       has_left = is_leaving_;
-      tell(has_left ? kGoodbye : kThere);
+      sendHeartbeats(has_left ? kGoodbye : kThere);
     }
-    hear();
+    receiveHeartbeats();
     const Clock::time_point before = std::exchange(looked, Clock::now());
     silence_.pass(std::chrono::duration<double>(looked - before).count());
     if (const auto silent = silence_.longerThan(max_silence_)) endRun(*silent);
@@ -88,7 +88,7 @@ void RankWatch::run() {
   }
 }
 
-void RankWatch::tell(int tag) {
+void RankWatch::sendHeartbeats(int tag) {
   for (const int other : others_) {
     MPI_Request sending = MPI_REQUEST_NULL;
     MPI_Isend(nullptr, 0, MPI_CHAR, other, tag, channel_, &sending);
@@ -96,14 +96,14 @@ void RankWatch::tell(int tag) {
   }
 }
 
-void RankWatch::hear() {
+void RankWatch::receiveHeartbeats() {
   while (true) {
     int has_arrived = 0;
     MPI_Status status;
     MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, channel_, &has_arrived, &status);
     if (has_arrived == 0) return;
     MPI_Recv(nullptr, 0, MPI_CHAR, status.MPI_SOURCE, status.MPI_TAG, channel_, MPI_STATUS_IGNORE);
-    silence_.hear(status.MPI_SOURCE);
+    silence_.reset(status.MPI_SOURCE);
     if (status.MPI_TAG == kGoodbye) silence_.leave(status.MPI_SOURCE);
   }
 }

@@ -28,8 +28,8 @@ class RankWatch {
 
  private:
   void run();
-  void tell(int tag);
-  void hear();
+  void sendHeartbeats(int tag);
+  void receiveHeartbeats();
   bool haveOthersLeft() const;
   [[noreturn]] void endRun(int silent) const;
 

@@ -22,6 +22,7 @@ enum class MessageTag : int {
   kClosed,   ///< from the master: all ranks have left, the next run may begin
 };
 
+/// A message between ranks.
 struct RankMessage {
   int from = 0;
   MessageTag tag = MessageTag::kReady;

@@ -14,12 +14,13 @@ class Silence {
   Silence(int others, double most)
       : seconds_(others, 0.0), is_expected_(others, false), most_(most) {}
 
+  /// Marks a rank as expected to send.
   void expect(int other) { is_expected_[other] = true; }
   /// Marks a rank as gone: it is no longer expected to send.
   void leave(int other) { is_expected_[other] = false; }
   bool hasLeft(int other) const { return !is_expected_[other]; }
   /// Resets a rank's silence: a heartbeat has arrived.
-  void hear(int other) { seconds_[other] = 0.0; }
+  void reset(int other) { seconds_[other] = 0.0; }
 
   /// Adds elapsed time (s) to every rank's silence.
   void pass(double seconds) {

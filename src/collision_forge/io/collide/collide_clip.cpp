@@ -110,7 +110,7 @@ class NameParser {
     for (const auto& [type, name] : kTypeNames) {
       if (value == name) return type;
     }
-    fail("type", value, "is none of LC, HO, RE, JC, LTAP");
+    fail("type", value, "is not one of LC, HO, RE, JC, LTAP");
   }
 
   void parseCounts(std::string_view value, CollideName& name) const {

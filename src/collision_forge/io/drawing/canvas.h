@@ -22,8 +22,10 @@ struct LineStyle {
   bool closed = false;
 };
 
+/// Which end of a text is at its position.
 enum class TextAlign { kLeft, kCenter, kRight };
 
+/// How a text is drawn.
 struct TextStyle {
   Color color;
   double size = 0.0;  ///< pixels
@@ -72,6 +74,7 @@ class Canvas {
   /// Draws UTF-8 text. `position`: on the baseline, at the text's left end, middle or right end by
   /// `style.align`.
   void text(const Vector2& position, const std::string& text, const TextStyle& style);
+  /// Returns the width of a text, pixels.
   double textWidth(const std::string& text, const TextStyle& style);
   /// Returns `text`, cut and ended with an ellipsis if it is wider than `width` pixels.
   std::string fitted(const std::string& text, double width, const TextStyle& style);

@@ -94,12 +94,12 @@ std::vector<CaptionRow> drivingRows(const ScenarioView& view) {
                   report.believable()});
   rows.push_back({"Limits kept", report.limits_kept ? "yes" : "no", report.limits_kept});
   if (!report.broken_limit.empty()) rows.push_back({"", report.broken_limit, false});
-  const bool nobody = report.first_other_id.empty();
+  const bool no_hit = report.first_other_id.empty();
   rows.push_back({"Hits before ego",
-                  nobody ? "none"
+                  no_hit ? "none"
                          : signedSeconds(report.first_other_time - now, 1) + ", " +
                                shortId(report.first_other_id),
-                  nobody});
+                  no_hit});
   rows.push_back({"Off road", percentText(report.off_road_share), std::nullopt});
   rows.push_back({"Confidence", percentText(report.confidence), std::nullopt});
   return rows;
@@ -153,10 +153,10 @@ std::string titleText(const ScenarioView& view) {
 
 std::string detailsText(const ScenarioView& view) {
   const AttackerTrajectory& attacker = view.trajectory;
-  const std::string who = plainName(toString(attacker.agent_class));
+  const std::string vehicle = plainName(toString(attacker.agent_class));
   return "TTA " + decimalText(view.tta, 1) + " s  ·  " + toString(view.mode) + " mode  ·  by " +
-         (attacker.isAdded() ? "an added " + who
-                             : "a recorded " + who + ", " + shortId(attacker.attacker_id));
+         (attacker.isAdded() ? "an added " + vehicle
+                             : "a recorded " + vehicle + ", " + shortId(attacker.attacker_id));
 }
 
 std::string verdictText(const ScenarioView& view) {

@@ -25,6 +25,7 @@ enum class Verdict {
   kPartial,  ///< a contact, but not the requested crash
   kUnwanted
 };
+/// Returns the verdict on an attack, or on a planner if the view names one.
 Verdict verdictOf(const ScenarioView& view);
 
 /// The outcome of an attack, in few words.
@@ -33,6 +34,7 @@ struct OutcomeText {
   /// "as requested", or the first condition that fails; empty without a contact.
   std::string verdict;
 };
+/// Returns the outcome of an attack, for a grid of scenarios.
 OutcomeText outcomeText(const ScenarioView& view);
 
 /// Returns type and scene; for a planner test, preceded by the planner.

@@ -11,6 +11,7 @@ namespace forge {
 class ColorHistogram {
  public:
   ColorHistogram();
+  /// Counts every pixel of an image.
   void add(const Image& image);
 
  private:

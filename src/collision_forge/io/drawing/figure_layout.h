@@ -12,6 +12,7 @@ struct FigureSize {
   double font_size = 0.0;
 };
 
+/// Return the sizes of the options for stills and animations.
 FigureSize pngSize(const DrawingOptions& options);
 FigureSize gifSize(const DrawingOptions& options);
 

@@ -17,6 +17,7 @@ namespace forge {
 /// grid, with at least one row and one column, and the options must outlive it.
 class GridPainter {
  public:
+  /// `font_size` in pixels. Throws std::invalid_argument if it is not positive.
   GridPainter(const ScenarioGrid& grid, const DrawingOptions& options, double font_size,
               PictureKind kind);
 

@@ -19,6 +19,7 @@ class ScenarioMotion {
  public:
   explicit ScenarioMotion(const ScenarioView& view) : view_(view) {}
 
+  /// Returns t0, s.
   double now() const { return view_.snapshot.now; }
   /// Returns the time that a picture shows: the contact time; without a contact, the time of the
   /// hit that the ego avoids, else the pattern's time.
@@ -40,7 +41,7 @@ class ScenarioMotion {
   /// Returns the recorded box of a recorded attacker, from t0 on; nullopt for an added one.
   std::optional<OrientedBox> recordedAttackerAt(double time) const;
   /// Returns the other agents whose pose at `time` is known.
-  std::vector<AgentBox> othersAt(double time) const;
+  std::vector<AgentBox> otherAgentsAt(double time) const;
 
   /// Another agent whose box at keyTime() covers ground that the ego or the attacker passed
   /// earlier: `then` is its box at the last such time.
@@ -49,7 +50,7 @@ class ScenarioMotion {
     AgentBox at_key_time;
   };
   /// Returns all such agents. A still picture would otherwise seem to show overlaps.
-  std::vector<Passed> passedOthers() const;
+  std::vector<Passed> passedAgents() const;
 
   /// Return boxes every 0.1 s in [from, to], both ends included, where known.
   std::vector<OrientedBox> egoBoxes(double from, double to) const;

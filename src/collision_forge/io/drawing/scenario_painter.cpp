@@ -86,7 +86,7 @@ void ScenarioPainter::placeLabels() {
   const double key_time = motion.keyTime();
   for (const Vector2& corner : scene_.shownCorners(scene_.trailsFrom()))
     placer.avoid(map_viewport_.toPixel(corner));
-  for (const AgentBox& agent : motion.othersAt(key_time)) {
+  for (const AgentBox& agent : motion.otherAgentsAt(key_time)) {
     for (const Vector2& corner : boxPixels(map_viewport_, agent.box)) placer.avoid(corner);
     placer.avoid(map_viewport_.toPixel(agent.box.center.position()));
   }

@@ -154,7 +154,7 @@ void ScenePainter::paintRecorded(Canvas& canvas, const Viewport& viewport, doubl
 
 void ScenePainter::paintPassed(Canvas& canvas, const Viewport& viewport) const {
   const double width = 0.08 * mark_size_;
-  for (const ScenarioMotion::Passed& other : motion_.passedOthers()) {
+  for (const ScenarioMotion::Passed& other : motion_.passedAgents()) {
     paintGhost(canvas, viewport, other.then.box, options_.agent_color, options_.ghost_opacity,
                width);
     canvas.stroke(centers(viewport, {other.then.box, other.at_key_time.box}),
@@ -177,7 +177,7 @@ void ScenePainter::paintRest(Canvas& canvas, const Viewport& viewport) const {
 
 void ScenePainter::paintVehicles(Canvas& canvas, const Viewport& viewport, double time) const {
   const double width = 0.09 * mark_size_;
-  for (const AgentBox& agent : motion_.othersAt(time)) {
+  for (const AgentBox& agent : motion_.otherAgentsAt(time)) {
     paintAgent(canvas, viewport, agent, options_.agent_color, width);
   }
   const auto ego = motion_.egoAt(time);

@@ -15,6 +15,7 @@ struct PixelRect {
   double height = 0.0;
 
   Vector2 center() const { return {x + width / 2, y + height / 2}; }
+  /// Returns true if the pixel is in the rectangle, edges included.
   bool contains(const Vector2& pixel) const;
 };
 
@@ -27,6 +28,7 @@ class Viewport {
   Viewport(const PixelRect& area, const Vector2& center, double pixels_per_metre,
            double rightwards = 0.0);
 
+  /// Convert between ground (map frame, m) and picture (pixels).
   Vector2 toPixel(const Vector2& world) const;
   Vector2 toWorld(const Vector2& pixel) const;
 

@@ -303,7 +303,7 @@ class CommonRoadFile {
     const xml_node tags = addElement(root, "scenarioTags");
     for (const std::string& tag : tagsOf(record_)) addElement(tags, tag.c_str());
     addLanelets(root);
-    for (const Track& other : record_.others) {
+    for (const Track& other : record_.other_agents) {
       if (isStatic(other)) addStatic(root, other);
     }
     addMoving(root);
@@ -391,9 +391,9 @@ class CommonRoadFile {
   void addMoving(xml_node root) {
     if (!plan_.ego_free) addStretch(root, record_.ego, record_.ego.states, kEgoNumber);
     addStretch(root, record_.attacker, record_.attacker.states, kAttackerNumber);
-    for (const Track& other : record_.others) {
+    for (const Track& other : record_.other_agents) {
       if (isStatic(other)) continue;
-      for (const std::vector<AgentState>& states : seenStretches(other, record_.step)) {
+      for (const std::vector<AgentState>& states : splitAtGaps(other, record_.step)) {
         if (states.size() > 1) addStretch(root, other, states, next_number_++);
       }
     }

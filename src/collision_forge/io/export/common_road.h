@@ -22,9 +22,6 @@ namespace forge {
 ///
 /// Two deviations from the schema, which commonroad-io accepts: initial states after step 0, and no
 /// lanelet if no lane is near.
-/// Two things the schema does not allow, but commonroad-io reads: an initial state that is not at
-/// step 0, of those who are seen later and of a problem that begins later; and no lanelet, where no
-/// lane is near.
 std::unique_ptr<CrashWriter> makeCommonRoadWriter(const ExportPlan& plan);
 
 }  // namespace forge

@@ -84,7 +84,7 @@ class RecordBuilder {
     if (contact_) record.contact = *contact_ - begin_;
     record.ego = egoTrack();
     record.attacker = attackerTrack();
-    record.others = otherTracks(record);
+    record.other_agents = otherTracks(record);
     addLanes(record);
     return record;
   }
@@ -114,9 +114,9 @@ class RecordBuilder {
     const auto gaps = axisGaps({ego, scene_.ego.size}, {attacker, drive_.size});
     const auto widest = std::max_element(
         gaps.begin(), gaps.end(), [](const AxisGap& a, const AxisGap& b) { return a.gap < b.gap; });
-    const double way = std::max(0.0, widest->gap + kTouchDepth);
-    attacker.x -= way * widest->axis.x();
-    attacker.y -= way * widest->axis.y();
+    const double shift = std::max(0.0, widest->gap + kTouchDepth);
+    attacker.x -= shift * widest->axis.x();
+    attacker.y -= shift * widest->axis.y();
     return attacker;
   }
 
@@ -163,7 +163,7 @@ class RecordBuilder {
       const bool is_attacking = time >= now - kTimeEpsilon;
       return is_attacking ? stateAt(drive_, std::max(time, now)) : stateAt(past, time);
     });
-    track.states = seenStretches(track, step_).back();
+    track.states = splitAtGaps(track, step_).back();
     return track;
   }
 
@@ -225,7 +225,7 @@ class RecordBuilder {
 
 }  // namespace
 
-std::vector<std::vector<AgentState>> seenStretches(const Track& track, double step) {
+std::vector<std::vector<AgentState>> splitAtGaps(const Track& track, double step) {
   std::vector<std::vector<AgentState>> stretches;
   for (const AgentState& state : track.states) {
     if (stretches.empty() || state.time - stretches.back().back().time > 1.5 * step) {

@@ -33,7 +33,7 @@ struct CrashRecord {
   Track attacker;                 ///< a state every step from its first state on
   /// Other agents within ExportOptions::radius, sorted by id; states at the steps at which they
   /// were in sight.
-  std::vector<Track> others;
+  std::vector<Track> other_agents;
   LaneMap lanes;    ///< lanes within the radius, with the links among them
   LaneArcs arcs;    ///< arcs of `lanes`
   GeoPoint origin;  ///< of the map frame
@@ -42,7 +42,7 @@ struct CrashRecord {
 };
 
 /// Splits a track's states into stretches without a gap; `step` in s.
-std::vector<std::vector<AgentState>> seenStretches(const Track& track, double step);
+std::vector<std::vector<AgentState>> splitAtGaps(const Track& track, double step);
 
 /// Inputs of crashRecord() beside the scenario.
 struct RecordContext {

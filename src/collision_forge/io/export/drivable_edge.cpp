@@ -77,7 +77,7 @@ class EdgeFinder {
 
   /// Returns true if no other polygon contributed this piece of edge before.
   bool isNew(const Vector2& middle) {
-    return told_.emplace(std::lround(middle.x() / kSame), std::lround(middle.y() / kSame)).second;
+    return found_.emplace(std::lround(middle.x() / kSame), std::lround(middle.y() / kSame)).second;
   }
 
   bool isNear(const Vector2& place) const {
@@ -100,8 +100,8 @@ class EdgeFinder {
   Box reach_;
   std::vector<Box> boxes_;  // one per polygon
   std::vector<Line> lines_;
-  std::set<std::pair<long, long>> told_;  // middles of the pieces found
-  bool is_open_ = false;                  // the last line continues
+  std::set<std::pair<long, long>> found_;  // middles of the pieces found
+  bool is_open_ = false;                   // the last line continues
 };
 
 }  // namespace

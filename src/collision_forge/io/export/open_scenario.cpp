@@ -62,8 +62,8 @@ class ScenarioWriter {
       : record_(record), plan_(plan), origin_(localOrigin(record)) {
     addEntity("ego", record.ego, record.ego.states, record.scenario.ego.center_offset);
     addTrack("attacker", record.attacker);
-    for (std::size_t i = 0; i < record.others.size(); ++i) {
-      addTrack("other_" + std::to_string(i + 1), record.others[i]);
+    for (std::size_t i = 0; i < record.other_agents.size(); ++i) {
+      addTrack("other_" + std::to_string(i + 1), record.other_agents[i]);
     }
   }
 
@@ -95,7 +95,7 @@ class ScenarioWriter {
             ? driveLimitsOf(track.agent_class, track.size, plan_.limits).axle_to_middle
             : 0.0;
     int number = 0;
-    for (std::vector<AgentState>& states : seenStretches(track, record_.step)) {
+    for (std::vector<AgentState>& states : splitAtGaps(track, record_.step)) {
       if (states.size() < 2) continue;
       const std::string again = number++ == 0 ? "" : "_" + std::to_string(number);
       addEntity(name + again, track, std::move(states), ahead);

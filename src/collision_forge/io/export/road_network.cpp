@@ -45,7 +45,7 @@ void addArcThrough(const Pose2& from, const Vector2& to, std::vector<RoadPiece>&
 }
 
 /// Splits a reference line at an arc length below its length.
-std::pair<std::vector<RoadPiece>, std::vector<RoadPiece>> parted(
+std::pair<std::vector<RoadPiece>, std::vector<RoadPiece>> splitAt(
     const std::vector<RoadPiece>& course, double at) {
   std::vector<RoadPiece> head, rest;
   for (const RoadPiece& piece : course) {
@@ -122,7 +122,7 @@ class NetworkBuilder {
     return next_[from].size() == 1 && previous_[to].size() == 1;
   }
 
-  /// Finds connecting roads: connectors between two lanes, one of which forks or merges. A
+  /// Finds connecting roads: connectors between two lanes where either forks or merges. A
   /// connector next to a connector becomes a plain road, as a connecting road must not follow
   /// another.
   void findConnectors() {
@@ -161,7 +161,7 @@ class NetworkBuilder {
       if (from.empty()) continue;
       Road& road = network_.roads[to];
       const double piece = std::min(kForkPiece, road.length() / 3.0);
-      std::tie(heads_[to], road.course) = parted(road.course, piece);
+      std::tie(heads_[to], road.course) = splitAt(road.course, piece);
       for (const std::size_t place : from) addConnecting(place, to, heads_[to]);
     }
   }

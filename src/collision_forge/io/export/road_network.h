@@ -48,6 +48,7 @@ struct Junction {
   std::vector<Connection> connections;
 };
 
+/// Roads and junctions of one OpenDRIVE file.
 struct RoadNetwork {
   std::vector<Road> roads;
   std::vector<Junction> junctions;
@@ -62,10 +63,10 @@ std::vector<RoadPiece> courseOf(const Lane& lane, const LaneArcs& arcs);
 double widthOf(const Lane& lane, double length, double otherwise);
 
 /// Returns the lanes as roads linked by the rules of ASAM OpenDRIVE 1.6 (Sec. 8.2 and 10). A lane
-/// with one successor, of which it is the only predecessor, is linked to it directly. All other
-/// links go through junctions: a connector between two lanes is the connecting road; between lanes
-/// at a fork without a connector, the first `kForkPiece` of the following lane is. Links between
-/// lanes more than `kMaxJointGap` apart and lanes without a reference line are left out.
+/// whose only successor has no other predecessor is linked to it directly. All other links go
+/// through junctions: a connector between two lanes is the connecting road; between lanes at a fork
+/// without a connector, the first `kForkPiece` of the following lane is. Links between lanes more
+/// than `kMaxJointGap` apart and lanes without a reference line are left out.
 inline constexpr double kForkPiece = 0.3;    // m
 inline constexpr double kMaxJointGap = 0.1;  // m
 RoadNetwork roadNetwork(const LaneMap& lanes, const LaneArcs& arcs, double lane_width);

@@ -26,8 +26,8 @@ struct ScenarioDescription {
 };
 
 /// Returns the content of a scenario file. It includes the boundary lines of the drivable area
-/// within `options.radius` of the points `ways`.
-PickleContent describe(const ScenarioDescription& scenario, const std::vector<Vector2>& ways,
+/// within `options.radius` of `path_points`.
+PickleContent describe(const ScenarioDescription& scenario, const std::vector<Vector2>& path_points,
                        const ExportOptions& options);
 
 /// Returns the file name of a scenario: sd_collision_forge_v1_NAME.pkl.

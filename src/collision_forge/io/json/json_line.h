@@ -28,6 +28,8 @@ class JsonObject {
   /// Returns true if the key is present and unread.
   bool has(const char* key) const;
 
+  // Return the value of a key; throw if it is missing or has another type. The ...OrNull() getters
+  // return nullopt for null.
   std::string text(const char* key);
   std::optional<std::string> textOrNull(const char* key);
   double number(const char* key);
@@ -68,6 +70,7 @@ class JsonLine {
   /// Throws JsonLineError if `text` is not JSON in UTF-8; the message gives the byte offset.
   JsonLine(std::string where, const std::string& text);
 
+  /// Returns the line's object. Throws JsonLineError if the line is not an object.
   JsonObject root() const;
 
  private:
@@ -82,6 +85,7 @@ class JsonLineWriter {
   JsonLineWriter();
   ~JsonLineWriter();
 
+  /// Begin and end an object or array; `key` is null for an element of an array and for the line.
   void beginObject(const char* key = nullptr);
   void endObject();
   void beginArray(const char* key);

@@ -20,6 +20,7 @@ using OnWarnings =
 /// The maps of a nuScenes root, each read on first use and kept. Thread-safe.
 class CityMaps {
  public:
+  /// `dataroot`: folder of a nuScenes root, with maps/expansion.
   CityMaps(const std::string& dataroot, const DataOptions& options, OnWarnings on_warnings = {});
 
   /// Returns the index of a city's map. Throws as readNuScenesMap() and drivingSide().

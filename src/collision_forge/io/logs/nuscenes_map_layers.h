@@ -14,6 +14,7 @@ namespace forge {
 /// Counts the cases of each kind of defect and keeps the first token of each.
 class WarningCounter {
  public:
+  /// Adds a case; `kind` is a plural noun phrase, as "degenerate polygons".
   void add(const std::string& kind, const std::string& token);
   /// Returns one line per kind, as "PATH: 12 lanes without a usable arcline (first: TOKEN)".
   std::vector<std::string> lines(const std::string& path) const;

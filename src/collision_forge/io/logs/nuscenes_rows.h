@@ -16,6 +16,7 @@ using NuScenesProgress = std::function<void(std::uint64_t done, std::uint64_t to
 /// The parts of the tables that recordings need, as rows that refer to each other by index. Samples
 /// are complete; annotations and ego poses are limited to the selected scenes.
 struct NuScenesTables {
+  // Numbers below are indices into the lists at the end, whose order is the order of the tables.
   struct Scene {
     std::string name;
     std::string description;

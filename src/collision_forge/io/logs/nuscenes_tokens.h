@@ -17,6 +17,7 @@ class TokenIndex {
  public:
   /// Adds a token if it is new. Returns its number, and true if it was new.
   std::pair<std::uint32_t, bool> add(std::string_view token);
+  /// Returns the token's number; nullopt if it was not added.
   std::optional<std::uint32_t> find(std::string_view token) const;
   /// Returns the token with a number that add() returned.
   std::string text(std::uint32_t number) const;

@@ -34,6 +34,7 @@ class PickleField {
   /// List or tuple: returns the elements.
   std::vector<PickleField> list() const;
 
+  // Plain values; text() returns UTF-8.
   bool isText() const;
   std::string text() const;
   /// Returns a finite number.

@@ -85,7 +85,7 @@ void readControls(JsonObject& object, CollisionRequest& request, bool may_lack) 
   const auto has = [&](const char* key) { return !may_lack || object.has(key); };
   if (has("choice")) {
     request.choice =
-        readWord(object, "choice", attackerChoiceFromString, "is none of any, existing and new");
+        readWord(object, "choice", attackerChoiceFromString, "is not one of any, existing, new");
   }
   if (has("believable")) request.crash.believable = object.flag("believable");
   if (has("limits")) {
