@@ -8,11 +8,11 @@ namespace forge {
 namespace {
 
 constexpr double kStandstill = 0.1;  // m/s
-constexpr double kStep = 0.5;  // m, between the places where road is looked for: a raster's cell
+constexpr double kStep = 0.5;  // m between the points searched for road; the raster's cell size
 
-/// How many of a box's places lie where.
+/// Number of a box's placesOf() on each kind of ground.
 struct Ground {
-  std::size_t off_road = 0;  // 0 where no drivable area is known
+  std::size_t off_road = 0;  // 0 if the map has no drivable area
   std::size_t on_walkway = 0;
 };
 
@@ -27,7 +27,8 @@ Ground groundBelow(const OrientedBox& box, const LaneIndex& lanes) {
   return ground;
 }
 
-/// Some drivable ground lies within `reach` metres in a direction, a unit vector.
+/// Returns true if there is drivable area within `reach` (m) of `from` in the unit vector
+/// `direction`.
 bool findsRoad(const Vector2& from, const Vector2& direction, const AreaRaster& drivable,
                double reach) {
   const int steps = static_cast<int>(reach / kStep);
@@ -37,13 +38,14 @@ bool findsRoad(const Vector2& from, const Vector2& direction, const AreaRaster& 
   return false;
 }
 
-/// Where somebody is held to keep to its lane: from a point on, until a time.
+/// Part of a trajectory in which the vehicle must keep to its lane: from `first` to the time
+/// `until` (s).
 struct LaneStretch {
   std::vector<TrajectoryPoint>::const_iterator first;
   double until;
 };
 
-/// Adds what the use of the ground at a point is to the sums in `use`.
+/// Adds the ground use of one point to the sums in `use`.
 void addGround(const Pose2& pose, const BoxSize& size, const LaneIndex& lanes,
                const BelievabilityOptions& options, RoadUse& use) {
   const Ground ground = groundBelow({pose, size}, lanes);
@@ -52,7 +54,7 @@ void addGround(const Pose2& pose, const BoxSize& size, const LaneIndex& lanes,
   use.on_island += isOnIsland(pose, lanes, options.island_reach);
 }
 
-/// Adds what the use of lanes at a point is to the sums in `use`.
+/// Adds the lane use of one point to the sums in `use`.
 void addLanes(const Pose2& pose, const LaneIndex& lanes, const BelievabilityOptions& options,
               RoadUse& use) {
   const bool on_lane = lanes.grid().isOnLane(pose, options.lane_distance, options.lane_heading);
@@ -60,8 +62,8 @@ void addLanes(const Pose2& pose, const LaneIndex& lanes, const BelievabilityOpti
   use.wrong_way += !on_lane && lanes.grid().isWrongWay(pose, options.lane_distance);
 }
 
-/// The use of the ground to `until`, of the lanes along `on_lanes`; each to the first point at or
-/// after its end.
+/// Returns the ground use until `until` and the lane use along `on_lanes`, each including the first
+/// point at or after its end.
 RoadUse roadUseOf(const std::vector<TrajectoryPoint>& points, const BoxSize& size, double until,
                   const LaneStretch& on_lanes, const LaneIndex& lanes,
                   const BelievabilityOptions& options) {
@@ -87,7 +89,8 @@ RoadUse roadUseOf(const std::vector<TrajectoryPoint>& points, const BoxSize& siz
   return use;
 }
 
-/// The lane's direction is the type's, widened by `slack` radians.
+/// Returns true if a lane direction relative to the ego's (rad) fits the type's band, widened by
+/// `slack` (rad).
 bool directionFits(double relative_heading, const TypeDefinition& band, CollisionType type,
                    DrivingSide driving_side, double slack) {
   const bool turns_left = driving_side == DrivingSide::kRight;
