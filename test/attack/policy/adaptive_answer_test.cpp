@@ -33,7 +33,7 @@ TEST_F(AdaptiveAnswerTest, TellsWhatWasDrivenOverTheRecording) {
   const AdaptiveAnswer answer = ask([](double t) { return std::max(5.0, 8.0 - 1.5 * t); });
   ASSERT_EQ(answer.attack.status.code, StatusCode::kOk) << answer.attack.status.message;
   EXPECT_TRUE(answer.attack.report.verified());
-  EXPECT_EQ(answer.plans.front().reason, "sets out");
+  EXPECT_EQ(answer.plans.front().reason, "initial plan");
   EXPECT_GT(answer.plans.size(), 1u);
   EXPECT_FALSE(answer.milliseconds.empty());
   EXPECT_EQ(withoutMisses(answer, chase_.request).attack.status.code, StatusCode::kOk);

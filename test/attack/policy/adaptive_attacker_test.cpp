@@ -172,7 +172,7 @@ TEST(AdaptiveAttacker, StillSeesTheOthersWhereTheEgoIsGone) {
     wall.states = {{time, {28.0, 0.0, 0.0}, {0.0, 0.0}}};
     attacker.observe({time, {nowhere, nowhere, nowhere}, {wall}});
   }
-  EXPECT_EQ(lastPlan(attacker).reason, "the ego is out of sight");
+  EXPECT_EQ(lastPlan(attacker).reason, "the ego is no longer observed");
   EXPECT_LT(attacker.trajectory().points.back().pose.x + 0.5 * kCarSize.length, 28.0 - 2.3);
 }
 
