@@ -11,40 +11,42 @@
 
 namespace forge {
 
-/// Where and how the attacker is to arrive.
+/// Target state of a motion.
 struct Arrival {
-  double time = 0.0;                ///< s from now, > 0
-  Pose2 pose;                       ///< box middle, global map frame
+  double time = 0.0;                ///< s after t0, > 0
+  Pose2 pose;                       ///< box centre, global map frame
   double speed = 0.0;               ///< m/s along the heading
-  double start_acceleration = 0.0;  ///< m/s2 along the heading, now
-  double end_acceleration = 0.0;    ///< m/s2 along the heading, at the arrival
+  double start_acceleration = 0.0;  ///< m/s2 along the heading at t0
+  double end_acceleration = 0.0;    ///< m/s2 along the heading at the arrival
 };
 
-/// What all motions of one attacker in one search share.
+/// Start and sampling, common to all motions of one attacker in one search.
 struct DriveStart {
-  Motion motion;      ///< the attacker's, now
-  double now = 0.0;   ///< s, the snapshot's clock
+  Motion motion;      ///< of the attacker at t0
+  double now = 0.0;   ///< s, t0 on the snapshot's clock
   double step = 0.0;  ///< s between points
-  int points = 0;     ///< how many, the first at now
+  int points = 0;     ///< number of points, the first at t0
 };
 
-/// A way of driving from now to an arrival and straight on from there. Implementations are
-/// immutable. `points` is overwritten. False when the family has no such motion; a motion may still
-/// break the limits.
+/// Interface: a family of motions from t0 to an arrival and straight on from there. Implementations
+/// must be immutable.
 class TrajectoryFamily {
  public:
   virtual ~TrajectoryFamily() = default;
+  /// Overwrites `points` with the motion (start.points points). Returns false if the family has
+  /// none for this arrival; `points` is then unspecified. The motion may violate vehicle limits.
+  /// Called thousands of times per search: must be fast and must not throw.
   virtual bool drive(const DriveStart& start, const Arrival& arrival,
                      std::vector<TrajectoryPoint>& points) const = 0;
 };
 
-/// A quintic polynomial on each axis, of the map or, with a reference path, along and across that
-/// path (Werling et al. 2010, "Optimal trajectory generation for dynamic street scenarios in a
-/// Frenet frame"): with it the attacker keeps to its lane as far as the arrival allows.
+/// One quintic polynomial per axis: x and y of the map or, with a reference path, along and across
+/// it (Werling et al. 2010, "Optimal trajectory generation for dynamic street scenarios in a Frenet
+/// frame"), so that the attacker keeps to its lane as far as the arrival allows.
 class QuinticFamily : public TrajectoryFamily {
  public:
   QuinticFamily() = default;
-  /// The path must outlive the family.
+  /// `path` must outlive this object.
   explicit QuinticFamily(const ReferencePath& path) : path_(&path) {}
   bool drive(const DriveStart& start, const Arrival& arrival,
              std::vector<TrajectoryPoint>& points) const override;
@@ -53,7 +55,7 @@ class QuinticFamily : public TrajectoryFamily {
   const ReferencePath* path_ = nullptr;
 };
 
-/// What steers the bicycle: values at instants evenly spread from now to the end of the steering,
+/// Input of the bicycle: values at instants evenly spaced from t0 to the end of the steering,
 /// linear in between. Acceleration along the heading in m/s2, curvature in 1/m.
 struct SteeringKnots {
   static constexpr int kCount = 5;
@@ -61,22 +63,22 @@ struct SteeringKnots {
   std::array<double, kCount> curvature{};
 };
 
-/// A kinematic bicycle steered by knots of acceleration and curvature, held to the limits at every
-/// step. Can turn from rest, brake and turn hard: what a quintic cannot.
+/// A kinematic bicycle steered by knots of acceleration and curvature, clamped to the limits at
+/// every step. Unlike a quintic it can turn from rest and combine hard braking and turning.
 class BicycleFamily : public TrajectoryFamily {
  public:
   BicycleFamily(const VehicleLimits& limits, const BicycleOptions& options)
       : limits_(limits), options_(options) {}
 
-  /// solve(), then roll(). The arrival's start and end acceleration are not used.
+  /// solve(), then roll(). Ignores the arrival's accelerations.
   bool drive(const DriveStart& start, const Arrival& arrival,
              std::vector<TrajectoryPoint>& points) const override;
 
-  /// Knots that bring the bicycle to the arrival, found by damped least squares (Levenberg 1944,
-  /// Marquardt 1963); empty when it stays further than `max_miss` away.
+  /// Returns knots that bring the bicycle to the arrival, by damped least squares (Levenberg 1944,
+  /// Marquardt 1963); empty if it stays too far away.
   std::optional<SteeringKnots> solve(const DriveStart& start, const Arrival& arrival) const;
 
-  /// Steers for `duration` seconds, then goes straight on.
+  /// Overwrites `points`: steers for `duration` s, then goes straight.
   void roll(const DriveStart& start, const SteeringKnots& knots, double duration,
             std::vector<TrajectoryPoint>& points) const;
 
