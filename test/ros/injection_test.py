@@ -174,7 +174,7 @@ class InjectionTest(road.RoadTest):
             self.assertEqual(len(attacks), number)
         self.assertGreater(len(attacks), 1)
         self.assertEqual(road.code_of(result), 'NO_ATTACK_WITHIN_LIMITS')
-        self.assertIn('there are {} distinct attacks only'.format(len(attacks)), result.stderr)
+        self.assertIn('there are only {} distinct attacks'.format(len(attacks)), result.stderr)
 
 
 class RecordedCrashTest(road.RoadTest):

@@ -53,14 +53,14 @@ TEST_F(AddedPastTest, DrivesAsPlannedAtAllFrames) {
 }
 
 TEST_F(AddedPastTest, TouchedNobodyUntilNow) {
-  EXPECT_STREQ(drive(160.0, 8.0), "would have touched somebody") << "is where the ego is";
+  EXPECT_STREQ(drive(160.0, 8.0), "would have touched an agent before t0") << "is where the ego is";
   scene_.others = {AddedScene::longPast("stands", kCarSize, {-20.0, 0.0, 0.0}, 0.0)};
-  EXPECT_STREQ(drive(200.0, 8.0), "would have touched somebody");
+  EXPECT_STREQ(drive(200.0, 8.0), "would have touched an agent before t0");
 }
 
 TEST_F(AddedPastTest, TouchesNobodyBeforeTheContact) {
   scene_.add("stands", {20.0, 0.0, 0.0}, 0.0);
-  EXPECT_STREQ(drive(200.0, 8.0), "touch somebody else first");
+  EXPECT_STREQ(drive(200.0, 8.0), "would touch another agent first");
 }
 
 TEST_F(AddedPastTest, ComesOutOfSightWhereItWasNotThereAtFirst) {
@@ -72,12 +72,12 @@ TEST_F(AddedPastTest, ComesOutOfSightWhereItWasNotThereAtFirst) {
   EXPECT_GT((stateAt(scene_.past.ego, first.time)->pose.position() - first.pose.position()).norm(),
             options_.added.sensing_range);
   scene_.map->lanes[0] = straightLane("east", {-170.0, 0.0}, {200.0, 0.0});
-  EXPECT_STREQ(drive(140.0, 16.0), "would appear in sight");
+  EXPECT_STREQ(drive(140.0, 16.0), "would appear in the ego's view");
 }
 
 TEST_F(AddedPastTest, IsNotParkedAgainstTheTraffic) {
-  EXPECT_STREQ(drive(200.0, 0.0, 3.0), "would be parked against the traffic");
-  EXPECT_STREQ(drive(200.0, 0.0, 1.2), "would be parked against the traffic")
+  EXPECT_STREQ(drive(200.0, 0.0, 3.0), "would be parked against traffic");
+  EXPECT_STREQ(drive(200.0, 0.0, 1.2), "would be parked against traffic")
       << "between the lanes";
 }
 

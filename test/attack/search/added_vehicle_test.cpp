@@ -227,7 +227,7 @@ TEST(AddedVehicle, LiveIsOutOfSightNow) {
   const AddedVehicles none = scene.vehicles();
   EXPECT_TRUE(none.found.empty());
   EXPECT_EQ(none.status.code, StatusCode::kNoCandidate);
-  EXPECT_NE(none.status.message.find("appear in sight"), std::string::npos) << none.status.message;
+  EXPECT_NE(none.status.message.find("appear in the ego's view"), std::string::npos) << none.status.message;
 }
 
 TEST(AddedVehicle, IsOfTheClassAskedFor) {

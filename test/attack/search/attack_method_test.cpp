@@ -109,17 +109,17 @@ TEST(GenerateCollision, RefusesWhatIsNotAsTheControlsWantIt) {
   EXPECT_NE(refusalOf(request).find("by a car"), std::string::npos);
   request = plain;
   request.choice = AttackerChoice::kNew;
-  EXPECT_NE(refusalOf(request).find("recorded one"), std::string::npos);
+  EXPECT_NE(refusalOf(request).find("recorded vehicle"), std::string::npos);
   method.past = {{}};
   EXPECT_TRUE(passes(request));
   request.choice = AttackerChoice::kExisting;
-  EXPECT_NE(refusalOf(request).find("new one"), std::string::npos);
+  EXPECT_NE(refusalOf(request).find("added vehicle"), std::string::npos);
 }
 
 TEST(GenerateCollision, SaysWhyAnAttackIsNotBelievable) {
   const PredictionOptions options = shippedOptions().prediction;
   CollisionReport report = verifiedReport();
-  report.unbelievable = "drives against its lane for 9 %";
+  report.unbelievable = "drives against the lane direction for 9 % of its motion";
   CollisionRequest request = believableRequestFor(CollisionType::kRearEnd);
   const Realization refused = generateCollision(Told(report), moment(), request, options);
   EXPECT_EQ(refused.status.code, StatusCode::kNotBelievable);

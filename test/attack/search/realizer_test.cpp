@@ -208,14 +208,14 @@ TEST(Realize, TakesAnotherAttackerWhereTheFirstIsHopeless) {
 TEST(Realize, RefusesWhatCannotBeDriven) {
   Case attack(190.0);
   attack.expectRefusal(StatusCode::kNoAttackWithinLimits,
-                       "tried 1 collision pattern of 1 vehicle: no motion within the limits hits "
-                       "the ego as asked, 4 +- 0.5 s from now");
+                       "tried 1 candidate (1 vehicle): none hits the ego at 4 +- 0.5 s within its "
+                       "limits");
 }
 
 TEST(Realize, RefusesWhenSomebodyIsInTheWay) {
   Case attack;
   attack.future.agents = {futureTrack("wall", {4.0, 80.0}, {-5.0, 0.0, 0.0}, 0.0)};
-  attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "of 1 vehicle: ");
+  attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "(1 vehicle): ");
 }
 
 TEST(Realize, CountsWhyTheBestAttacksDoNotVerify) {
@@ -227,7 +227,7 @@ TEST(Realize, CountsWhyTheBestAttacksDoNotVerify) {
        AgentClass::kStaticObject,
        {100.0, 20.0},
        {{kNow + 2.02, somewhere, Vector2::Zero()}, {kNow + 2.08, somewhere, Vector2::Zero()}}}};
-  attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "touched someone else first");
+  attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "touched another agent first");
 }
 
 TEST(Realize, RefusesPatternsThatMakeNoSense) {

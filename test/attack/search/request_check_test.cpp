@@ -166,7 +166,7 @@ TEST(CheckRequest, RefusesAttackersThatAreNotThereOrCannotAttack) {
   expectRefusal(asking(4.0, "car"), snapshot, StatusCode::kAbsentAttacker, {"car", "pedestrian"});
   snapshot = twoCars();
   snapshot.agents[0].states.pop_back();
-  expectRefusal(asking(4.0, "car"), snapshot, StatusCode::kAbsentAttacker, {"car", "not there"});
+  expectRefusal(asking(4.0, "car"), snapshot, StatusCode::kAbsentAttacker, {"car", "not present"});
 }
 
 TEST(CheckRequest, RefusesAttackersWithoutHistory) {

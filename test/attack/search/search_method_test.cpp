@@ -394,10 +394,10 @@ TEST(SearchMethod, SaysThatTheRoadDoesNotAllowWhoeverIsToAttack) {
   for (const AttackerChoice choice :
        {AttackerChoice::kAny, AttackerChoice::kExisting, AttackerChoice::kNew}) {
     scene.request.choice = choice;
-    scene.expectRefusal(StatusCode::kRoadDoesNotAllow, {"junction_crossing"});
+    scene.expectRefusal(StatusCode::kRoadDoesNotAllow, {"junction crossing"});
   }
   scene.request.crash.believable = false;
-  scene.expectRefusal(StatusCode::kNoCandidate, {"believable, alone"});
+  scene.expectRefusal(StatusCode::kNoCandidate, {"believable = true"});
 }
 
 }  // namespace

@@ -25,15 +25,15 @@ AddedPast::AddedPast(const AddedVehicleInput& input, const AttackOptions& option
       traffic_(past_, input.future, input.request.tta, kStep * kSteps) {}
 
 const char* AddedPast::drive(const AddedDrive& drive, const ReferencePath& path, Track& track) {
-  if (drive.back.front() < 0.0) return "come from beyond the map";
-  if (touchesAhead(drive, path, track.size)) return "touch somebody else first";
+  if (drive.back.front() < 0.0) return "would start outside the map";
+  if (touchesAhead(drive, path, track.size)) return "would touch another agent first";
   const std::size_t clear = clearSteps(drive, path, track.size);
   const auto first = firstFrame(drive, path, clear);
   if (!first) {
     return clear < static_cast<std::size_t>(added_.least_past / kStep) && clear < steps_back_
-               ? clear + 1 < drive.back.size() ? "would have touched somebody"
-                                               : "come from beyond the map"
-               : "would appear in sight";
+               ? clear + 1 < drive.back.size() ? "would have touched an agent before t0"
+                                               : "would start outside the map"
+               : "would appear in the ego's view";
   }
   return driveFrom(*first, drive, path, track);
 }
@@ -112,21 +112,22 @@ const char* AddedPast::driveFrom(std::size_t frame, const AddedDrive& drive,
                               -limits.max_steering_angle, limits.max_steering_angle);
   driver.drive(start, begin, planned_, points_);
   points_.resize(static_cast<std::size_t>(steps) + 1);
-  if (findBrokenDrive(points_, start, past_.now, limits)) return "cannot keep their limits";
+  if (findBrokenDrive(points_, start, past_.now, limits))
+    return "would violate their vehicle limits";
   for (int i = steps % kSteps; i <= steps; i += kSteps) {
     if (traffic_.touches(points_[static_cast<std::size_t>(i)].pose, track.size,
                          (i - steps) / kSteps, added_.clearance)) {
-      return "would have touched somebody";
+      return "would have touched an agent before t0";
     }
   }
   const RoadUse road =
       roadUse(points_, track.size, past_.now, input_.driven(), options_.verification.believability);
   const bool is_parked = points_.back().speed == 0.0 && points_.front().speed == 0.0;
   if (is_parked && isInJunction(points_.back().pose)) return "would be parked in a junction";
-  if (is_parked && facesTraffic(points_.back().pose)) return "would be parked against the traffic";
+  if (is_parked && facesTraffic(points_.back().pose)) return "would be parked against traffic";
   if ((!is_parked && road.on_lane < added_.min_on_lane) || road.on_walkway > 0.0 ||
       road.on_island > 0.0 || road.off_road > added_.max_off_road) {
-    return "leave their lane or the road";
+    return "would leave their lane or the road";
   }
   for (std::size_t i = frame; i < frames.size(); ++i) {
     const double offset = (frames[i].time - begin) / kStep;

@@ -84,12 +84,12 @@ class Casting {
     });
     const std::string type = toString(input_.request.type);
     if (!allows) {
-      return {StatusCode::kRoadDoesNotAllow,
-              "no lane near the ego at the asked time has a direction of type = " + type};
+      return {StatusCode::kRoadDoesNotAllow, roadRefusal(input_.request.type, input_.request.tta)};
     }
     if (!has_way_) {
-      return {StatusCode::kRoadDoesNotAllow,
-              "no lane leads to the ego at the asked time from where type = " + type + " comes"};
+      return {
+          StatusCode::kRoadDoesNotAllow,
+          "no lane leads to the ego's place at the contact from the direction of type = " + type};
     }
     std::string message = "no vehicle can be added";
     const char* sign = ": ";
@@ -227,13 +227,14 @@ class Casting {
     const BoxSize size{kind.length, kind.width};
     const std::string name = newName(found);
     const SpeedVariation variation = variationOf(name, input_.request.seed, options_.route);
-    if (!drives_.plan(meeting, manner, size, drive_, variation)) return "cannot drive so";
+    if (!drives_.plan(meeting, manner, size, drive_, variation))
+      return "cannot reach the contact in time";
     const ReferencePath& path = meeting.way->path;
     const double ego_yaw = past_.ego.states.back().pose.yaw;
     const double approach = angleBetween(ego_yaw, path.at(drive_.back.front()).pose.yaw);
     if (input_.request.crash.rules == TypeRules::kFull &&
         !approachFits(approach, input_.request.bands())) {
-      return "do not come from where the type wants them";
+      return "do not approach from the direction of the type";
     }
     has_way_ = true;
     Track track{name, kind.agent_class, size, {}};

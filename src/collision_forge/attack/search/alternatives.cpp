@@ -125,8 +125,8 @@ Realization attackOf(Realization answer, std::size_t number) {
   if (number == 1) return answer;
   if (number >= 2 && number - 2 < others.size()) return others[number - 2];
   return declined({StatusCode::kNoAttackWithinLimits,
-                   "alternative = " + std::to_string(number) + ": there are " +
-                       std::to_string(others.size() + 1) + " distinct attacks only"});
+                   "alternative = " + std::to_string(number) + ": there are only " +
+                       std::to_string(others.size() + 1) + " distinct attacks"});
 }
 
 }  // namespace forge

@@ -103,15 +103,13 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
   const auto ego = stateAt(prediction.future.ego, snapshot.now + request.tta);
   if (!ego) {
     prediction.status = {StatusCode::kBeyondRecording,
-                         "the ego's recording ends before the impact, tta = " +
-                             numberText(request.tta) + " s from now"};
+                         "the ego's recording ends before the contact, tta = " +
+                             numberText(request.tta) + " s after t0"};
     return prediction;
   }
   if (request.crash.believable &&
       !roadAllows(prediction.future, snapshot.now, request, lanes, believability_)) {
-    prediction.status = {StatusCode::kRoadDoesNotAllow,
-                         std::string("no lane near the ego at the asked time has a direction of ") +
-                             toString(request.type)};
+    prediction.status = {StatusCode::kRoadDoesNotAllow, roadRefusal(request.type, request.tta)};
     return prediction;
   }
   const double nominal = request.bands().nominal_heading;
@@ -136,8 +134,8 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
     prediction.status = {
         StatusCode::kNoCandidate,
         "no vehicle within candidate_radius = " + numberText(options_.candidate_radius) +
-            " m, seen now and in the frame before, comes from where " + toString(request.type) +
-            " wants it"};
+            " m, observed at t0 and in the frame before, approaches from the direction of type = " +
+            toString(request.type)};
   }
   return prediction;
 }

@@ -73,7 +73,7 @@ Realization SearchMethod::answer(const Moment& moment, const CollisionRequest& r
 
   if (!may_exist && (!request.crash.believable || moment.lanes->map().lanes.empty())) {
     return declined(
-        {StatusCode::kNoCandidate, "vehicles are added to maps with lanes, and believable, alone"});
+        {StatusCode::kNoCandidate, "choice = new requires believable = true and a map with lanes"});
   }
   const Realization answer = answerBy(SearchedMotion::kByRoutes);
   if (answer.status.code == StatusCode::kOk || !request.crash.believable) return answer;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "collision_forge/base/scene/number_words.h"
+
 namespace forge {
 namespace {
 
@@ -99,6 +101,27 @@ bool directionFits(double relative_heading, const TypeDefinition& band, Collisio
   return size >= band.min_heading - slack && size <= band.max_heading + slack;
 }
 
+struct RoadRefusal {
+  const char* type;
+  const char* reason;
+};
+
+RoadRefusal roadRefusalOf(CollisionType type) {
+  switch (type) {
+    case CollisionType::kRearEnd:
+      return {"rear-end collision", "no lane at the ego's place has its direction"};
+    case CollisionType::kLaneChange:
+      return {"lane-change collision", "no lane leads beside the ego or into its lane"};
+    case CollisionType::kOppositeDirection:
+      return {"opposite-direction collision", "no lane near the ego has the opposite direction"};
+    case CollisionType::kJunctionCrossing:
+      return {"junction crossing", "no lane crosses the ego's path"};
+    case CollisionType::kLtap:
+      break;
+  }
+  return {"left turn across path", "no lane crosses the ego's path from the opposite direction"};
+}
+
 }  // namespace
 
 const LaneIndex& drivenLanes(const CollisionRequest& request, const LaneIndex& lanes) {
@@ -172,17 +195,19 @@ std::string whyUnbelievable(const RoadUse& road, const std::vector<TrajectoryPoi
     return std::to_string(static_cast<int>(std::lround(100.0 * value))) + " %";
   };
   if (lanes.map().lanes.empty()) return "";
-  if (road.on_walkway > 0.0) return "is on a walkway for " + share(road.on_walkway);
-  if (road.on_island > 0.0) return "is on an island for " + share(road.on_island);
+  if (road.on_walkway > 0.0)
+    return "is on a walkway for " + share(road.on_walkway) + " of its motion";
+  if (road.on_island > 0.0)
+    return "is on a traffic island for " + share(road.on_island) + " of its motion";
   const RoadUse now = roadUse(points, size, points.front().time, lanes, options);
   if (road.off_road > now.off_road + options.max_off_road) {
     return "is off the road with " + share(road.off_road) + " of its box";
   }
   if (road.wrong_way > options.max_wrong_way) {
-    return "drives against its lane for " + share(road.wrong_way);
+    return "drives against the lane direction for " + share(road.wrong_way) + " of its motion";
   }
   if (road.on_lane < options.min_on_lane) {
-    return "is on a lane for " + share(road.on_lane) + " only";
+    return "is on a lane for only " + share(road.on_lane) + " of its motion";
   }
   return "";
 }
@@ -208,6 +233,12 @@ bool roadAllows(const Future& future, double now, const CollisionRequest& reques
     if (roadAllows(future.ego_samples[i], now, request, lanes, options)) return true;
   }
   return false;
+}
+
+std::string roadRefusal(CollisionType type, double tta) {
+  const RoadRefusal refusal = roadRefusalOf(type);
+  return std::string(refusal.type) + " is not feasible here: " + refusal.reason + " at t0 + " +
+         numberText(tta) + " s";
 }
 
 }  // namespace forge

@@ -72,4 +72,7 @@ bool roadAllows(const Track& ego, double now, const CollisionRequest& request,
 bool roadAllows(const Future& future, double now, const CollisionRequest& request,
                 const LaneIndex& lanes, const BelievabilityOptions& options);
 
+/// Returns the message for a request with this type and `tta` (s) that roadAllows() rejects.
+std::string roadRefusal(CollisionType type, double tta);
+
 }  // namespace forge
