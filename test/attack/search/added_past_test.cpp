@@ -63,7 +63,7 @@ TEST_F(AddedPastTest, TouchesNobodyBeforeTheContact) {
   EXPECT_STREQ(drive(200.0, 8.0), "would touch another agent first");
 }
 
-TEST_F(AddedPastTest, ComesOutOfSightWhereItWasNotThereAtFirst) {
+TEST_F(AddedPastTest, AppearsOutsideTheEgosView) {
   // Its lane begins 160 m behind the ego, and 20 m behind it.
   EXPECT_STREQ(drive(80.0, 14.0), nullptr);
   EXPECT_LT(track_.states.size(), scene_.past.ego.states.size());
@@ -77,8 +77,7 @@ TEST_F(AddedPastTest, ComesOutOfSightWhereItWasNotThereAtFirst) {
 
 TEST_F(AddedPastTest, IsNotParkedAgainstTheTraffic) {
   EXPECT_STREQ(drive(200.0, 0.0, 3.0), "would be parked against traffic");
-  EXPECT_STREQ(drive(200.0, 0.0, 1.2), "would be parked against traffic")
-      << "between the lanes";
+  EXPECT_STREQ(drive(200.0, 0.0, 1.2), "would be parked against traffic") << "between the lanes";
 }
 
 TEST_F(AddedPastTest, IsNotParkedInAJunction) {

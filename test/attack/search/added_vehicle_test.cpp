@@ -64,7 +64,7 @@ class CountingRealizer : public TrajectoryRealizer {
   mutable int in_turn = 0;
 };
 
-TEST(AddedVehicle, AllCarsAreAskedForInOneCall) {
+TEST(AddedVehicle, AllCarsAreRealisedInOneCall) {
   Case scene;
   scene.request.type = CollisionType::kRearEnd;
   const Snapshot all = scene.past();
@@ -81,7 +81,7 @@ TEST(AddedVehicle, AllCarsAreAskedForInOneCall) {
   EXPECT_EQ(realizer.in_turn, 1);
 }
 
-TEST(AddedVehicle, CrashesAsAskedIntoAnEgoThatIsAlone) {
+TEST(AddedVehicle, HitsAnEgoWithoutOtherTrafficAsRequested) {
   Case scene;
   for (const CollisionType type : {CollisionType::kRearEnd, CollisionType::kOppositeDirection,
                                    CollisionType::kJunctionCrossing}) {
@@ -113,7 +113,7 @@ TEST(AddedVehicle, PullsOutWhereTheEgoHasTheOnlyLane) {
   }
 }
 
-TEST(AddedVehicle, RidesBesideTheEgoWhereNobodyCanBeParked) {
+TEST(AddedVehicle, UsesAMotorcycleWhereNoCarCanPark) {
   Case scene;
   scene.map = twoLaneRoad();
   scene.ego = {-40.0, 0.0, 0.0};
@@ -132,7 +132,7 @@ TEST(AddedVehicle, RidesBesideTheEgoWhereNobodyCanBeParked) {
   EXPECT_EQ(scene.result().status.code, StatusCode::kNoCandidate) << "too wide";
 }
 
-TEST(AddedVehicle, ComesTheWrongWayIfThatIsAskedFor) {
+TEST(AddedVehicle, DrivesTheWrongWayOnRequest) {
   Case scene;
   scene.map = emptyMap();
   scene.map->lanes = {straightLane("one_way", {-200.0, 0.0}, {200.0, 0.0})};
@@ -152,7 +152,7 @@ TEST(AddedVehicle, ComesTheWrongWayIfThatIsAskedFor) {
   }
 }
 
-TEST(AddedVehicle, HasAPastAtAllFramesUntilNow) {
+TEST(AddedVehicle, HasAPastAtAllFramesUpToNow) {
   const Case scene;
   const AddedVehicles vehicles = scene.vehicles();
   ASSERT_FALSE(vehicles.found.empty()) << vehicles.status.message;
@@ -172,7 +172,7 @@ TEST(AddedVehicle, HasAPastAtAllFramesUntilNow) {
   }
 }
 
-TEST(AddedVehicle, TouchesNobodyWhoWasRecorded) {
+TEST(AddedVehicle, TouchesNoRecordedAgent) {
   Case scene;
   // Somebody stands in the lane behind the ego, where followers came from.
   scene.others = {longPast("standing", kCarSize, {-70.0, -1.75, 0.0}, 0.0)};
@@ -195,7 +195,7 @@ TEST(AddedVehicle, TouchesNobodyWhoWasRecorded) {
   }
 }
 
-TEST(AddedVehicle, NeverAppearsInSight) {
+TEST(AddedVehicle, NeverAppearsInTheEgosView) {
   Case scene;
   // Lanes begin 45 m behind the ego: who follows it was not there at the first frame.
   scene.map->lanes[0] = straightLane("east_in", {-85.0, -1.75}, {-10.0, -1.75}, {"east_through"});
@@ -211,7 +211,7 @@ TEST(AddedVehicle, NeverAppearsInSight) {
   }
 }
 
-TEST(AddedVehicle, LiveIsOutOfSightNow) {
+TEST(AddedVehicle, LiveIsUnobservedAtNow) {
   Case scene;
   scene.live = true;
   scene.request.tta = 6.0;
@@ -227,10 +227,11 @@ TEST(AddedVehicle, LiveIsOutOfSightNow) {
   const AddedVehicles none = scene.vehicles();
   EXPECT_TRUE(none.found.empty());
   EXPECT_EQ(none.status.code, StatusCode::kNoCandidate);
-  EXPECT_NE(none.status.message.find("appear in the ego's view"), std::string::npos) << none.status.message;
+  EXPECT_NE(none.status.message.find("appear in the ego's view"), std::string::npos)
+      << none.status.message;
 }
 
-TEST(AddedVehicle, IsOfTheClassAskedFor) {
+TEST(AddedVehicle, HasTheRequestedClass) {
   Case scene;
   for (const AgentClass asked : {AgentClass::kBus, AgentClass::kEmergencyVehicle}) {
     scene.request.attacker_class = asked;
@@ -242,7 +243,7 @@ TEST(AddedVehicle, IsOfTheClassAskedFor) {
   }
 }
 
-TEST(AddedVehicle, NeedsARoadOfTheType) {
+TEST(AddedVehicle, NeedsALaneThatFitsTheType) {
   Case scene;
   scene.ego.x = -150.0;
   scene.request.type = CollisionType::kJunctionCrossing;

@@ -52,7 +52,7 @@ class Arrivals : public testing::Test {
 
 const Pose2 kBehindLeft = attackerOffset(kEgoSize, kCarSize, Side::kRear, -0.2, 0.9, 0.0);
 
-TEST_F(Arrivals, OfThePatternItselfAreAtItsBoxItsTimeAndItsFuture) {
+TEST_F(Arrivals, AtThePatternUseItsBoxItsTimeAndItsFuture) {
   aimAt(CollisionType::kLaneChange, kBehindLeft, 43.0);
   const AimedArrival own = sampler_->own(contender(), aim(), false);
   EXPECT_EQ(own.ego, 2U);
@@ -65,14 +65,14 @@ TEST_F(Arrivals, OfThePatternItselfAreAtItsBoxItsTimeAndItsFuture) {
   EXPECT_NEAR(own.arrival.pose.yaw, -0.2, 1e-9);
 }
 
-TEST_F(Arrivals, OfThePatternItselfAreAtAnotherSpeedWhereOneChangesSteadily) {
+TEST_F(Arrivals, AtThePatternUseTheSteadySpeedOnRequest) {
   aimAt(CollisionType::kLaneChange, kBehindLeft);
   const AimedArrival own = sampler_->own(contender(), aim(), true);
   const double distance = (own.arrival.pose.position() - Vector2(-10.0, 3.5)).norm();
   EXPECT_NEAR(0.5 * (10.0 + own.arrival.speed) * kTta, distance, 1e-6);
 }
 
-TEST_F(Arrivals, AreKeptToTheTimeThatTheRequestAllowsFor) {
+TEST_F(Arrivals, AreWithinTheTimeTolerance) {
   aimAt(CollisionType::kLaneChange, kBehindLeft);
   patterns_[0].time = kNow + 9.0;
   EXPECT_EQ(sampler_->own(contender(), aim(), false).contact, sampler_->latest());
@@ -88,7 +88,7 @@ TEST_F(Arrivals, AreKeptToTheTimeThatTheRequestAllowsFor) {
   }
 }
 
-TEST_F(Arrivals, SpreadAlongTheSideThatThePatternTouchesOverAllHeadingsOfTheType) {
+TEST_F(Arrivals, SpreadAlongTheTouchedSideOverAllHeadingsOfTheType) {
   aimAt(CollisionType::kLaneChange,
         attackerOffset(kEgoSize, kCarSize, Side::kLeft, -0.3, 0.2, 0.0));
   const TypeDefinition& type = request_.bands();
@@ -113,7 +113,7 @@ TEST_F(Arrivals, SpreadAlongTheSideThatThePatternTouchesOverAllHeadingsOfTheType
   EXPECT_TRUE(egos[0] && egos[1] && egos[2]);
 }
 
-TEST_F(Arrivals, ShiftByWhatIsSeenFromTheEgo) {
+TEST_F(Arrivals, ShiftInTheEgosFrame) {
   aimAt(CollisionType::kLaneChange, kBehindLeft);
   AimedArrival aimed = sampler_->own(contender(), aim(), true);
   const Pose2 before = seenFromEgo(aimed);
@@ -124,7 +124,7 @@ TEST_F(Arrivals, ShiftByWhatIsSeenFromTheEgo) {
   EXPECT_NEAR(after.yaw - before.yaw, 0.05, 1e-9);
 }
 
-TEST_F(Arrivals, AreOutOfReachOfWhoCannotComeNearInTime) {
+TEST_F(Arrivals, RejectAnAttackerThatCannotReachInTime) {
   aimAt(CollisionType::kLaneChange, kBehindLeft);
   EXPECT_TRUE(sampler_->canReach(contender()));
   snapshot_.agents[0] = pastTrack("beside", kCarSize, {-150.0, 3.5, 0.0}, 10.0);

@@ -46,12 +46,12 @@ CollisionRequest requestIn(Mode mode) {
   return request;
 }
 
-TEST(AttackMethod, IsShownWhatCameInReplayModeAlone) {
+TEST(AttackMethod, SeesTheRecordedFutureInReplayModeOnly) {
   EXPECT_EQ(attempt(Told(), moment(), requestIn(Mode::kHistory)).trajectory.attacker_id, "guesses");
   EXPECT_EQ(attempt(Told(), moment(), requestIn(Mode::kReplay)).trajectory.attacker_id, "knows");
 }
 
-TEST(GenerateCollision, LetsVerifiedAttacksPassAlone) {
+TEST(GenerateCollision, ReturnsVerifiedAttacksOnly) {
   const PredictionOptions options = shippedOptions().prediction;
   const CollisionRequest request = requestIn(Mode::kHistory);
   EXPECT_EQ(generateCollision(Told(verifiedReport()), moment(), request, options).status.code,
@@ -64,7 +64,7 @@ TEST(GenerateCollision, LetsVerifiedAttacksPassAlone) {
   EXPECT_TRUE(refused.trajectory.attacker_id.empty());
 }
 
-TEST(GenerateCollision, RefusesWhatIsNotAsTheControlsWantIt) {
+TEST(GenerateCollision, RejectsAttacksThatViolateTheControls) {
   const PredictionOptions options = shippedOptions().prediction;
   CollisionReport report = verifiedReport();
   report.manoeuvre = Manoeuvre::kLeadSlow;
@@ -129,7 +129,7 @@ TEST(GenerateCollision, SaysWhyAnAttackIsNotBelievable) {
             StatusCode::kOk);
 }
 
-TEST(GenerateCollision, RefusesWithoutAskingTheMethod) {
+TEST(GenerateCollision, RejectsWithoutCallingTheMethod) {
   const PredictionOptions options = shippedOptions().prediction;
   const Told method(verifiedReport());
   CollisionRequest request = requestIn(Mode::kHistory);

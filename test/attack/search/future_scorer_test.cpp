@@ -50,7 +50,7 @@ Case rearEnds(const std::vector<double>& times) {
   return scene;
 }
 
-TEST(FutureScorer, ShareIsThatOfTheFuturesThatAreHit) {
+TEST(FutureScorer, ShareIsTheShareOfFuturesHit) {
   const Case scene = rearEnds({4.0, 2.0, 4.1, 7.0, 3.9, 9.0, 1.0, 8.0});
   EXPECT_EQ(scene.score().share, 3.0 / 8.0);
   EXPECT_EQ(scene.hits(), (std::vector<std::size_t>{0, 2, 4}));
@@ -60,7 +60,7 @@ TEST(FutureScorer, ShareIsThatOfTheFuturesThatAreHit) {
   EXPECT_EQ(rearEnds({9.0}).score().share, 0.0);
 }
 
-TEST(FutureScorer, TellsTheContactInThePreferredFutureOrTheMiddleOneThatIsHit) {
+TEST(FutureScorer, ReturnsTheContactInThePreferredOrTheMiddleHit) {
   // Egos that meet the attacker off their middles, each at another place.
   Case scene = rearEnds({4.0, 2.0, 4.0, 4.0});
   for (std::size_t i = 0; i < scene.egos.size(); ++i) {
@@ -78,7 +78,7 @@ TEST(FutureScorer, TellsTheContactInThePreferredFutureOrTheMiddleOneThatIsHit) {
   EXPECT_EQ(score(1).met, 2U) << "of 0, 2 and 3";
 }
 
-TEST(FutureScorer, HeadingsAreKeptWithAMarginToTheBand) {
+TEST(FutureScorer, HeadingsKeepAMarginToTheBand) {
   const TypeDefinition band = shippedCrash().types.at(CollisionType::kRearEnd);
   const double narrowed = band.max_heading - shippedOptions().search.heading_margin;
   for (const double sign : {1.0, -1.0}) {
@@ -91,7 +91,7 @@ TEST(FutureScorer, HeadingsAreKeptWithAMarginToTheBand) {
   }
 }
 
-TEST(FutureScorer, BandsAreOpenWhereTheyEndAtZeroOrPi) {
+TEST(FutureScorer, BandsThatEndAtZeroOrPiHaveNoMarginThere) {
   EXPECT_EQ(rearEnds({4.0}).score().share, 1.0) << "heading 0 in a band from 0";
   Case oncoming;
   oncoming.request.type = CollisionType::kOppositeDirection;
@@ -99,13 +99,13 @@ TEST(FutureScorer, BandsAreOpenWhereTheyEndAtZeroOrPi) {
   EXPECT_EQ(oncoming.score().share, 1.0);
 }
 
-TEST(FutureScorer, OthersCountOnlyInTheFuturesThatMeetThemFirst) {
+TEST(FutureScorer, OtherAgentsCountOnlyInFuturesThatTouchThemFirst) {
   Case scene = rearEnds({3.7, 4.3});
   scene.addStanding({15.0 * 4.0 + kCarSize.length, 0.0, 0.0});
   EXPECT_EQ(scene.hits(), (std::vector<std::size_t>{0}));
 }
 
-TEST(FutureScorer, NobodyIsToBeBrushed) {
+TEST(FutureScorer, KeepsAMarginToOtherAgents) {
   for (const double side : {1.0, -1.0}) {
     Case scene = rearEnds({4.0});
     const double margin = scene.options.search.overlap_margin;
@@ -158,7 +158,7 @@ Case spread(std::size_t count, unsigned seed) {
   return scene;
 }
 
-TEST(FutureScorer, AFutureIsScoredAsAlone) {
+TEST(FutureScorer, ScoresEachFutureIndependently) {
   const Case scene = spread(13, 1);
   double share = 0.0;
   double closeness = 0.0;

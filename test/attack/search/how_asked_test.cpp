@@ -41,12 +41,12 @@ class HowAskedTest : public testing::Test {
   bool named_ = false;
 };
 
-TEST_F(HowAskedTest, WithoutAWordEverythingHolds) {
+TEST_F(HowAskedTest, WithoutConstraintsEverythingHolds) {
   EXPECT_TRUE(holds());
   EXPECT_FALSE(named_);
 }
 
-TEST_F(HowAskedTest, JudgesTheCrashInTheFutureThatIsNamed) {
+TEST_F(HowAskedTest, JudgesTheCrashInTheGivenFuture) {
   request_.ego_side = Side::kRear;
   EXPECT_TRUE(holds());
   EXPECT_TRUE(named_);

@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-TEST(SearchOptions, MarginsLeaveRoomInEveryBand) {
+TEST(SearchOptions, MarginsAreSmallerThanEveryBand) {
   const AttackOptions options = shippedOptions();
   for (const auto& [type, definition] : shippedCrash().types) {
     EXPECT_LT(2.0 * options.search.heading_margin, definition.max_heading - definition.min_heading)
@@ -17,7 +17,7 @@ TEST(SearchOptions, MarginsLeaveRoomInEveryBand) {
   EXPECT_LT(options.search.limit_margin, 1.0);
 }
 
-TEST(SearchOptions, EverybodyIsPredictedForAsLongAsAnAttackDrivesOn) {
+TEST(SearchOptions, PredictionsLastAsLongAsAttacks) {
   EXPECT_GE(shippedOptions().prediction.tail, shippedOptions().search.tail);
 }
 
@@ -27,14 +27,14 @@ TEST(SearchOptions, QuickSteeringIsTwiceTheRateOfVehicleModels) {
   EXPECT_NEAR(shippedOptions().search.quick_steering * kWheelbase, 2.0 * kSteeringRate, 0.02);
 }
 
-TEST(SearchOptions, ConfidencePromisesNoMoreThanTheShareOfFuturesHit) {
+TEST(SearchOptions, ConfidenceIsAtMostTheShareOfFuturesHit) {
   const std::vector<double>& curve = shippedOptions().search.confidence_curve;
   EXPECT_EQ(curve.front(), 0.0);
   EXPECT_LT(curve.back(), 1.0);
   EXPECT_LT(shippedCrash().min_confidence, curve.back());
 }
 
-TEST(NominalOptions, LaneChangesEndAtAnAngleOfTheSet) {
+TEST(NominalOptions, LaneChangesEndAtAnAngleOfTheDataSet) {
   EXPECT_NEAR(shippedOptions().nominal.lane_change_heading, 20.0 * M_PI / 180.0, 1e-4);
 }
 

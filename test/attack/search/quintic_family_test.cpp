@@ -77,7 +77,7 @@ struct RandomDrive {
 
 std::size_t indexAt(double time) { return static_cast<std::size_t>(std::lround(time / kStep)); }
 
-TEST(QuinticFamily, InMapAxesMeetsTheStartAndTheArrival) {
+TEST(QuinticFamily, InMapAxesReachesTheStartAndTheArrival) {
   std::mt19937 random(1);
   for (int i = 0; i < 200; ++i) {
     const RandomDrive drive(random);
@@ -111,7 +111,7 @@ TEST(QuinticFamily, GoesStraightOnAfterTheArrival) {
   }
 }
 
-TEST(QuinticFamily, OnACurvedPathMeetsTheStartAndTheArrival) {
+TEST(QuinticFamily, OnACurvedPathReachesTheStartAndTheArrival) {
   const ReferencePath path = bend();
   std::mt19937 random(2);
   const auto between = [&](double low, double high) {

@@ -65,7 +65,7 @@ TEST(Realize, ReturnsAVerifiedAttackThatHoldsWhenVerifiedAgain) {
   EXPECT_EQ(again.off_road_share, result.report.off_road_share);
 }
 
-TEST(Realize, AttackersInTurnEndAtTheFirstThatIsEnough) {
+TEST(Realize, SequentialSearchStopsAtTheFirstGoodEnoughAttacker) {
   Case attack;
   attack.snapshot.agents.push_back(pastTrack("second", kCarSize, {-30.0, 0.5, 0.0}, 14.0));
   CollisionPattern second = attack.pattern;
@@ -88,7 +88,7 @@ TEST(Realize, AttackersInTurnEndAtTheFirstThatIsEnough) {
   EXPECT_EQ(attackerOf({second, attack.pattern}, 0.0), "attacker") << "the first one is too far";
 }
 
-TEST(Realize, NamesThePatternAimedAtAndHowFarTheContactIsFromIt) {
+TEST(Realize, ReportsThePatternAndTheMissOfTheContact) {
   const Case attack;
   const Realization result = attack.result();
   ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
@@ -100,7 +100,7 @@ TEST(Realize, NamesThePatternAimedAtAndHowFarTheContactIsFromIt) {
   EXPECT_NEAR(result.miss.heading, std::abs(met.yaw), 1e-9);
 }
 
-TEST(Realize, MeetsTheEgoWhereThePatternWantsIt) {
+TEST(Realize, HitsTheEgoAtThePattern) {
   Case attack;
   for (const double slide : {-0.8, 0.0, 0.8}) {
     attack.pattern.attacker_offset =
@@ -112,7 +112,7 @@ TEST(Realize, MeetsTheEgoWhereThePatternWantsIt) {
   }
 }
 
-TEST(Realize, ExactlyAnswersWithThePatternAskedFor) {
+TEST(Realize, ExactModeHitsTheRequestedPattern) {
   Case attack;
   attack.exact = true;
   attack.pattern.attacker_offset = attackerOffset(kEgoSize, kCarSize, Side::kRear, 0.1, 0.5, 0.0);
@@ -122,7 +122,7 @@ TEST(Realize, ExactlyAnswersWithThePatternAskedFor) {
   EXPECT_LE(result.miss.heading, attack.options.search.exact_heading);
 }
 
-TEST(Realize, ExactlyRefusesAPatternThatNobodyCanCome) {
+TEST(Realize, ExactModeRejectsAnUnreachablePattern) {
   // From behind nobody comes to the ego's front in time.
   Case attack;
   attack.pattern.attacker_offset = attackerOffset(kEgoSize, kCarSize, Side::kRear, 0.0, 0.0, 0.0);
@@ -133,13 +133,13 @@ TEST(Realize, ExactlyRefusesAPatternThatNobodyCanCome) {
   EXPECT_TRUE(attack.result().trajectory.points.empty());
 }
 
-TEST(Realize, IsCertainOfAnEgoThatIsKnown) {
+TEST(Realize, ConfidenceIsOneForAKnownEgo) {
   const Realization result = Case().result();
   ASSERT_EQ(result.status.code, StatusCode::kOk);
   EXPECT_EQ(result.report.confidence, 1.0);
 }
 
-TEST(Realize, IsAsConfidentAsTheShareOfTheHeldOutSamplesThatAreHit) {
+TEST(Realize, ConfidenceIsTheShareOfHeldOutSamplesHit) {
   // The even samples are searched, the odd ones are held out.
   Case attack;
   attack.options.search.confidence_curve = {0.0, 1.0};
@@ -154,7 +154,7 @@ TEST(Realize, IsAsConfidentAsTheShareOfTheHeldOutSamplesThatAreHit) {
   EXPECT_EQ(whole.report.confidence, 1.0);
 }
 
-TEST(Realize, DeclinesAnAttackThatPromisesTooLittle) {
+TEST(Realize, RejectsAnAttackOfTooLowConfidence) {
   Case attack;
   attack.options.search.confidence_curve = {0.0, 1.0};
   attack.sampleEgo({10.0, 10.0, 10.0, 30.0, 10.0, 30.0, 10.0, 30.0});
@@ -165,7 +165,7 @@ TEST(Realize, DeclinesAnAttackThatPromisesTooLittle) {
   EXPECT_TRUE(attack.result().trajectory.points.empty());
 }
 
-TEST(Realize, PassesOverAnAttackOfLowConfidenceForASurerOne) {
+TEST(Realize, PrefersAnAttackOfHigherConfidence) {
   Case attack;
   attack.options.search.confidence_curve = {0.0, 1.0};
   attack.snapshot.agents.push_back(pastTrack("faster", kCarSize, {-14.0, 0.5, 0.0}, 16.0));
@@ -183,7 +183,7 @@ TEST(Realize, PassesOverAnAttackOfLowConfidenceForASurerOne) {
   EXPECT_GE(result.report.confidence, 0.5);
 }
 
-TEST(Realize, ReportsTheFutureThatTheAttackWasVerifiedAgainst) {
+TEST(Realize, ReportsTheFutureUsedForVerification) {
   Case attack;
   attack.future.ego = futureTrack(kEgoId, kEgoSize, {}, 30.0);
   attack.sampleEgo({8.0, 8.0, 8.0, 8.0});
@@ -192,7 +192,7 @@ TEST(Realize, ReportsTheFutureThatTheAttackWasVerifiedAgainst) {
   EXPECT_NEAR(result.report.ego_at_contact.x, 8.0 * (result.report.contact_time - kNow), 1e-6);
 }
 
-TEST(Realize, TakesAnotherAttackerWhereTheFirstIsHopeless) {
+TEST(Realize, UsesAnotherAttackerIfTheFirstCannotReach) {
   Case attack;
   attack.snapshot.agents.push_back(pastTrack("far", kCarSize, {-190.0, 0.0, 0.0}, 5.0));
   CollisionPattern hopeless = attack.pattern;
@@ -205,14 +205,14 @@ TEST(Realize, TakesAnotherAttackerWhereTheFirstIsHopeless) {
   EXPECT_EQ(result.trajectory.attacker_id, "attacker");
 }
 
-TEST(Realize, RefusesWhatCannotBeDriven) {
+TEST(Realize, RejectsAPatternOutOfReach) {
   Case attack(190.0);
   attack.expectRefusal(StatusCode::kNoAttackWithinLimits,
                        "tried 1 candidate (1 vehicle): none hits the ego at 4 +- 0.5 s within its "
                        "limits");
 }
 
-TEST(Realize, RefusesWhenSomebodyIsInTheWay) {
+TEST(Realize, RejectsWhenAnotherAgentBlocksThePath) {
   Case attack;
   attack.future.agents = {futureTrack("wall", {4.0, 80.0}, {-5.0, 0.0, 0.0}, 0.0)};
   attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "(1 vehicle): ");
@@ -230,7 +230,7 @@ TEST(Realize, CountsWhyTheBestAttacksDoNotVerify) {
   attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "touched another agent first");
 }
 
-TEST(Realize, RefusesPatternsThatMakeNoSense) {
+TEST(Realize, RejectsInvalidPatterns) {
   Case stranger;
   stranger.pattern.attacker_id = "nobody";
   EXPECT_THROW(stranger.result(), InputError);

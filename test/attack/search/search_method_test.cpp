@@ -78,7 +78,7 @@ std::string bytesOf(const AttackerTrajectory& trajectory) {
   return bytes;
 }
 
-TEST(GenerateCollision, AnswersWithAVerifiedAttack) {
+TEST(GenerateCollision, ReturnsAVerifiedAttack) {
   Case scene;
   const Realization history = scene.result();
   EXPECT_EQ(history.status.code, StatusCode::kOk) << history.status.message;
@@ -92,7 +92,7 @@ TEST(GenerateCollision, AnswersWithAVerifiedAttack) {
   EXPECT_EQ(replay.report.confidence, 1.0);
 }
 
-TEST(GenerateCollision, LooksAtTheRecordingInReplayOnly) {
+TEST(GenerateCollision, UsesTheRecordingInReplayOnly) {
   Case scene;
   const std::string blind = bytesOf(scene.result().trajectory);
   scene.recorded = straightFuture();
@@ -102,7 +102,7 @@ TEST(GenerateCollision, LooksAtTheRecordingInReplayOnly) {
   EXPECT_NE(bytesOf(scene.result().trajectory), blind);
 }
 
-TEST(GenerateCollision, UsesTheAttackerThatIsAskedFor) {
+TEST(GenerateCollision, UsesTheRequestedAttacker) {
   Case scene;
   scene.request.type = CollisionType::kOppositeDirection;
   scene.request.attacker = "oncoming";
@@ -111,7 +111,7 @@ TEST(GenerateCollision, UsesTheAttackerThatIsAskedFor) {
   EXPECT_EQ(result.trajectory.attacker_id, "oncoming");
 }
 
-TEST(GenerateCollision, RefusesAReplayWithoutARecording) {
+TEST(GenerateCollision, RejectsReplayWithoutARecording) {
   Case scene;
   scene.request.mode = Mode::kReplay;
   scene.expectRefusal(StatusCode::kNoRecording, {"mode", "replay"});
@@ -350,7 +350,7 @@ class RandomScene {
   Case scene_;
 };
 
-TEST(GenerateCollision, EveryAnswerHoldsAgainstABruteForceCheck) {
+TEST(GenerateCollision, EveryAttackPassesABruteForceCheck) {
   std::map<CollisionType, int> answered;
   for (std::uint32_t seed = 0; seed < 500; ++seed) {
     const RandomScene random(seed);
@@ -372,7 +372,7 @@ TEST(GenerateCollision, EveryAnswerHoldsAgainstABruteForceCheck) {
   }
 }
 
-TEST(SearchMethod, TakesAnyBelievableMotionWhereNobodyCanAttackAlongARoute) {
+TEST(SearchMethod, UsesAnyBelievableMotionIfNoRouteLeadsToAnAttack) {
   Case scene;
   scene.request = believableRequestFor(CollisionType::kRearEnd);
   scene.request.choice = AttackerChoice::kExisting;
@@ -388,7 +388,7 @@ TEST(SearchMethod, TakesAnyBelievableMotionWhereNobodyCanAttackAlongARoute) {
   }
 }
 
-TEST(SearchMethod, SaysThatTheRoadDoesNotAllowWhoeverIsToAttack) {
+TEST(SearchMethod, ReportsThatTheRoadDoesNotAllowForAnyChoice) {
   Case scene;
   scene.request = believableRequestFor(CollisionType::kJunctionCrossing);
   for (const AttackerChoice choice :

@@ -90,7 +90,7 @@ TEST(SteeringSearch, FindsTheCrashThatLiesAhead) {
   oncoming.expectHit(found.front());
 }
 
-TEST(SteeringSearch, TurnsRoundWhoDrivesTheSameWay) {
+TEST(SteeringSearch, FindsAUTurn) {
   const Case ahead(CollisionType::kOppositeDirection, 6.0, {10.0, -5.0, 2.0}, 4.0,
                    compose({10.0, -5.0, 2.0}, {20.0, 3.5, 0.0}), 5.0);
   const auto found = ahead.found();
@@ -98,7 +98,7 @@ TEST(SteeringSearch, TurnsRoundWhoDrivesTheSameWay) {
   ahead.expectHit(found.front());
 }
 
-TEST(SteeringSearch, NothingIsNearWhatIsOutOfReach) {
+TEST(SteeringSearch, FindsNothingOutOfReach) {
   const Case far(CollisionType::kRearEnd, 2.0, {0.0, 0.0, 0.0}, 10.0, {-80.0, 0.0, 0.0}, 3.0);
   EXPECT_TRUE(far.found().empty());
   Random random(0);
@@ -110,7 +110,7 @@ TEST(SteeringSearch, NothingIsNearWhatIsOutOfReach) {
   EXPECT_GE(search.shortfall(), apart);
 }
 
-TEST(SteeringSearch, RoundsComeNearer) {
+TEST(SteeringSearch, RoundsReduceTheShortfall) {
   const Case ahead(CollisionType::kOppositeDirection, 6.0, {0.0, 0.0, 0.0}, 4.0, {20.0, 3.5, 0.0},
                    5.0);
   Random random(3);
@@ -121,7 +121,7 @@ TEST(SteeringSearch, RoundsComeNearer) {
   EXPECT_LT(search.shortfall(), 0.5 * first);
 }
 
-TEST(SteeringSearch, NearestFirstAndNoMoreThanAreConsidered) {
+TEST(SteeringSearch, ReturnsTheNearestFirstUpToTheLimit) {
   Case oncoming(CollisionType::kOppositeDirection, 3.0, {0.0, 0.0, 0.0}, 8.0, {50.0, 3.0, M_PI},
                 8.0);
   oncoming.options.steering.considered = 3;
