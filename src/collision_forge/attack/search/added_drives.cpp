@@ -11,9 +11,9 @@ namespace forge {
 namespace {
 
 constexpr double kStep = AddedDrive::kStep;
-constexpr double kGettingGoing = 0.4;  // s until somebody who stood has its acceleration
-constexpr double kOwnLane = 1.5;       // m from the middle of a way: the way is the ego's own
-constexpr double kHeadway = 1.2;       // s between two that drive the same way
+constexpr double kGettingGoing = 0.4;  // s until a starting vehicle has its acceleration
+constexpr double kOwnLane = 1.5;       // m from the path's middle: the path is the ego's own
+constexpr double kHeadway = 1.2;       // s between two vehicles on the same path
 
 std::vector<AddedManner> followsOf(const AddedMeeting& meeting) {
   std::vector<AddedManner> follows;
@@ -30,7 +30,7 @@ std::vector<AddedManner> joined(std::initializer_list<std::vector<AddedManner>> 
   return all;
 }
 
-/// On at a steady acceleration; false where that leads backwards.
+/// Continues after t0 with constant acceleration; returns false if that would reverse.
 bool goOn(const AddedMeeting& meeting, double along, double speed, double acceleration,
           AddedDrive& drive) {
   if (speed + acceleration * meeting.contact < 0.0) return false;
@@ -41,7 +41,8 @@ bool goOn(const AddedMeeting& meeting, double along, double speed, double accele
   return true;
 }
 
-/// Offset from the way's middle, `gap` metres farther from the ego than at the meeting.
+/// Returns the offset from the path's middle that is `gap` m farther from the ego than at the
+/// meeting.
 double besideEgo(const AddedMeeting& meeting, const PathPose& place, double gap) {
   const double outward = place.across - meeting.way->path.seen(meeting.ego.center).across;
   return place.across + std::copysign(gap, outward);
@@ -102,7 +103,7 @@ std::vector<AddedManner> AddedDrives::mannersInLane(const AddedMeeting& meeting)
   std::vector<AddedManner> cruises;
   std::vector<double> speeds = speedsOf(meeting);
   if (!input_.isFutureKnown()) {
-    // The faster one comes to the other, the less does it matter where exactly the ego will be.
+    // The greater the closing speed, the less the uncertainty of the ego's position matters.
     const double own = past_.ego.states.back().velocity.norm();
     std::sort(speeds.begin(), speeds.end(),
               [&](double a, double b) { return std::abs(a - own) > std::abs(b - own); });
@@ -129,7 +130,7 @@ std::vector<AddedManner> AddedDrives::mannersBeside(const AddedMeeting& meeting)
   const bool is_ego_there = !way.ego.empty() && std::abs(way.ego_across) < kOwnLane;
   // Another lane leads into the ego's.
   if (!is_ego_there) return joined({parks, drives});
-  // Beside the ego in its lane is room for motorcycles alone.
+  // Only a motorcycle fits beside the ego in its lane.
   for (AddedManner& manner : drives) manner.rides = true;
   return joined({parks, drives});
 }
@@ -162,7 +163,7 @@ std::vector<AddedManner> AddedDrives::mannersCrossing(const AddedMeeting& meetin
   return manners;
 }
 
-/// Of the recorded vehicles on its way, of the ego and of the configuration.
+/// Returns the speeds of recorded vehicles on the path, of the ego and of the configuration.
 std::vector<double> AddedDrives::speedsOf(const AddedMeeting& meeting) const {
   std::vector<double> speeds = meeting.way->speeds;
   const double own = past_.ego.states.back().velocity.norm();
@@ -207,7 +208,8 @@ bool AddedDrives::plan(const AddedMeeting& meeting, const AddedManner& manner, c
   return false;
 }
 
-/// Goes on backwards, no faster than bends allow, until everything is known or the way begins.
+/// Extends the motion backwards at `speed` or what bends allow, until the first frame or the start
+/// of the path.
 void AddedDrives::cruiseBack(const AddedWay& way, double speed, double now,
                              std::vector<double>& back) const {
   const double change = added_.braking * kStep;
@@ -232,7 +234,7 @@ bool AddedDrives::cruise(const AddedMeeting& meeting, double along, double speed
   return true;
 }
 
-/// The meeting stays; nobody drives backwards.
+/// Adds the speed variation without moving the contact and without reversing.
 void AddedDrives::vary(const SpeedVariation& variation, AddedDrive& drive) {
   const double end = variation.way(drive.contact);
   double next = drive.on.back();
@@ -247,7 +249,8 @@ void AddedDrives::vary(const SpeedVariation& variation, AddedDrive& drive) {
   }
 }
 
-/// As the ego drove so far, at a distance at which `closing` brings both together.
+/// Repeats the ego's motion so far, at a distance from which acceleration `closing` leads to the
+/// contact.
 bool AddedDrives::train(const AddedMeeting& meeting, double along, const BoxSize& size,
                         double closing, AddedDrive& drive) const {
   const AddedWay& way = *meeting.way;
@@ -272,7 +275,7 @@ bool AddedDrives::train(const AddedMeeting& meeting, double along, const BoxSize
   return true;
 }
 
-/// As a vehicle drives along the way, so much later or earlier that it comes to the meeting.
+/// Repeats a recorded vehicle's motion, shifted in time so that it reaches the meeting.
 bool AddedDrives::followFlow(const AddedMeeting& meeting, double along, const AddedFlow& flow,
                              AddedDrive& drive) const {
   const auto passing = flow.passing(along);
@@ -304,7 +307,7 @@ bool AddedDrives::start(const AddedMeeting& meeting, double along, const AddedMa
   return true;
 }
 
-/// Parked beside the way, a little before the meeting and farther out.
+/// Parks beside the path, a little before the meeting and farther out.
 bool AddedDrives::park(const AddedMeeting& meeting, const PathPose& place, double before,
                        AddedDrive& drive) const {
   constexpr double kOutward = 0.15;  // a metre along

@@ -10,9 +10,9 @@ namespace forge {
 namespace {
 
 constexpr double kStep = AddedDrive::kStep;
-constexpr int kSteps = 2;           // of a drive, an instant of the traffic
-constexpr int kSmoothing = 3;       // steps to either side that a speed is told from
-constexpr double kUntouched = 0.3;  // s before the contact: until then nobody else is touched
+constexpr int kSteps = 2;           // steps of a drive per instant of the traffic
+constexpr int kSmoothing = 3;       // steps to either side over which a speed is averaged
+constexpr double kUntouched = 0.3;  // s before the contact up to which no other agent is touched
 
 }  // namespace
 
@@ -48,8 +48,8 @@ bool AddedPast::touchesAhead(const AddedDrive& drive, const ReferencePath& path,
   return false;
 }
 
-/// So many steps back from now, to an instant of the traffic, it is on its way and touches
-/// nobody.
+/// Returns the number of steps back from t0 during which the vehicle is on its path and touches
+/// nobody, rounded down to an instant of the traffic.
 std::size_t AddedPast::clearSteps(const AddedDrive& drive, const ReferencePath& path,
                                   const BoxSize& size) const {
   for (std::size_t i = 0; i < drive.back.size(); ++i) {
@@ -57,7 +57,7 @@ std::size_t AddedPast::clearSteps(const AddedDrive& drive, const ReferencePath& 
     if (drive.back[i] < 0.0 ||
         (is_instant && traffic_.touches(drive.poseAt(path, -static_cast<int>(i)), size,
                                         -static_cast<int>(i / kSteps), added_.clearance))) {
-      // Nothing is known of the steps between this and the instant before.
+      // Steps between this and the previous instant are not tested.
       const std::size_t past_instant = is_instant ? kSteps : i % kSteps;
       return i - std::min(i, past_instant);
     }
@@ -65,7 +65,7 @@ std::size_t AddedPast::clearSteps(const AddedDrive& drive, const ReferencePath& 
   return drive.back.size() - 1;
 }
 
-/// The first frame from which on it may have been there.
+/// Returns the first frame from which on the vehicle may exist.
 std::optional<std::size_t> AddedPast::firstFrame(const AddedDrive& drive, const ReferencePath& path,
                                                  std::size_t clear) const {
   const std::vector<AgentState>& frames = past_.ego.states;
@@ -85,7 +85,8 @@ bool AddedPast::isUnseen(const AddedDrive& drive, const ReferencePath& path, dou
   return !distance || *distance > added_.sensing_range || traffic_.hides(place, instant);
 }
 
-/// Drives it from a frame to now; its states at the frames. Why not, if it cannot.
+/// Drives from frame `frame` to t0 and appends the states at the frames to `track`; returns the
+/// reason if that is impossible.
 const char* AddedPast::driveFrom(std::size_t frame, const AddedDrive& drive,
                                  const ReferencePath& path, Track& track) {
   const std::vector<AgentState>& frames = past_.ego.states;

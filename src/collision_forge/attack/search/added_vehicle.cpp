@@ -19,11 +19,12 @@
 namespace forge {
 namespace {
 
-constexpr double kMinContact = 0.3;  // s from now
+constexpr double kMinContact = 0.3;  // s after t0
 constexpr double kAnyWorth = std::numeric_limits<double>::lowest();
 
 bool isCar(const AddedVehicle& vehicle) { return isCarLike(vehicle.track.agent_class); }
 
+/// Finds vehicles that can be added.
 class Casting {
  public:
   Casting(const AddedVehicleInput& input, const AttackOptions& options)
@@ -64,7 +65,7 @@ class Casting {
   }
 
  private:
-  /// Ways that are nearer to the meeting go first; to change into the ego's lane, others than it.
+  /// Ranks paths nearer to the meeting first; for a lane change, the ego's own lane last.
   long rankOf(const AddedMeeting& meeting) const {
     constexpr long kLast = 100;
     const long rank = std::lround(std::abs(meeting.across));
@@ -112,7 +113,7 @@ class Casting {
         fittingLanes(ego, input_.request.bands(), input_.request.type, input_.driven(),
                      options_.verification.believability);
     for (const FittingLane& lane : fitting) {
-      // The ways to a lane that follows are the same, and more.
+      // Paths to a following lane include the paths to this one.
       const std::vector<std::size_t>& next = input_.driven().successors(lane.lane);
       if (std::any_of(fitting.begin(), fitting.end(), [&](const FittingLane& other) {
             return std::find(next.begin(), next.end(), other.lane) != next.end();
@@ -129,7 +130,7 @@ class Casting {
     }
   }
 
-  /// At the placement that is nearest to the way; in rear ends the other one, too.
+  /// Adds the placement nearest to the path; for rear ends, both ends.
   void addMeetingsOn(const Pose2& place, AddedMeeting meeting,
                      std::vector<AddedMeeting>& meetings) const {
     const CollisionType type = input_.request.type;
@@ -147,8 +148,7 @@ class Casting {
       meeting.across = meeting.seen(size).across;
       if (std::abs(meeting.across) < options_.route.max_departure) possible.push_back(meeting);
     }
-    // In the ego's own lane who follows or leads comes from either end, who is parked from either
-    // side.
+    // In the ego's own lane, a vehicle can follow or lead, or be parked on either side.
     const bool all_count = type == CollisionType::kRearEnd ||
                            (type == CollisionType::kLaneChange && meeting.isEgosOwn());
     if (!all_count && possible.size() > 1) {
@@ -162,7 +162,7 @@ class Casting {
     meetings.insert(meetings.end(), possible.begin(), possible.end());
   }
 
-  /// By the request's side of the ego, or by its manoeuvre.
+  /// Returns true if the request allows this side of the ego, given by side or by manoeuvre.
   bool isSideAsked(Side side) const {
     const CollisionRequest& request = input_.request;
     if (request.ego_side && *request.ego_side != side) return false;
@@ -188,18 +188,18 @@ class Casting {
           continue;
         }
         if (isEnough(found)) return;
-        // Where few are tried, these shall differ.
+        // With few attempts, try different manners.
         if (!input_.isFutureKnown()) break;
       }
     }
   }
 
-  /// With its length drawn, too.
+  /// Draws a kind and its length.
   AddedKind drawKind(const std::optional<AgentClass>& asked) {
     double sum = 0.0;
     const auto shareOf = [&](const AddedKind& kind) {
       if (!asked) return kind.share;
-      // The last of them where none has a share.
+      // If no kind of the class has a share, the last one is used.
       return kind.agent_class == *asked ? std::max(kind.share, 1e-6) : 0.0;
     };
     for (const AddedKind& kind : added_.kinds) sum += shareOf(kind);
@@ -215,7 +215,7 @@ class Casting {
     return drawn;
   }
 
-  /// Adds the vehicle; else why it does not fit.
+  /// Adds the vehicle; returns the reason if it does not fit.
   const char* tryOne(const AddedMeeting& meeting, const AddedManner& manner,
                      std::vector<AddedVehicle>& found) {
     const auto& asked = input_.request.attacker_class;
@@ -296,13 +296,13 @@ class Casting {
   AddedDrives drives_;
   AddedPast added_past_;
   Random random_;
-  std::vector<const Track*> egos_;  // those that are searched
+  std::vector<const Track*> egos_;  // futures available to the search
   std::map<std::string, int> reasons_;
-  bool has_way_ = false;  // that comes from where the type wants it
+  bool has_way_ = false;  // a path leads to the ego from the type's direction
   AddedDrive drive_;
 };
 
-/// What is known of a vehicle in the frames of a snapshot.
+/// Returns the states of a vehicle in the frames of a snapshot.
 Track within(const Track& track, const Snapshot& snapshot) {
   const double first = snapshot.ego.states.front().time;
   Track seen = track;
@@ -313,7 +313,7 @@ Track within(const Track& track, const Snapshot& snapshot) {
   return seen;
 }
 
-/// realize() by all of these vehicles; `enough` as in RealizationTask.
+/// Calls realize() with all these vehicles; `enough` as in RealizationTask.
 Realization realizeBy(const std::vector<AddedVehicle>& vehicles, const AddedVehicleInput& input,
                       const TrajectoryRealizer& realizer, SearchedMotion motion,
                       const std::optional<double>& enough) {
@@ -354,8 +354,8 @@ Realization realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInpu
   const auto first = vehicles.found.begin();
   const auto end = vehicles.found.end();
   const auto motorcycles = std::partition_point(first, end, isCar);
-  // Along routes, where the ego is known, the first one that can is as good as any; else cars, and
-  // motorcycles, are tried together.
+  // If the ego's future is known, the first vehicle that can attack along a route is good enough;
+  // else cars, then motorcycles, are tried together.
   const bool is_in_turn = input.isFutureKnown() && motion == SearchedMotion::kByRoutes;
   for (const auto& [from, to] : {std::pair(first, motorcycles), std::pair(motorcycles, end)}) {
     if (from == to) continue;

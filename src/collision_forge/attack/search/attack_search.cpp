@@ -19,9 +19,9 @@
 namespace forge {
 namespace {
 
-constexpr double kShrink = 0.6;      // of the perturbations, a round
-constexpr double kRounding = 0.999;  // of a limit, so that a bicycle at the limit is within it
-constexpr double kHome = 0.02;       // m from the pattern: near enough
+constexpr double kShrink = 0.6;      // factor on perturbations per round
+constexpr double kRounding = 0.999;  // of a limit, so that a bicycle at the limit passes
+constexpr double kHome = 0.02;       // m from the pattern: on target
 
 VehicleLimits scaled(VehicleLimits limits, double margin) {
   limits.max_forward_acceleration *= margin;
@@ -34,7 +34,7 @@ VehicleLimits scaled(VehicleLimits limits, double margin) {
   return limits;
 }
 
-/// Of believable attackers the bicycle is tried less: few more of them are found by it.
+/// For plausible attackers the bicycle is tried less, because few of its motions are plausible.
 SearchOptions searchOptionsFor(const SearchInput& input, const AttackOptions& options) {
   SearchOptions search = options.search;
   if (!input.request.crash.believable) return search;
@@ -46,14 +46,14 @@ SearchOptions searchOptionsFor(const SearchInput& input, const AttackOptions& op
 struct Candidate {
   const Contender* contender = nullptr;
   const Aim* aim = nullptr;
-  const TrajectoryFamily* family = nullptr;  // null: the bicycle, by its knots
+  const TrajectoryFamily* family = nullptr;  // null: the bicycle with `knots`
   AimedArrival aimed;
   SteeringKnots knots;
   FutureScore score;
   PatternMiss miss;  // with a share above 0
   double off_road = 0.0;
-  double steering = 0.0;    // fastest, 1/(m s)
-  bool is_as_asked = true;  // how it uses the road, and how it crashes
+  double steering = 0.0;    // greatest rate of curvature, 1/(m s)
+  bool is_as_asked = true;  // plausible road use, and the request's constraints
   double objective = 0.0;
 };
 
@@ -97,7 +97,7 @@ class Search {
   }
 
  private:
-  /// The kept candidates of both kinds, best first.
+  /// Returns the kept candidates of both families, best first.
   std::vector<Candidate> best() const {
     std::vector<Candidate> all = quintics_;
     all.insert(all.end(), bicycles_.begin(), bicycles_.end());
@@ -126,7 +126,8 @@ class Search {
     }
   }
 
-  /// The pattern's own arrival at two speeds, then in turns near it and anywhere.
+  /// Draws the pattern's own arrival at two speeds, then alternates between arrivals near it and
+  /// anywhere.
   AimedArrival drawn(const Contender& contender, const Aim& aim, int draw, bool steady) {
     if (draw >= 2 && draw % 2 == 1) return sampler_.wide(contender, aim, steady);
     AimedArrival aimed = sampler_.own(contender, aim, draw != 1);
@@ -145,7 +146,7 @@ class Search {
     return true;
   }
 
-  /// Drives as the class of the vehicle allows to where the points lead.
+  /// Drives along the points within the limits of the vehicle's class.
   static void follow(const Contender& contender, std::vector<TrajectoryPoint>& points) {
     std::vector<PlannedStep> plan;
     plan.reserve(points.size());
@@ -160,7 +161,7 @@ class Search {
     return !findBrokenDrive(points_, contender.drive_start, until, contender.limits);
   }
 
-  /// Drives the candidate, scores it, and keeps it if it is among the best of its kind.
+  /// Drives and scores the candidate, and keeps it if it is among the best of its family.
   void consider(Candidate& candidate) {
     const DriveStart& start = candidate.contender->start;
     candidate.score = {};
@@ -187,7 +188,7 @@ class Search {
     if (static_cast<int>(kept.size()) > search_.kept) kept.pop_back();
   }
 
-  /// What the use of the road costs; says, too, whether it is a driver's, and the crash as named.
+  /// Returns the penalty for the candidate's road use; sets is_as_asked.
   double beyondBelief(Candidate& candidate) {
     const BelievabilityOptions& believability = options_.verification.believability;
     const Track& track = *candidate.contender->track;
@@ -202,8 +203,8 @@ class Search {
            (candidate.is_as_asked ? 0.0 : kNotAsAsked);
   }
 
-  /// Compares the contact with the aim. What that counts: nothing within the pattern's tolerance, 1
-  /// by far, or without a contact.
+  /// Compares the contact with the pattern. Returns 0 within the pattern's tolerance, towards 1 far
+  /// away, 1 without a contact.
   double missCost(Candidate& candidate) const {
     if (candidate.score.share == 0.0) return 1.0;
     candidate.miss = missBetween(candidate.aim->pattern->attacker_offset, candidate.score.contact);
@@ -215,7 +216,7 @@ class Search {
     return candidate.aim->missedBy(candidate.miss, candidate.contender->track->size, input_.exact);
   }
 
-  /// What steering counts: nothing while quick_steering is not exceeded, 1 when it is by far.
+  /// Returns the penalty for steering: 0 up to the configured rate, towards 1 far above it.
   double beyond(double steering) const {
     return 1.0 - search_.quick_steering / std::max(search_.quick_steering, steering);
   }
@@ -241,7 +242,7 @@ class Search {
     return good(quintics_) || good(bicycles_);
   }
 
-  /// Moves away from the kept candidates, better ones more often.
+  /// Perturbs the kept candidates, better ones more often.
   void perturb(const std::vector<Candidate>& kept, int count, double scale) {
     const std::vector<Candidate> parents = kept;
     if (parents.empty()) return;
@@ -263,7 +264,7 @@ class Search {
     for (double& knot : knots.curvature) knot += random_.bell(0.02 * scale);
   }
 
-  /// Moves the aims of the best candidates by what their contacts miss the patterns by.
+  /// Shifts the aims of the best candidates by the error of their contacts.
   void homeIn() {
     std::vector<Candidate> parents = best();
     parents.resize(std::min(parents.size(), static_cast<std::size_t>(search_.homed)));
@@ -286,7 +287,7 @@ class Search {
     return knots.has_value();
   }
 
-  /// Steers the bicycle to arrivals of every attacker in turn.
+  /// Steers the bicycle to arrivals, cycling through the attackers.
   void steerToArrivals() {
     std::vector<const Contender*> reachable;
     for (const auto& contender : contenders_) {
@@ -305,8 +306,8 @@ class Search {
     }
   }
 
-  /// Steers every attacker's bicycle to the future of its best pattern, wherever and however it may
-  /// touch.
+  /// Steers each attacker's bicycle to the ego in the future of its best pattern, with any contact
+  /// of the type.
   void steerAnyhow() {
     const double end = sampler_.latest();
     const SteeringOptions& steering = options_.steering;

@@ -11,9 +11,9 @@
 namespace forge {
 namespace {
 
-constexpr double kBeyondReach = 10.0;  // m that ways go on beyond what can be driven
+constexpr double kBeyondReach = 10.0;  // m of path beyond the reachable distance
 
-/// The ways along lanes that come near one of the ego's places around the time asked for.
+/// Adds the paths along lanes that come near one of the ego's predicted positions at the contact.
 void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& options) {
   const RouteDriverOptions& route = options.route;
   const PredictionOptions& prediction = options.prediction;
@@ -95,7 +95,7 @@ std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& in
   return entry;
 }
 
-/// The future in which the ego comes nearest to the pattern's box at the pattern's time.
+/// Returns the future in which the ego is nearest to the pattern's box at the pattern's time.
 std::size_t nearestFuture(const std::vector<const Track*>& egos, const CollisionPattern& pattern) {
   const auto apart = [&](const Track* ego) {
     const Pose2 pose = stateAt(*ego, pattern.time).value_or(ego->states.back()).pose;
@@ -137,7 +137,7 @@ std::vector<std::unique_ptr<Contender>> contendersOf(const SearchInput& input,
       contenders.push_back(contenderOf(*agent, input, options, limits, points));
       entry = std::prev(contenders.end());
     }
-    // Most patterns have the same ego.
+    // Most patterns share one ego pose.
     if (!aim.pattern || !haveOneEgo(*aim.pattern, pattern)) {
       aim.ego = nearestFuture(input.egos, pattern);
     }

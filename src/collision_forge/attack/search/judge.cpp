@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-/// Every second sample, from `first` on; the known ego without samples.
+/// Returns every second sample from `first` on; without samples, the known ego.
 std::vector<const Track*> everySecond(const Future& future, std::size_t first) {
   std::vector<const Track*> egos;
   for (std::size_t i = first; i < future.ego_samples.size(); i += 2) {
@@ -19,7 +19,8 @@ std::vector<const Track*> everySecond(const Future& future, std::size_t first) {
   return egos;
 }
 
-/// Why the vehicle is not the one that was asked for, for people; empty where it is.
+/// Returns why the attacker is not of the requested kind, worded to follow the attack; empty if it
+/// is.
 std::string wrongAttacker(const AttackerTrajectory& attacker, const CollisionRequest& request) {
   if (request.attacker && attacker.attacker_id != *request.attacker) {
     return "is by attacker " + attacker.attacker_id;
@@ -132,7 +133,7 @@ bool AttackJudge::isVerifiedIn(Realization& attack, const Track& ego) {
 
 void AttackJudge::reject(const CollisionReport& report) {
   std::string kind = shortcomingOf(report, input_.request);
-  kind.erase(std::min(kind.find_first_of("0123456789"), kind.size()));  // by how much
+  kind.erase(std::min(kind.find_first_of("0123456789"), kind.size()));  // strips the value
   while (!kind.empty() && kind.back() == ' ') kind.pop_back();
   ++rejections_[kind];
   if (report.verified() && input_.request.crash.believable && !report.believable()) {

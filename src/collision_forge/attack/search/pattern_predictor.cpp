@@ -13,21 +13,22 @@
 namespace forge {
 namespace {
 
-constexpr double kStraight = 1e-3;  // sine of a heading straight on or back, as files round it
+constexpr double kStraight = 1e-3;  // sine of a heading rounded from 0 or pi
 
 struct RankedPattern {
   CollisionPattern pattern;
   double cost = 0.0;
 };
 
-/// How far the attacker's mean speed to the impact is from the mean of its speeds at both ends.
+/// Returns the difference between the mean speed needed to reach the impact and the mean of start
+/// and impact speed.
 double speedMismatch(const CollisionPattern& pattern, const Motion& motion, double tta) {
   const Pose2 impact = compose(pattern.ego.center, pattern.attacker_offset);
   const double distance = (impact.position() - motion.pose.position()).norm();
   return std::abs(distance / tta - 0.5 * (motion.speed + pattern.attacker_speed));
 }
 
-/// True when the agent comes from where the type wants it.
+/// Returns true if the agent's approach fits the type.
 bool comesFromThere(const Track& agent, const Snapshot& snapshot, const CollisionRequest& request) {
   if (request.crash.rules == TypeRules::kAngle) return true;
   const double approach =
@@ -35,7 +36,7 @@ bool comesFromThere(const Track& agent, const Snapshot& snapshot, const Collisio
   return approachFits(approach, request.bands());
 }
 
-/// The candidate at the ego's pose at impact, heading so, pushed in from `side`.
+/// Places the agent at the ego's pose at impact, with this heading, pushed in from `side`.
 RankedPattern placedPattern(const Track& agent, Side side, double heading, const AgentState& ego,
                             const Snapshot& snapshot, const CollisionRequest& request,
                             const PredictionOptions& prediction) {
@@ -53,14 +54,14 @@ RankedPattern placedPattern(const Track& agent, Side side, double heading, const
   return {pattern, speedMismatch(pattern, motion, request.tta)};
 }
 
-/// The type's nominal heading at a placement, or both where it may be either.
+/// Returns the type's nominal heading at a placement, with both signs if either is allowed.
 std::vector<double> headingsAt(const Placement& placement, double nominal) {
   if (placement.sign != 0.0) return {wrapAngle(placement.sign * nominal)};
   if (std::abs(std::sin(nominal)) < kStraight) return {wrapAngle(nominal)};
   return {nominal, -nominal};
 }
 
-/// The track whose place at `time` is nearest to the mean of all.
+/// Returns the track whose position at `time` is nearest to the mean position.
 const Track& mostCentral(const std::vector<Track>& tracks, double time) {
   const auto placeOf = [time](const Track& track) {
     return stateAt(track, time).value_or(track.states.back()).pose.position();
@@ -117,7 +118,7 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
   for (const Track& agent : snapshot.agents) {
     if (request.attacker && agent.id != *request.attacker) continue;
     if (request.attacker_class && agent.agent_class != *request.attacker_class) continue;
-    // One that was asked for has been checked, and may be anywhere.
+    // A requested attacker was checked before and may be anywhere.
     if (!request.attacker && !isCandidate(agent, snapshot, options_)) continue;
     if (!comesFromThere(agent, snapshot, request)) continue;
     for (const Placement& placement : placementsOf(request.type, lanes.map().driving_side)) {

@@ -6,10 +6,10 @@
 namespace forge {
 namespace {
 
-constexpr double kStandstill = 0.1;   // m/s; below it the direction of motion is not a heading
-constexpr double kMinProgress = 0.2;  // cosine between path and arrival: no turning back on a path
-constexpr int kProjections = 4;       // of a pose onto a path, each nearer than the one before
-constexpr double kMaxPathLean = 0.8;  // curvature times offset: near 1 the path's normals meet
+constexpr double kStandstill = 0.1;   // m/s; below, the direction of motion is no heading
+constexpr double kMinProgress = 0.2;  // cosine between path and arrival: no U-turn on a path
+constexpr int kProjections = 4;       // iterations of projecting a pose onto a path
+constexpr double kMaxPathLean = 0.8;  // curvature * offset; near 1 the path's normals intersect
 
 /// Two axes: x and y of the map, or along and across a path.
 struct Axes {
@@ -31,14 +31,14 @@ void setPose(double time, const Vector2& position, const Vector2& velocity, doub
   point.pose = {position.x(), position.y(), yaw};
 }
 
-/// The turn over the way between two points, 1/m.
+/// Returns the turn per distance between two points, 1/m.
 double curvatureBetween(double step, const TrajectoryPoint& a, const TrajectoryPoint& b) {
   const double way = (b.pose.position() - a.pose.position()).norm();
   return angleBetween(a.pose.yaw, b.pose.yaw) / std::max(way, kStandstill * step);
 }
 
-/// Acceleration from the neighbours' positions, curvature from the sharper of the turns to them: a
-/// reader of the points alone finds no more.
+/// Derives the acceleration from neighbouring positions and the curvature from the sharper of the
+/// two neighbouring turns, so that a reader of the positions finds the same values.
 void deriveFromNeighbours(double step, std::vector<TrajectoryPoint>& points) {
   const std::size_t last = points.size() - 1;
   for (std::size_t i = 0; i <= last; ++i) {
@@ -58,7 +58,7 @@ void deriveFromNeighbours(double step, std::vector<TrajectoryPoint>& points) {
   }
 }
 
-/// The velocity that path coordinates stand for.
+/// Converts a velocity in path coordinates to the map frame.
 Vector2 velocityOn(const ReferencePath::Place& place, const Axes& state) {
   const Vector2 heading = place.pose.heading();
   const Vector2 left(-heading.y(), heading.x());
@@ -66,14 +66,14 @@ Vector2 velocityOn(const ReferencePath::Place& place, const Axes& state) {
   return state.first.velocity * along * heading + state.second.velocity * left;
 }
 
-/// The path coordinates of a pose and its motion; false where the path has none.
+/// Converts a pose and its motion to path coordinates; returns false where they are not defined.
 bool toPath(const ReferencePath& path, const Pose2& pose, double speed, double acceleration,
             Axes& state) {
   double arc_length = path.project(pose.position());
   ReferencePath::Place place;
   Pose2 local;
   double lean = 1.0;
-  // In a bend the closest of the path's places tells the arc length only roughly.
+  // In a bend, the nearest sample gives the arc length only roughly.
   for (int i = 0; i < kProjections; ++i) {
     place = path.at(arc_length);
     local = relativeTo(place.pose, pose);

@@ -55,7 +55,7 @@ Realization realizeTogether(const RealizationTask& task, const AttackOptions& op
   return declined(judge.refusal(task.patterns));
 }
 
-/// The patterns of each attacker, the attackers in the order of their first patterns.
+/// Groups the patterns by attacker, in the order of the first patterns.
 std::vector<std::vector<CollisionPattern>> byAttacker(
     const std::vector<CollisionPattern>& patterns) {
   std::vector<std::vector<CollisionPattern>> groups;

@@ -22,7 +22,7 @@ bool isFinite(const Track& track) {
                      [](const AgentState& state) { return state.pose.isFinite(); });
 }
 
-/// False when the newest two states are too far apart to tell a motion from.
+/// Returns false if the newest two states are too far apart in time to derive a motion.
 bool hasMotion(const Track& track) {
   const auto& states = track.states;
   return states.size() >= 2 && states.back().time - states[states.size() - 2].time <= kMaxGap;
