@@ -28,7 +28,7 @@ struct AnchorFeatures {
   float across_scale = 1.0F;    ///< m, the same across it
   Eigen::VectorXf arc_lengths;  ///< [anchors]: m along the path; empty if anchors lie on none
 };
-inline constexpr float kAbsent = -1e4F;
+inline constexpr float kAbsent = -1e4F;  ///< prior of a missing anchor
 
 /// The ego's candidate paths, most probable first.
 struct EgoWays {

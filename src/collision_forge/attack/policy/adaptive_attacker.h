@@ -34,7 +34,7 @@ struct AttackerSetup {
 /// Limits of adaptive attackers, whatever the request says.
 inline constexpr LimitSet kAdaptiveLimits = LimitSet::kDrivable;
 
-/// An attacker that replans every AdaptiveOptions::period from what it observes. Each update step
+/// An attacker that observes the scene and replans every AdaptiveOptions::period. Each update step
 /// samples how the ego may continue. If its plan hits the ego in too few of these futures, it
 /// searches a new one (searchManoeuvres()) with the same type and contact time. A new plan takes
 /// effect FairnessOptions::reaction_time after the observation; until then the old plan is driven,
@@ -88,7 +88,7 @@ class AdaptiveAttacker : public AttackerPolicy {
   double last_ego_;                   // s, time at which the ego was last observed
   std::vector<AgentState> seen_ego_;  // from t0 to the last update step
   AttackerPhase phase_ = AttackerPhase::kAttacking;
-  /// Of the plan; contact and wait are times on the scene clock, s.
+  /// Draft of the plan; contact and wait are times on the scene clock, s.
   std::optional<DraftedWay> drafted_;
   std::vector<AttackerPlan> plans_;
 };

@@ -137,7 +137,7 @@ std::vector<AddedManner> AddedDrives::mannersBeside(const AddedMeeting& meeting)
 
 std::vector<AddedManner> AddedDrives::mannersOncoming(const AddedMeeting& meeting) const {
   std::vector<AddedManner> manners;
-  // Who comes slowly cannot cross the centre line in time.
+  // A slow vehicle cannot cross the centre line in time.
   for (const double speed : speedsOf(meeting)) {
     if (speed >= added_.least_crossing_speed) manners.push_back({AddedManner::kCruise, speed});
   }

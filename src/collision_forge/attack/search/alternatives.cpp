@@ -72,8 +72,8 @@ std::vector<CollisionRequest> furtherRequests(const Realization& first, const Sn
   return further;
 }
 
-/// Gives an added vehicle an id that no other attacker in `others` has: ids are unique per attack
-/// only.
+/// Gives an added vehicle an id that no other attacker in `others` has: methods number added
+/// vehicles per result.
 void giveOwnId(Realization& answer, const std::vector<Realization>& others,
                const Snapshot& snapshot) {
   AttackerTrajectory& attacker = answer.trajectory;

@@ -8,13 +8,10 @@
 #include "collision_forge/attack/search/options.h"
 #include "collision_forge/attack/search/pattern_predictor.h"
 
-/// What attackers without a search drive, from now to `search.tail` seconds after the time asked
-/// for, a point every `search.step` seconds.
-namespace forge {
-
 /// Attackers of the baselines, which do not search. Trajectories go from t0 to a little after the
 /// requested contact time, at the search's time step.
-///
+namespace forge {
+
 /// The attacker keeps its speed and heading at t0 (estimateMotion()). Throws std::invalid_argument
 /// if the attacker is not in the snapshot. `tta` in s.
 AttackerTrajectory constantVelocityAttacker(const std::string& attacker_id,

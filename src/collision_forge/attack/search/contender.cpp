@@ -40,7 +40,7 @@ void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& 
   };
   const Pose2& pose = entry.track->states.back().pose;
   const LaneIndex& lanes = drivenLanes(input.request, input.lanes);
-  // Who stands beside a lane may pull out into it.
+  // A vehicle that stands beside a lane may pull out into it.
   const double aside = now.speed > 0.0
                            ? prediction.on_lane_distance
                            : std::max(prediction.on_lane_distance, route.parking_distance);

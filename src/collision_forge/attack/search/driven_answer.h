@@ -7,11 +7,9 @@
 #include "collision_forge/attack/search/options.h"
 #include "collision_forge/base/scene/moment.h"
 
-/// Answers of methods that drive somewhere without a search, for baselines and learned generators.
+/// Attacks of methods that drive without a search: baselines and learned generators.
 namespace forge {
 
-/// Attacks of methods that drive without a search: baselines and learned generators.
-///
 /// Returns the track of agent `id`. Throws std::invalid_argument if it is not in the snapshot.
 const Track& trackOf(const Snapshot& snapshot, const std::string& id);
 

@@ -11,11 +11,9 @@
 #include "collision_forge/attack/verify/verification.h"
 #include "collision_forge/base/scene/attack.h"
 
-/// The one place that says what is wrong with an attack.
+/// The only place that decides whether an attack meets its request.
 namespace forge {
 
-/// The only place that decides whether an attack meets its request.
-///
 /// Returns why an attack with this report violates the request, worded to follow the attack
 /// ("missed the ego"); empty if it meets the request.
 std::string shortcomingOf(const CollisionReport& report, const CollisionRequest& request);

@@ -26,7 +26,7 @@ std::vector<Placement> placementsOf(CollisionType type, DrivingSide driving_side
 /// Maximum contact position along a side, as a share of half the side from its middle.
 inline constexpr double kMaxSlide = 0.9;
 
-/// rad; a heading band whose end is this near to 0 or pi includes it.
+/// rad; a heading band that ends within this of 0 or pi includes it.
 inline constexpr double kBandEnd = 1e-3;
 
 /// A touched side of the ego with the attacker's relative heading, rad.

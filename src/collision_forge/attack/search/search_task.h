@@ -23,7 +23,7 @@ struct RouteDraft {
   Side side = Side::kLeft;  ///< touched side of the ego's box
   double heading = 0.0;     ///< rad, attacker's heading relative to the ego's
   double slide = 0.0;       ///< contact position along the side, see attackerOffset()
-  // As of RoutePlan:
+  // See RoutePlan; s, m/s2.
   double departure = 0.0;
   double lead = 0.0;
   double late = 0.0;

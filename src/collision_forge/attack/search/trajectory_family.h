@@ -58,7 +58,7 @@ class QuinticFamily : public TrajectoryFamily {
 /// Input of the bicycle: values at instants evenly spaced from t0 to the end of the steering,
 /// linear in between. Acceleration along the heading in m/s2, curvature in 1/m.
 struct SteeringKnots {
-  static constexpr int kCount = 5;
+  static constexpr int kCount = 5;  ///< knots per control
   std::array<double, kCount> acceleration{};
   std::array<double, kCount> curvature{};
 };

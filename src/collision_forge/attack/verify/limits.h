@@ -21,6 +21,7 @@ struct BrokenLimit {
 /// Keeps the violated limit with the greatest ratio of value to limit.
 class WorstLimit {
  public:
+  /// Records `value` if it exceeds `limit`.
   void check(const char* name, double value, double limit) {
     if (value <= limit) return;
     const double ratio = limit > 0.0 ? value / limit : 1.0 + value;
