@@ -106,7 +106,7 @@ double speedBetween(const AgentState& earlier, const AgentState& later, double e
 
 /// Derives speeds and turn rate from a history shorter than kProfileStep, from the first state
 /// after the last gap; a single state stands.
-void tellShortMotion(const Track& track, EgoNow& now) {
+void deriveShortMotion(const Track& track, EgoNow& now) {
   const auto all = static_cast<int>(track.states.size());
   const AgentState& earliest = track.states[unbrokenStart(track.states, all)];
   const double elapsed = now.state.time - earliest.time;
@@ -124,7 +124,7 @@ EgoNow egoNow(const Track& ego) {
   for (std::size_t i = 0; i < now.past_speeds.size(); ++i) {
     const auto earlier = stateAt(ego, later.time - kProfileStep);
     if (!earlier && i == 0) {
-      tellShortMotion(ego, now);
+      deriveShortMotion(ego, now);
       break;
     }
     if (!earlier) {

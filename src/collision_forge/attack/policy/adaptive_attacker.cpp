@@ -76,7 +76,7 @@ AdaptiveAttacker::AdaptiveAttacker(AttackerTask task, AttackerSetup setup)
       limits_(driveLimitsOf(vehicle_, setup_.attack.verification)),
       scene_(setup_.attack.prediction.history_frames, task_.ego, task_.snapshot),
       impact_(task_.snapshot.now + task_.request.tta),
-      last_look_(task_.snapshot.now),
+      last_update_(task_.snapshot.now),
       last_ego_(task_.snapshot.now),
       seen_ego_{task_.snapshot.ego.states.back()} {
   task_.request.attacker = vehicle_.id;
@@ -103,12 +103,12 @@ bool AdaptiveAttacker::hasJumped(const Frame& seen) const {
 
 void AdaptiveAttacker::observe(const Frame& seen) {
   const AdaptiveOptions& options = setup_.adaptive;
-  if (seen.time < last_look_ + options.period - kTimeEpsilon) return;
+  if (seen.time < last_update_ + options.period - kTimeEpsilon) return;
   const std::size_t from = firstAfter(seen.time + options.fairness.reaction_time);
   if (from + 1 >= task_.plan.points.size()) return;
   const bool is_there = seen.ego.isFinite();
   const bool has_jumped = is_there && hasJumped(seen);
-  last_look_ = seen.time;
+  last_update_ = seen.time;
   if (is_there) last_ego_ = seen.time;
   if (is_there || !seen.agents.empty()) {
     Frame kept = seen;
@@ -118,11 +118,11 @@ void AdaptiveAttacker::observe(const Frame& seen) {
   if (phase_ == AttackerPhase::kDrivingOn) {
     driveOnFrom(seen.time, from, "");
   } else if (has_jumped) {
-    giveUp(seen.time, from, "the ego jumped");
+    abortAttack(seen.time, from, "the ego jumped");
   } else if (seen.time - last_ego_ > options.lost_after) {
-    giveUp(seen.time, from, "the ego is no longer observed");
+    abortAttack(seen.time, from, "the ego is no longer observed");
   } else if (seen.time > impact_ + task_.request.crash.time_tolerance) {
-    giveUp(seen.time, from, "the requested time has passed");
+    abortAttack(seen.time, from, "the requested time has passed");
   } else if (timeOf(from) + options.commit_time < impact_ + task_.request.crash.time_tolerance) {
     if (is_there) replan(seen, from);
   } else if (phase_ == AttackerPhase::kAttacking) {
@@ -231,11 +231,11 @@ void AdaptiveAttacker::replan(const Frame& seen, std::size_t from) {
     if (drafted_->draft.wait > 0.0) drafted_->draft.wait += snapshot.now;
     take(seen.time, from, better->points, shareText(better->score.share));
   } else if (present->score.share == 0.0 && present->score.closeness < setup_.adaptive.min_hope) {
-    giveUp(seen.time, from, "no plan comes close to the requested crash");
+    abortAttack(seen.time, from, "no plan comes close to the requested crash");
     return;
   }
   if (better->score.share == 0.0 && touchesOthers(future, from)) {
-    giveUp(seen.time, from, "another agent blocks the plan");
+    abortAttack(seen.time, from, "another agent blocks the plan");
   }
 }
 
@@ -267,7 +267,7 @@ bool AdaptiveAttacker::touchesOthers(const Future& future, std::size_t from) con
   return firstTouch(next, vehicle_.size, others).has_value();
 }
 
-void AdaptiveAttacker::giveUp(double seen, std::size_t from, const std::string& reason) {
+void AdaptiveAttacker::abortAttack(double seen, std::size_t from, const std::string& reason) {
   phase_ = AttackerPhase::kDrivingOn;
   driveOnFrom(seen, from, reason);
 }

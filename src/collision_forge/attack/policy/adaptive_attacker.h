@@ -67,7 +67,7 @@ class AdaptiveAttacker : public AttackerPolicy {
   Future foresee(const Snapshot& snapshot) const;
   void replan(const Frame& seen, std::size_t from);
   bool touchesOthers(const Future& future, std::size_t from) const;
-  void giveUp(double seen, std::size_t from, const std::string& reason);
+  void abortAttack(double seen, std::size_t from, const std::string& reason);
   void driveOnFrom(double seen, std::size_t from, const std::string& reason);
   void take(double seen, std::size_t from, std::vector<TrajectoryPoint> points,
             const std::string& reason);
@@ -84,7 +84,7 @@ class AdaptiveAttacker : public AttackerPolicy {
   DriveLimits limits_;
   SceneHistory scene_;
   double impact_;                     // s, scene clock; requested contact time
-  double last_look_;                  // s, time of the last update step
+  double last_update_;                // s, time of the last update step
   double last_ego_;                   // s, time at which the ego was last observed
   std::vector<AgentState> seen_ego_;  // from t0 to the last update step
   AttackerPhase phase_ = AttackerPhase::kAttacking;

@@ -31,8 +31,8 @@ std::vector<AddedManner> joined(std::initializer_list<std::vector<AddedManner>> 
 }
 
 /// Continues after t0 with constant acceleration; returns false if that would reverse.
-bool goOn(const AddedMeeting& meeting, double along, double speed, double acceleration,
-          AddedDrive& drive) {
+bool extrapolate(const AddedMeeting& meeting, double along, double speed, double acceleration,
+                 AddedDrive& drive) {
   if (speed + acceleration * meeting.contact < 0.0) return false;
   for (std::size_t i = 0; i < drive.on.size(); ++i) {
     const double time = drive.step() * static_cast<double>(i + 1);
@@ -201,7 +201,7 @@ bool AddedDrives::plan(const AddedMeeting& meeting, const AddedManner& manner, c
       return start(meeting, along, manner, drive);
     case AddedManner::kStand:
       drive.back.assign(steps_back_ + 1, along);
-      return goOn(meeting, along, 0.0, 0.0, drive);
+      return extrapolate(meeting, along, 0.0, 0.0, drive);
     case AddedManner::kPark:
       return park(meeting, place, manner.value, drive);
   }
@@ -264,7 +264,7 @@ bool AddedDrives::train(const AddedMeeting& meeting, double along, const BoxSize
   const double least = 0.5 * (past_.ego.size.length + size.length) + added_.least_gap;
   const double passing = 0.5 * (past_.ego.size.width + size.width);
   if (std::abs(way.ego_across - drive.aside) < passing && std::abs(gap) < least) return false;
-  if (!goOn(meeting, start, speed, closing, drive)) return false;
+  if (!extrapolate(meeting, start, speed, closing, drive)) return false;
   for (const double ego : way.ego) {
     drive.back.push_back(ego + gap);
     if (drive.back.back() < 0.0) return true;
@@ -300,7 +300,7 @@ bool AddedDrives::start(const AddedMeeting& meeting, double along, const AddedMa
   const double moving = std::max(0.0, meeting.contact - kGettingGoing);
   const double place = along - 0.5 * manner.value * moving * moving;
   const double mean = 2.0 * (along - place) / (meeting.contact * meeting.contact);
-  if (!goOn(meeting, place, 0.0, mean, drive)) return false;
+  if (!extrapolate(meeting, place, 0.0, mean, drive)) return false;
   const auto waited = static_cast<std::size_t>(std::ceil(added_.wait / kStep));
   drive.back.assign(std::min(steps_back_, manner.waits ? waited : steps_back_) + 1, place);
   cruiseBack(*meeting.way, added_.speeds.front(), 0.0, drive.back);
@@ -314,7 +314,7 @@ bool AddedDrives::park(const AddedMeeting& meeting, const PathPose& place, doubl
   drive.aside = besideEgo(meeting, place, kOutward * before);
   if (std::abs(drive.aside) > route_.parking_distance) return false;
   drive.back.assign(steps_back_ + 1, place.along - before);
-  return goOn(meeting, place.along - before, 0.0, 0.0, drive);
+  return extrapolate(meeting, place.along - before, 0.0, 0.0, drive);
 }
 
 }  // namespace forge

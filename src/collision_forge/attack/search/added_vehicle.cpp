@@ -20,14 +20,14 @@ namespace forge {
 namespace {
 
 constexpr double kMinContact = 0.3;  // s after t0
-constexpr double kAnyWorth = std::numeric_limits<double>::lowest();
+constexpr double kAnyScore = std::numeric_limits<double>::lowest();
 
 bool isCar(const AddedVehicle& vehicle) { return isCarLike(vehicle.track.agent_class); }
 
 /// Finds vehicles that can be added.
-class Casting {
+class VehicleInsertion {
  public:
-  Casting(const AddedVehicleInput& input, const AttackOptions& options)
+  VehicleInsertion(const AddedVehicleInput& input, const AttackOptions& options)
       : input_(input),
         options_(options),
         added_(options.added),
@@ -142,7 +142,7 @@ class Casting {
     for (const HeadedPlacement& placement :
          placementsAlong(direction, type, input_.request.bands(), input_.lanes.map().driving_side,
                          options_.route.heading_margin, options_.route.max_lean)) {
-      if (!isSideAsked(placement.side)) continue;
+      if (!isSideAllowed(placement.side)) continue;
       meeting.side = placement.side;
       meeting.heading = placement.heading;
       meeting.across = meeting.seen(size).across;
@@ -163,7 +163,7 @@ class Casting {
   }
 
   /// Returns true if the request allows this side of the ego, given by side or by manoeuvre.
-  bool isSideAsked(Side side) const {
+  bool isSideAllowed(Side side) const {
     const CollisionRequest& request = input_.request;
     if (request.ego_side && *request.ego_side != side) return false;
     if (request.type != CollisionType::kRearEnd || !request.manoeuvre) return true;
@@ -342,7 +342,7 @@ Realization realizeBy(const std::vector<AddedVehicle>& vehicles, const AddedVehi
 }  // namespace
 
 AddedVehicles addVehicles(const AddedVehicleInput& input, const AttackOptions& options) {
-  return Casting(input, options).run();
+  return VehicleInsertion(input, options).run();
 }
 
 Realization realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInput& input,
@@ -364,7 +364,7 @@ Realization realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInpu
     const double cost = is_last_resort ? options.added.riding_cost : 0.0;
     std::optional<double> enough;
     if (is_in_turn) enough = options.search.good_share;
-    if (is_in_turn && is_last_resort) enough = is_found ? worthOf(best) + cost : kAnyWorth;
+    if (is_in_turn && is_last_resort) enough = is_found ? worthOf(best) + cost : kAnyScore;
     Realization answer = realizeBy({from, to}, input, realizer, motion, enough);
     if (answer.status.code != StatusCode::kOk) {
       if (from == first) best.status = answer.status;

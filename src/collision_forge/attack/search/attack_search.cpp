@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kShrink = 0.6;      // factor on perturbations per round
 constexpr double kRounding = 0.999;  // of a limit, so that a bicycle at the limit passes
-constexpr double kHome = 0.02;       // m from the pattern: on target
+constexpr double kOnPattern = 0.02;  // m from the pattern: on target
 
 VehicleLimits scaled(VehicleLimits limits, double margin) {
   limits.max_forward_acceleration *= margin;
@@ -77,18 +77,18 @@ class Search {
 
   std::vector<FoundAttack> run() {
     for (const auto& contender : contenders_) drawFor(*contender);
-    homeIn();
+    correctContacts();
     for (int round = 0; round < search_.rounds && !isGood(); ++round) {
       perturb(quintics_, search_.perturbations, std::pow(kShrink, round));
     }
     if (!isGood()) {
       steerToArrivals();
-      if (!input_.request.crash.believable && bestShare() == 0.0) steerAnyhow();
+      if (!input_.request.crash.believable && bestShare() == 0.0) steerToContact();
       for (int round = 0; round < search_.bicycle_rounds && !isGood(); ++round) {
         perturb(bicycles_, search_.bicycle_perturbations, std::pow(kShrink, round));
       }
     }
-    homeIn();
+    correctContacts();
     std::vector<FoundAttack> found;
     for (const Candidate& candidate : best()) {
       if (candidate.score.share > 0.0) found.push_back(finished(candidate));
@@ -183,13 +183,13 @@ class Search {
     candidate.objective -= search_.off_road_weight * candidate.off_road +
                            search_.effort_weight * effort(points_, arrival, limits_) +
                            search_.steering_weight * beyond(candidate.steering);
-    if (input_.request.crash.believable) candidate.objective -= beyondBelief(candidate);
+    if (input_.request.crash.believable) candidate.objective -= roadUsePenalty(candidate);
     kept.insert(std::upper_bound(kept.begin(), kept.end(), candidate, better), candidate);
     if (static_cast<int>(kept.size()) > search_.kept) kept.pop_back();
   }
 
   /// Returns the penalty for the candidate's road use; sets is_as_asked.
-  double beyondBelief(Candidate& candidate) {
+  double roadUsePenalty(Candidate& candidate) {
     const BelievabilityOptions& believability = options_.verification.believability;
     const Track& track = *candidate.contender->track;
     const LaneIndex& lanes = drivenLanes(input_.request, input_.lanes);
@@ -200,7 +200,7 @@ class Search {
         (candidate.score.share == 0.0 || how_asked_.holds(track, points_, candidate.score.met));
     return options_.route.off_lane_weight * (1.0 - road.on_lane) +
            options_.route.wrong_way_weight * road.wrong_way +
-           (candidate.is_as_asked ? 0.0 : kNotAsAsked);
+           (candidate.is_as_asked ? 0.0 : kConstraintPenalty);
   }
 
   /// Compares the contact with the pattern. Returns 0 within the pattern's tolerance, towards 1 far
@@ -265,14 +265,15 @@ class Search {
   }
 
   /// Shifts the aims of the best candidates by the error of their contacts.
-  void homeIn() {
+  void correctContacts() {
     std::vector<Candidate> parents = best();
     parents.resize(std::min(parents.size(), static_cast<std::size_t>(search_.homed)));
     for (Candidate& candidate : parents) {
       for (int i = 0; i < search_.corrections && candidate.score.share > 0.0; ++i) {
         const Pose2& wanted = candidate.aim->touching;
         const Pose2& met = candidate.score.contact;
-        if (cornerMiss(missBetween(wanted, met), candidate.contender->track->size) < kHome) break;
+        if (cornerMiss(missBetween(wanted, met), candidate.contender->track->size) < kOnPattern)
+          break;
         sampler_.shift(candidate.aimed,
                        {wanted.x - met.x, wanted.y - met.y, angleBetween(met.yaw, wanted.yaw)});
         if (candidate.family || solve(candidate)) consider(candidate);
@@ -308,7 +309,7 @@ class Search {
 
   /// Steers each attacker's bicycle to the ego in the future of its best pattern, with any contact
   /// of the type.
-  void steerAnyhow() {
+  void steerToContact() {
     const double end = sampler_.latest();
     const SteeringOptions& steering = options_.steering;
     SteeringAim aim;

@@ -12,7 +12,7 @@ namespace forge {
 
 /// Penalty in the search objective for an attack that violates the request's constraints, in units
 /// of the share of futures: larger than all other terms.
-inline constexpr double kNotAsAsked = 2.0;
+inline constexpr double kConstraintPenalty = 2.0;
 
 /// Tests attacks against the request's optional constraints: manoeuvre, side, impact speed, overlap
 /// (namesHow()). Not thread-safe.

@@ -160,10 +160,10 @@ Status AttackJudge::refusal(const std::vector<CollisionPattern>& patterns) const
   if (!unbelievable_.empty()) {
     return {StatusCode::kNotBelievable, "the best attacker " + unbelievable_};
   }
-  return {StatusCode::kNoAttackWithinLimits, whatFailed(patterns)};
+  return {StatusCode::kNoAttackWithinLimits, failureText(patterns)};
 }
 
-std::string AttackJudge::whatFailed(const std::vector<CollisionPattern>& patterns) const {
+std::string AttackJudge::failureText(const std::vector<CollisionPattern>& patterns) const {
   std::set<std::string> attackers;
   for (const CollisionPattern& pattern : patterns) attackers.insert(pattern.attacker_id);
   const std::string tried = "tried " + counted(patterns.size(), "candidate") + " (" +

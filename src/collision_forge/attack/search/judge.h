@@ -60,7 +60,7 @@ class AttackJudge {
   void reject(const CollisionReport& report);
   bool isVerifiedIn(Realization& attack, const Track& ego);
   double confidenceIn(const Track& attacker, const std::vector<TrajectoryPoint>& points);
-  std::string whatFailed(const std::vector<CollisionPattern>& patterns) const;
+  std::string failureText(const std::vector<CollisionPattern>& patterns) const;
 
   const VerificationInput& input_;
   const AttackOptions& options_;

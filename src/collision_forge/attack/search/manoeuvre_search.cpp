@@ -60,7 +60,7 @@ class ManoeuvreSearch {
   }
 
   std::vector<FoundAttack> run() {
-    if (input_.underway != nullptr && !contenders_.empty()) goOn();
+    if (input_.underway != nullptr && !contenders_.empty()) scoreCurrentPlan();
     if (!isGood()) draft();
     for (int round = 0; round < route_.rounds && !isGood(); ++round) {
       perturb(std::pow(kShrink, round));
@@ -68,15 +68,15 @@ class ManoeuvreSearch {
     std::vector<FoundAttack> found;
     for (const Candidate& candidate : kept_) {
       if (candidate.is_underway) continue;
-      if (candidate.score.share > 0.0 || present_) found.push_back(finished(candidate));
+      if (candidate.score.share > 0.0 || current_plan_) found.push_back(finished(candidate));
     }
-    if (present_) found.push_back(finished(*present_));
+    if (current_plan_) found.push_back(finished(*current_plan_));
     return found;
   }
 
  private:
   /// Scores the current plan, and the same draft at each of the ego's positions.
-  void goOn() {
+  void scoreCurrentPlan() {
     Candidate candidate;
     candidate.contender = contenders_.front().get();
     candidate.route = &contenders_.front()->routes.front();
@@ -86,7 +86,7 @@ class ManoeuvreSearch {
     if (!input_.underway->draft) candidate.draft.contact = input_.request.tta;
     points_ = input_.underway->planned;
     judge(candidate);
-    present_ = candidate;
+    current_plan_ = candidate;
     if (!input_.underway->draft || isGood()) return;
     candidate.is_underway = false;
     for (const std::size_t ego : sampler_.egos()) {
@@ -160,7 +160,7 @@ class ManoeuvreSearch {
       const std::vector<RouteDraft> drafts = mannersOf(candidate);
       for (const double slide : kSlides) {
         for (std::size_t i = 0; i < drafts.size(); ++i) {
-          if (!isDue(slide, i)) continue;
+          if (!isInThisPass(slide, i)) continue;
           candidate.draft = drafts[i];
           candidate.draft.slide = slide;
           consider(candidate);
@@ -171,7 +171,7 @@ class ManoeuvreSearch {
 
   /// Returns true if the draft belongs to this pass: first one draft per vehicle, then variations
   /// in one parameter. Few vehicles get all drafts at once.
-  bool isDue(double slide, std::size_t manner) const {
+  bool isInThisPass(double slide, std::size_t manner) const {
     const bool is_first = slide == 0.0 && manner == 0;
     if (sketches_) return is_first;
     if (input_.underway != nullptr) return slide == 0.0 || manner == 0;
@@ -288,7 +288,7 @@ class ManoeuvreSearch {
                            route_.wrong_way_weight * candidate.road.wrong_way;
     if (candidate.road.on_walkway > 0.0 && !may_be_any) return;
     if ((!candidate.is_believable && !may_be_any) || !isAsAsked(candidate)) {
-      candidate.objective -= kNotAsAsked;
+      candidate.objective -= kConstraintPenalty;
     }
     kept_.insert(std::upper_bound(kept_.begin(), kept_.end(), candidate, better), candidate);
     if (static_cast<int>(kept_.size()) > search_.kept) kept_.pop_back();
@@ -436,11 +436,11 @@ class ManoeuvreSearch {
   Random random_;
   ArrivalSampler sampler_;
   std::size_t all_points_ = 0;
-  bool sketches_ = false;             // this pass: one draft per contender
-  bool has_sketches_ = false;         // that pass was done
-  double best_ = 0.0;                 // best objective of the contender's drafts so far
-  std::vector<Candidate> kept_;       // best first
-  std::optional<Candidate> present_;  // the attacker's current plan
+  bool sketches_ = false;                  // this pass: one draft per contender
+  bool has_sketches_ = false;              // that pass was done
+  double best_ = 0.0;                      // best objective of the contender's drafts so far
+  std::vector<Candidate> kept_;            // best first
+  std::optional<Candidate> current_plan_;  // the attacker's current plan
   const RouteDriver* last_route_ = nullptr;
   RoutePlan last_plan_;
   std::optional<RouteSpeed> last_speed_;

@@ -29,7 +29,8 @@ double speedMismatch(const CollisionPattern& pattern, const Motion& motion, doub
 }
 
 /// Returns true if the agent's approach fits the type.
-bool comesFromThere(const Track& agent, const Snapshot& snapshot, const CollisionRequest& request) {
+bool approachFitsType(const Track& agent, const Snapshot& snapshot,
+                      const CollisionRequest& request) {
   if (request.crash.rules == TypeRules::kAngle) return true;
   const double approach =
       angleBetween(snapshot.ego.states.back().pose.yaw, agent.states.back().pose.yaw);
@@ -120,7 +121,7 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
     if (request.attacker_class && agent.agent_class != *request.attacker_class) continue;
     // A requested attacker was checked before and may be anywhere.
     if (!request.attacker && !isCandidate(agent, snapshot, options_)) continue;
-    if (!comesFromThere(agent, snapshot, request)) continue;
+    if (!approachFitsType(agent, snapshot, request)) continue;
     for (const Placement& placement : placementsOf(request.type, lanes.map().driving_side)) {
       for (const double heading : headingsAt(placement, nominal)) {
         ranked.push_back(
