@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kFastest = std::numeric_limits<double>::infinity();
 
-/// Forecasts the same gains everywhere; notes the scenes that it was asked to leave out.
+/// Forecasts the same gains everywhere; records the scenes passed to withoutScene().
 class SameGains : public SpeedForecaster {
  public:
   SameGains(Eigen::VectorXd gains, Eigen::VectorXd weights, int known = 100)

@@ -40,8 +40,8 @@ class Normal {
   std::mt19937_64 engine_;
 };
 
-/// Scenes of drivers who approach `wished` plus `by_turn` times the bend's turn, by a tenth of what
-/// is missing each interval, with noise of `noise` m/s.
+/// Scenes of drivers that approach `wished` plus `by_turn` times the bend's turn, by a tenth of
+/// what is missing each interval, with noise of `noise` m/s.
 std::vector<SpeedProfileRow> linearDrivers(int scenes, int frames, double noise,
                                            std::uint64_t seed) {
   Normal normal(seed);
@@ -136,7 +136,7 @@ TEST(FitSpeedModel, SpreadDependsOnTheSituation) {
 TEST(FitSpeedModel, ShortProfilesAreUsed) {
   std::vector<SpeedProfileRow> rows;
   for (int scene = 0; scene < 80; ++scene) {
-    // The long profiles are slow, the short ones fast: without these nobody drives 15 m/s.
+    // The long profiles are slow, the short ones fast: without these no profile reaches 15 m/s.
     const bool is_long = scene % 2 == 0;
     const double speed = (is_long ? 4.0 : 15.0) + 0.02 * scene;
     const double gain = is_long ? 0.0 : -0.2;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kIntervals = 4;
 
-/// One center, at 2 m/s; drivers who gain their acceleration (feature 1) each interval, 1 m/s more
-/// or less. Who stands stays, or sets off when the turn rate (feature 4) is positive.
+/// One center, at 2 m/s; drivers gain their acceleration (feature 1) each interval, 1 m/s more
+/// or less. A standing driver stays, or sets off if the turn rate (feature 4) is positive.
 SpeedModelWeights plainWeights() {
   SpeedModelWeights weights;
   weights.feature_weights = Eigen::RowVectorXd::Ones(kSpeedFeatures);

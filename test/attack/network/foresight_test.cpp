@@ -21,7 +21,7 @@ bool areSame(const std::vector<Track>& a, const std::vector<Track>& b) {
   return a.size() == b.size();
 }
 
-/// Drivers of scene-x, who foretell nothing.
+/// Drivers of scene-x, without a forecast.
 class DriversOfAScene : public SpeedForecaster {
  public:
   SpeedForecast forecast(const DrivingSituation&, int) const override { return {}; }

@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-/// Writes down what it sees.
+/// Records the frames that it observes.
 class Witness : public AttackerPolicy {
  public:
   std::unique_ptr<AttackerPolicy> clone() const override {

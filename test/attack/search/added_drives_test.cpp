@@ -42,7 +42,7 @@ class AddedDrivesTest : public testing::Test {
     return drives_->plan(meeting, manner, kCarSize, drive_);
   }
 
-  /// Of the manners that a meeting is tried in.
+  /// Kinds of the manners that are tried for a meeting.
   std::vector<AddedManner::Kind> kindsOf(const AddedMeeting& meeting) const {
     std::vector<AddedManner::Kind> kinds;
     for (const AddedManner& manner : drives_->mannersOf(meeting)) kinds.push_back(manner.kind);

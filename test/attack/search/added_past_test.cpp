@@ -15,8 +15,8 @@ class AddedPastTest : public testing::Test {
   /// The ways shall be long enough.
   AddedPastTest() { options_.added.speeds.push_back(17.0); }
 
-  /// What becomes of somebody who drives east at a steady speed, at a place along the lane now.
-  /// Null: it could.
+  /// Result for a vehicle that drives east at constant speed, at a place along the lane at t0.
+  /// Null: possible.
   const char* drive(double now, double speed, double aside = 0.0) {
     const AddedVehicleInput input = scene_.input();
     AddedWays ways(input, options_.added);

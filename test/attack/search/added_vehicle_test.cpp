@@ -52,7 +52,7 @@ struct Case {
   Realization result() const { return resultIn(future()); }
 };
 
-/// Declines everything, and counts what it is asked.
+/// Rejects every task and counts the calls.
 class CountingRealizer : public TrajectoryRealizer {
  public:
   Realization realize(const RealizationTask& task) const override {
@@ -174,7 +174,7 @@ TEST(AddedVehicle, HasAPastAtAllFramesUpToNow) {
 
 TEST(AddedVehicle, TouchesNoRecordedAgent) {
   Case scene;
-  // Somebody stands in the lane behind the ego, where followers came from.
+  // An agent stands in the lane behind the ego, where followers would come from.
   scene.others = {longPast("standing", kCarSize, {-70.0, -1.75, 0.0}, 0.0)};
   const Snapshot past = scene.past();
   const AddedVehicles vehicles = scene.vehicles();
@@ -197,7 +197,7 @@ TEST(AddedVehicle, TouchesNoRecordedAgent) {
 
 TEST(AddedVehicle, NeverAppearsInTheEgosView) {
   Case scene;
-  // Lanes begin 45 m behind the ego: who follows it was not there at the first frame.
+  // Lanes begin 45 m behind the ego: a follower did not exist at the first frame.
   scene.map->lanes[0] = straightLane("east_in", {-85.0, -1.75}, {-10.0, -1.75}, {"east_through"});
   const Snapshot past = scene.past();
   const AddedVehicles vehicles = scene.vehicles();

@@ -12,8 +12,8 @@
 namespace forge {
 namespace {
 
-/// Answers everything: by the vehicle, of the class and with the manoeuvre that is asked for; by
-/// "near" and with follower_closes where nothing is.
+/// Returns an attack for every request: with the requested vehicle, class and manoeuvre; by default
+/// by "near" with follower_closes.
 class WillingMethod : public AttackMethod {
  public:
   mutable std::vector<CollisionRequest> asked;
@@ -53,7 +53,7 @@ struct Case {
   Realization answer() const {
     return generateCollision(method, moment, request, shippedOptions().prediction);
   }
-  /// Attacker, class and manoeuvre of each, with the first answer.
+  /// Attacker, class and manoeuvre of each attack, the first one included.
   std::set<std::string> names() const {
     const Realization first = answer();
     std::set<std::string> names = {nameOf(first)};

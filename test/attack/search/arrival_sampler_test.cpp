@@ -16,7 +16,7 @@ constexpr double kTta = 4.0;
 /// A car behind and to the left of an ego that drives at 9, 10 or 11 m/s.
 class Arrivals : public testing::Test {
  protected:
-  /// Of the pattern alone.
+  /// For the pattern only.
   void aimAt(CollisionType type, const Pose2& offset, double ego_x = 40.0, double speed = 12.0) {
     request_.type = type;
     patterns_ = {{type, "beside", kNow + kTta, {{ego_x, 0.0, 0.0}, kEgoSize}, offset, speed}};
@@ -26,7 +26,7 @@ class Arrivals : public testing::Test {
   }
   const Contender& contender() const { return *contenders_.at(0); }
   const Aim& aim() const { return contender().aims.at(0); }
-  /// What the arrival puts in front of the ego, once the lead is driven.
+  /// Attacker's pose in the ego's frame at the end of the lead.
   Pose2 seenFromEgo(const AimedArrival& aimed) const {
     const Pose2 contact = compose(aimed.arrival.pose, {aimed.lead * aimed.arrival.speed, 0.0, 0.0});
     return relativeTo(sampler_->egoAt(aimed.ego, aimed.contact), contact);

@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-/// Answers with the report that it is given, and tells whether it was shown what came.
+/// Returns the given report, and records whether `moment.recorded` was set.
 class Told : public AttackMethod {
  public:
   explicit Told(CollisionReport report = {}) : report_(std::move(report)) {}

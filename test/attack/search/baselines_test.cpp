@@ -30,7 +30,7 @@ TEST(Baselines, ConstantVelocityTakesTheCandidateThatTouches) {
 }
 
 TEST(Baselines, ReportsUseTheStrictLimitsWhateverTheRequestSays) {
-  // The car behind changes its speed by nothing but that of a quintic, which slips.
+  // The car behind changes only its speed, by a quintic, which slips.
   const auto drivable = believableRequestFor(CollisionType::kLaneChange);
   const auto strict = requestFor(CollisionType::kLaneChange);
   const Moment moment = closingIn(4.0);

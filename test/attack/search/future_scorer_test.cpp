@@ -172,12 +172,12 @@ TEST(FutureScorer, ScoresEachFutureIndependently) {
   EXPECT_NEAR(scene.score().closeness, closeness, 0.02);
 }
 
-/// One random meeting of an attacker and an ego, with others about, and verify()'s word on it.
+/// One random meeting of an attacker and an ego among other agents, and the result of verify().
 class Meeting {
  public:
   explicit Meeting(unsigned seed) : random_(seed) {
     options_ = shippedOptions();
-    // What the scorer does not look at.
+    // Limits that the scorer ignores.
     for (auto& [type, band] : request_.crash.types) band.max_approach = 2.0 * M_PI;
     for (auto& [type, band] : request_.crash.types) band.min_approach = 0.0;
     request_.crash.rules = seed % 3 == 0 ? TypeRules::kAngle : TypeRules::kFull;
@@ -191,7 +191,7 @@ class Meeting {
     const double meet = request_.tta + between(-0.6, 0.6);
     const double sign = between(-1.0, 1.0) > 0.0 ? 1.0 : -1.0;
     const double heading = sign * between(band.min_heading - 0.05, band.max_heading + 0.05);
-    // Steps so short that verification, which looks between them, finds no other contact.
+    // Steps so short that verify(), which tests between them, finds no other contact.
     options_.search.step = 0.01;
     drive_ = straightDrive(start, speed, 8.0, options_.search.step);
     const Pose2 met = compose(start, {speed * meet, 0.0, 0.0});
@@ -221,8 +221,8 @@ class Meeting {
     AttackerTrajectory drive = drive_;
     Future future = future_;
     future.agents = others_;
-    // Others grow so that whoever is met just after the contact is met before it, and shrink so
-    // that they are not brushed between two steps.
+    // Other agents grow so that one touched just after the contact is touched before it, and shrink
+    // so that none is touched between two steps.
     for (Track& other : future.agents) {
       other.size.length += slack > 0.0 ? 5.0 : -1.0;
       other.size.width += slack > 0.0 ? 5.0 : -1.0;

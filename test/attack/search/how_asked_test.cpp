@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-/// Someone drives straight into the rear of an ego that drives straight on.
+/// A follower drives straight into the rear of an ego that drives straight on.
 class HowAskedTest : public testing::Test {
  protected:
   HowAskedTest() {

@@ -32,7 +32,7 @@ class ManoeuvreSearchTest : public testing::Test {
     return generateCollision(searchMethod(options_), moment, request, options_.prediction);
   }
 
-  /// Asks, and looks at what every believable answer has.
+  /// Requests an attack and checks the properties of every believable attack.
   Realization expectAttack(CollisionType type, double tta = 4.0) const {
     const Realization answer = ask(type, tta);
     EXPECT_EQ(answer.status.code, StatusCode::kOk)
@@ -79,7 +79,7 @@ TEST_F(ManoeuvreSearchTest, ANeighbourCutsInLate) {
 }
 
 TEST_F(ManoeuvreSearchTest, ANeighbourCutsInAfterAnIslandNotOverIt) {
-  constexpr double kIslandEnd = 38.0;  // m; the ego is there 0.2 s after the time asked for
+  constexpr double kIslandEnd = 38.0;  // m; the ego is there 0.2 s after the requested time
   auto map = twoLaneRoad();
   map->lanes.push_back(straightLane("next", {-200.0, -5.5}, {200.0, -5.5}));
   map->drivable_area.push_back(rectangle(-200.0, -7.25, 200.0, -3.75));

@@ -159,8 +159,8 @@ TEST(QuinticFamily, OnACurvedPathKeepsToTheLane) {
   EXPECT_GT(farthest_freely, 1.0) << "or the bend would prove nothing";
 }
 
-/// What a point says of speed, acceleration and curvature against its neighbours' positions; the
-/// curvature is that of the sharper of the steps before and after.
+/// Compares a point's speed, acceleration and curvature with its neighbours' positions; the
+/// curvature is the sharper one of the steps before and after.
 void expectDerived(const std::vector<TrajectoryPoint>& points, std::size_t i, double speed_slack,
                    double acceleration_slack) {
   const Vector2 a = points[i - 1].pose.position();

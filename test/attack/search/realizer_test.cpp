@@ -123,7 +123,7 @@ TEST(Realize, ExactModeHitsTheRequestedPattern) {
 }
 
 TEST(Realize, ExactModeRejectsAnUnreachablePattern) {
-  // From behind nobody comes to the ego's front in time.
+  // From behind, no vehicle reaches the ego's front in time.
   Case attack;
   attack.pattern.attacker_offset = attackerOffset(kEgoSize, kCarSize, Side::kRear, 0.0, 0.0, 0.0);
   attack.pattern.attacker_offset.y += 30.0;

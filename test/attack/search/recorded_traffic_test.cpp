@@ -7,8 +7,8 @@
 namespace forge {
 namespace {
 
-/// The ego drives 10 m/s along x, is at 0 now; somebody drives so 20 m ahead of it, in the future
-/// on, too.
+/// The ego drives 10 m/s along x and is at 0 at t0; an agent drives likewise 20 m ahead of it, in
+/// the future on, too.
 RecordedTraffic traffic() {
   Future future;
   future.ego = futureTrack(kEgoId, kEgoSize, {}, 10.0);

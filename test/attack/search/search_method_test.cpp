@@ -31,8 +31,8 @@ struct Case {
     const Moment moment{snapshot, recorded, std::make_shared<const LaneIndex>(map)};
     return generateCollision(searchMethod(options), moment, request, options.prediction);
   }
-  /// The future that an answer was verified against: the recorded one, or that one of the predicted
-  /// in which the ego is where the answer's report has it.
+  /// The future used for verification: the recorded one, or the predicted one in which the ego is
+  /// where the report has it.
   Future futureOf(const Realization& answer) const {
     if (request.mode == Mode::kReplay) return *recorded;
     Future future =
@@ -130,7 +130,7 @@ TEST(GenerateCollision, SameSeedSameBytes) {
   }
 }
 
-/// A second opinion on an answer that shares no code with the sources: millimetre time steps, its
+/// An independent check of an attack that shares no code with the sources: millimetre steps, its
 /// own separating axes and interpolation, limits from differences of positions.
 class BruteForce {
  public:
@@ -140,7 +140,7 @@ class BruteForce {
     }
   }
 
-  /// Adds a failure for everything in which the answer is wrong.
+  /// Adds a failure for each error of the attack.
   void check(const CollisionRequest& request, const Track& attacker) const {
     checkContacts();
     checkType(request);

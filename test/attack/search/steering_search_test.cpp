@@ -104,7 +104,7 @@ TEST(SteeringSearch, FindsNothingOutOfReach) {
   Random random(0);
   SteeringSearch search = far.search();
   search.next(random);
-  // 100 m ahead by then, less half of both cars and what it drives at 5 m/s2 for 2.47 s.
+  // 100 m ahead by then, minus half of both cars and the distance driven at 5 m/s2 in 2.47 s.
   const double driven = 3.0 * 2.47 + 0.5 * 5.0 * 2.47 * 2.47;
   const double apart = 80.0 + 10.0 * 2.47 - 0.5 * (kEgoSize.length + kCarSize.length) - driven;
   EXPECT_GE(search.shortfall(), apart);

@@ -21,7 +21,7 @@ const DriveLimitOptions& rows() {
 
 DriveLimits carLimits() { return driveLimitsOf(AgentClass::kCar, kCar, rows()); }
 
-/// What the driver of a hand-made single track does at a time.
+/// Controls of a hand-made single track over time.
 struct Controls {
   std::function<double(double)> steering = [](double) { return 0.0; };
   std::function<double(double)> acceleration = [](double) { return 0.0; };

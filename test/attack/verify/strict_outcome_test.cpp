@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-/// An attack in the middle of nowhere, as recorded.
+/// A recorded attack without a map.
 struct Case {
   AttackOptions options = shippedOptions();
   std::shared_ptr<LaneMap> map = emptyMap();
@@ -106,7 +106,7 @@ TEST(Strict, UsesTheLimitsOfTheRequest) {
 
 TEST(Strict, BelievabilityCountsIfTheRequestRequiresIt) {
   Case c = meeting(CollisionType::kJunctionCrossing, M_PI_2);
-  c.map = twoLaneRoad();  // along x, which nobody drives across
+  c.map = twoLaneRoad();  // along x, without a crossing lane
   StrictOutcome outcome = c.outcome();
   ASSERT_FALSE(outcome.report.believable());
   EXPECT_TRUE(outcome.meetsFullDefinitions());

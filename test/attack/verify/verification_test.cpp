@@ -13,7 +13,7 @@ namespace {
 const double kAlong = 0.5 * (kEgoSize.length + kCarSize.length);  // m between middles, end to end
 constexpr double kFine = 2e-4;                                    // s; a millimetre at 5 m/s
 
-/// One attack to verify; the attacker's trajectory is that of straightDrive().
+/// One attack to verify; the attacker's trajectory is straightDrive().
 struct Case {
   AttackOptions options = shippedOptions();
   std::shared_ptr<LaneMap> map = emptyMap();
