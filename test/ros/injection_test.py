@@ -174,7 +174,7 @@ class InjectionTest(road.RoadTest):
             self.assertEqual(len(attacks), number)
         self.assertGreater(len(attacks), 1)
         self.assertEqual(road.code_of(result), 'NO_ATTACK_WITHIN_LIMITS')
-        self.assertIn('there are {} distinct attacks only'.format(len(attacks)), result.stderr)
+        self.assertIn('there are only {} distinct attacks'.format(len(attacks)), result.stderr)
 
 
 class RecordedCrashTest(road.RoadTest):
@@ -220,7 +220,7 @@ class AdaptiveInjectionTest(road.RoadTest):
         attack, tested = self.reports('adaptive')
         self.assertTrue(attack.adaptive)
         self.assertEqual(attack.phase, 'driving_on')
-        self.assertEqual(attack.decision, 'the time asked for is over')
+        self.assertEqual(attack.decision, 'the requested time has passed')
         self.assertEqual((attack.report.decision, tested.decision), (attack.decision, attack.decision))
         self.assertGreater(attack.plans, 1)
         self.assertGreater(attack.decided, attack.report.contact_time)

@@ -103,7 +103,7 @@ std::vector<Case> allCases() {
   return {rearEnd(), oncoming(), crossing(), laneChange(), leftTurn()};
 }
 
-TEST(SearchAttacks, FindsAnAttackOfEveryTypeWhereOneLiesAtHand) {
+TEST(SearchAttacks, FindsAnObviousAttackOfEveryType) {
   for (const Case& scene : allCases()) {
     const auto attacks = scene.found();
     ASSERT_FALSE(attacks.empty()) << toString(scene.request.type);
@@ -206,7 +206,7 @@ TEST(SearchAttacks, FindNothingOutOfReach) {
   EXPECT_TRUE(soon.found().empty());
 }
 
-TEST(SearchAttacks, TheBicycleFindsWhatNoQuinticCan) {
+TEST(SearchAttacks, TheBicycleFindsAttacksThatNoQuinticCan) {
   // From rest, heading away from where it has to go.
   Case scene(CollisionType::kJunctionCrossing, 6.0, {-24.0, 0.0, 0.0});
   scene.map = emptyMap();
@@ -237,7 +237,7 @@ Pose2 atLeftRearCorner(double heading) {
   return {-0.5 * kEgoSize.length - turned.x + 0.2, 0.5 * kEgoSize.width - turned.y, heading};
 }
 
-TEST(SearchAttacks, ComeToThePatternThatIsAskedForThoughItIsNoPlacementOfTheType) {
+TEST(SearchAttacks, ReachARequestedPatternThatIsNoPlacementOfTheType) {
   Case scene = overtaken();
   scene.request.seed = 3;
   for (const double heading : {-0.2, -0.26, -0.35}) {
@@ -248,7 +248,7 @@ TEST(SearchAttacks, ComeToThePatternThatIsAskedForThoughItIsNoPlacementOfTheType
   }
 }
 
-TEST(SearchAttacks, TakeTheFutureInWhichTheEgoIsWhereThePatternHasIt) {
+TEST(SearchAttacks, PreferTheFutureNearestToThePatternsEgo) {
   Case scene = rearEnd();
   for (std::size_t i = 0; i < scene.egos.size(); ++i) {
     std::vector<CollisionPattern> patterns = scene.patternsOf(scene.snapshot.agents[0]);
@@ -262,7 +262,7 @@ TEST(SearchAttacks, TakeTheFutureInWhichTheEgoIsWhereThePatternHasIt) {
   }
 }
 
-TEST(SearchAttacks, ExactlyPayForAMissMoreThanForAnythingElse) {
+TEST(SearchAttacks, ExactModePenalisesAMissMost) {
   Case scene = overtaken();
   scene.exact = true;
   const auto attacks = scene.found({scene.pattern("beside", atLeftRearCorner(-0.3), 11.0)});

@@ -53,7 +53,7 @@ struct Case {
   }
 };
 
-TEST(BicycleFamily, StartsAsTheAttackerMovesNowAndGivesEveryPoint) {
+TEST(BicycleFamily, StartsAtTheAttackersStateAndReturnsEveryPoint) {
   Case motion({3.0, -4.0, 1.0}, 7.0, 3.0, compose({3.0, -4.0, 1.0}, {21.0, 1.0, 0.1}), 7.0);
   ASSERT_TRUE(motion.drive());
   ASSERT_EQ(motion.points.size(), 41u);
@@ -66,7 +66,7 @@ TEST(BicycleFamily, StartsAsTheAttackerMovesNowAndGivesEveryPoint) {
   }
 }
 
-TEST(BicycleFamily, KnotsAreLinearInBetweenAndHeldToTheLimits) {
+TEST(BicycleFamily, KnotsAreLinearInBetweenAndClampedToTheLimits) {
   Case motion({}, 8.0, 4.0, {}, 0.0);
   SteeringKnots knots;
   knots.acceleration = {0.0, 2.0, 2.0, 100.0, -100.0};
@@ -103,7 +103,7 @@ TEST(BicycleFamily, NeverBreaksTheLimitsAndAlwaysArrivesOnRandomArrivals) {
   EXPECT_GT(driven, 200);
 }
 
-TEST(BicycleFamily, HasNoMotionToWhatCannotBeReached) {
+TEST(BicycleFamily, HasNoMotionToAnUnreachableArrival) {
   const auto reaches = [](const Pose2& target, double speed, double time) {
     return Case({}, speed, time, target, 10.0).drive();
   };
@@ -114,7 +114,7 @@ TEST(BicycleFamily, HasNoMotionToWhatCannotBeReached) {
   EXPECT_FALSE(reaches({0.5, 3.0, 0.0}, 0.0, 5.0)) << "within its turning circle";
 }
 
-TEST(BicycleFamily, TakesAMissOfUpToMaxMiss) {
+TEST(BicycleFamily, AcceptsAMissOfUpToMaxMiss) {
   // 20 m/s stop in 25 m at 8 m/s2.
   Case near({}, 20.0, 4.0, {24.5, 0.0, 0.0}, 0.0);
   ASSERT_TRUE(near.drive());

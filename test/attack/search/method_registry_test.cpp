@@ -39,13 +39,13 @@ TEST(MethodRegistry, HasEveryMethodOnceAndWithADescription) {
   }
 }
 
-TEST(MethodRegistry, RefusesUnknownNamesByNamingTheKnownOnes) {
+TEST(MethodRegistry, ListsTheKnownNamesForAnUnknownOne) {
   const std::string complaint = complaintOf([] { builtInMethods().at("serach"); });
   EXPECT_NE(complaint.find("serach"), std::string::npos) << complaint;
   EXPECT_NE(complaint.find("network+search"), std::string::npos) << complaint;
 }
 
-TEST(MethodRegistry, RefusesASecondMethodOfAName) {
+TEST(MethodRegistry, RejectsASecondMethodOfTheSameName) {
   MethodRegistry methods = builtInMethods();
   EXPECT_THROW(methods.add(methods.at("search")), std::invalid_argument);
   EXPECT_THROW(methods.add({"", "nameless", true, {}}), std::invalid_argument);
@@ -60,7 +60,7 @@ TEST(MethodRegistry, MethodsWithNetworksNeedThem) {
   }
 }
 
-TEST(MethodRegistry, NamesWithAndWithoutNetworksLeadBackToEachOther) {
+TEST(MethodRegistry, NamesWithAndWithoutNetworksAreInverse) {
   EXPECT_EQ(withNetworks("search"), "network+search");
   EXPECT_EQ(withoutNetworks("network+search"), "search");
   EXPECT_EQ(withoutNetworks("search"), "search");
@@ -69,7 +69,7 @@ TEST(MethodRegistry, NamesWithAndWithoutNetworksLeadBackToEachOther) {
   EXPECT_EQ(defaultMethod(false), "search");
 }
 
-TEST(MethodRegistry, RefusesLibrariesThatCannotBeLoadedOrHaveNoMethods) {
+TEST(MethodRegistry, RejectsLibrariesThatCannotBeLoadedOrHaveNoMethods) {
   EXPECT_NE(complaintOf([] { methodsWith({"/nowhere/lib.so"}); }).find("/nowhere/lib.so"),
             std::string::npos);
   const std::string complaint = complaintOf([] { methodsWith({"libc.so.6"}); });

@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-TEST(SearchOptions, MarginsLeaveRoomInEveryBand) {
+TEST(SearchOptions, MarginsAreSmallerThanEveryBand) {
   const AttackOptions options = shippedOptions();
   for (const auto& [type, definition] : shippedCrash().types) {
     EXPECT_LT(2.0 * kHeadingMargin, definition.max_heading - definition.min_heading)
@@ -18,18 +18,18 @@ TEST(SearchOptions, MarginsLeaveRoomInEveryBand) {
   EXPECT_LT(kLimitMargin, 1.0);
 }
 
-TEST(SearchOptions, EverybodyIsPredictedForAsLongAsAnAttackDrivesOn) {
+TEST(SearchOptions, PredictionsLastAsLongAsAttacks) {
   EXPECT_GE(shippedOptions().prediction.tail, shippedOptions().search.tail);
 }
 
-TEST(SearchOptions, ConfidencePromisesNoMoreThanTheShareOfFuturesHit) {
+TEST(SearchOptions, ConfidenceIsAtMostTheShareOfFuturesHit) {
   const std::vector<double>& curve = shippedOptions().search.confidence_curve;
   EXPECT_EQ(curve.front(), 0.0);
   EXPECT_LT(curve.back(), 1.0);
   EXPECT_LT(shippedCrash().min_confidence, curve.back());
 }
 
-TEST(NominalOptions, LaneChangesEndAtAnAngleOfTheSet) {
+TEST(NominalOptions, LaneChangesEndAtAnAngleOfTheDataSet) {
   EXPECT_NEAR(shippedOptions().nominal.lane_change_heading, 20.0 * M_PI / 180.0, 1e-4);
 }
 

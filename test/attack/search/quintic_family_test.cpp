@@ -65,7 +65,7 @@ struct RandomDrive {
 
 std::size_t indexAt(double time) { return static_cast<std::size_t>(std::lround(time / kStep)); }
 
-TEST(Quintic, MeetsTheStartAndTheArrival) {
+TEST(Quintic, ReachesTheStartAndTheArrival) {
   std::mt19937 random(1);
   for (int i = 0; i < 200; ++i) {
     const RandomDrive drive(random);
@@ -96,8 +96,8 @@ TEST(Quintic, GoesStraightOnAfterTheArrival) {
   }
 }
 
-/// What a point says of speed, acceleration and curvature against its neighbours' positions; the
-/// curvature is that of the sharper of the steps before and after.
+/// Compares a point's speed, acceleration and curvature with its neighbours' positions; the
+/// curvature is the sharper one of the steps before and after.
 void expectDerived(const std::vector<TrajectoryPoint>& points, std::size_t i, double speed_slack,
                    double acceleration_slack) {
   const Vector2 a = points[i - 1].pose.position();

@@ -50,7 +50,7 @@ class RouteTest : public testing::Test {
       driveLimitsOf(AgentClass::kCar, kCarSize, shippedOptions().verification.drivable);
 };
 
-TEST_F(RouteTest, ArrivesInTimeAtTheOffsetAndTheHeadingAskedFor) {
+TEST_F(RouteTest, ArrivesInTimeAtTheRequestedOffsetAndHeading) {
   const RouteDriver route = routeAt(2.0, 0.3, 8.0);
   RoutePlan wanted;
   wanted.arrival = 4.0;
@@ -81,7 +81,7 @@ TEST_F(RouteTest, StartsWhereItIsIfTheArrivalIsLessThanAStepAway) {
   }
 }
 
-TEST_F(RouteTest, DrivesByTheTamestStyleThatArrives) {
+TEST_F(RouteTest, UsesTheGentlestStyleThatArrives) {
   const RouteDriver route = routeAt(2.0, 0.0, 8.0);
   std::vector<PlannedStep> planned;
   RoutePlan wanted;
@@ -117,7 +117,7 @@ TEST_F(RouteTest, SlowsDownForABend) {
   }
 }
 
-TEST_F(RouteTest, BrakesLateWhereThatIsAskedFor) {
+TEST_F(RouteTest, BrakesLateOnRequest) {
   const RouteDriver route = routeAt(2.0, 0.0, 10.0);
   std::vector<PlannedStep> planned;
   RoutePlan wanted;
@@ -130,7 +130,7 @@ TEST_F(RouteTest, BrakesLateWhereThatIsAskedFor) {
   EXPECT_LT(speedAt(planned, 38) + 3.0, speedAt(planned, 24));
 }
 
-TEST_F(RouteTest, WhoStandsMayWait) {
+TEST_F(RouteTest, AStandingVehicleMayWait) {
   const RouteDriver route = routeAt(2.0, 0.0, 0.0);
   std::vector<PlannedStep> planned;
   RoutePlan wanted;

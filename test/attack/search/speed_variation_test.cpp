@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-TEST(SpeedVariation, GainsTheWayOfItsAcceleration) {
+TEST(SpeedVariation, DistanceIntegratesItsAcceleration) {
   const SpeedVariation variation{0.7, 5.0, 0.8};
   const auto acceleration = [](double time) {
     return 0.7 * std::sin(2.0 * M_PI / 5.0 * time + 0.8);
@@ -30,9 +30,9 @@ TEST(SpeedVariation, GainsTheWayOfItsAcceleration) {
   EXPECT_EQ(variation.way(0.0), 0.0);
 }
 
-TEST(SpeedVariation, IsNoneByDefault) { EXPECT_EQ(SpeedVariation().way(-3.0), 0.0); }
+TEST(SpeedVariation, IsZeroByDefault) { EXPECT_EQ(SpeedVariation().way(-3.0), 0.0); }
 
-TEST(SpeedVariation, FollowsFromIdAndSeed) {
+TEST(SpeedVariation, DependsOnIdAndSeedOnly) {
   const SpeedVariation first = variationOf("a", 1);
   EXPECT_EQ(variationOf("a", 1).phase, first.phase);
   EXPECT_NE(variationOf("b", 1).phase, first.phase);

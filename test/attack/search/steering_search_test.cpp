@@ -89,7 +89,7 @@ TEST(SteeringSearch, FindsTheCrashThatLiesAhead) {
   oncoming.expectHit(found.front());
 }
 
-TEST(SteeringSearch, TurnsRoundWhoDrivesTheSameWay) {
+TEST(SteeringSearch, FindsAUTurn) {
   const Case ahead(CollisionType::kOppositeDirection, 6.0, {10.0, -5.0, 2.0}, 4.0,
                    compose({10.0, -5.0, 2.0}, {20.0, 3.5, 0.0}), 5.0);
   const auto found = ahead.found();
@@ -97,19 +97,19 @@ TEST(SteeringSearch, TurnsRoundWhoDrivesTheSameWay) {
   ahead.expectHit(found.front());
 }
 
-TEST(SteeringSearch, NothingIsNearWhatIsOutOfReach) {
+TEST(SteeringSearch, FindsNothingOutOfReach) {
   const Case far(CollisionType::kRearEnd, 2.0, {0.0, 0.0, 0.0}, 10.0, {-80.0, 0.0, 0.0}, 3.0);
   EXPECT_TRUE(far.found().empty());
   Random random(0);
   SteeringSearch search = far.search();
   search.next(random);
-  // 100 m ahead by then, less half of both cars and what it drives at 5 m/s2 for 2.47 s.
+  // 100 m ahead by then, minus half of both cars and the distance driven at 5 m/s2 in 2.47 s.
   const double driven = 3.0 * 2.47 + 0.5 * 5.0 * 2.47 * 2.47;
   const double apart = 80.0 + 10.0 * 2.47 - 0.5 * (kEgoSize.length + kCarSize.length) - driven;
   EXPECT_GE(search.shortfall(), apart);
 }
 
-TEST(SteeringSearch, RoundsComeNearer) {
+TEST(SteeringSearch, RoundsReduceTheShortfall) {
   const Case ahead(CollisionType::kOppositeDirection, 6.0, {0.0, 0.0, 0.0}, 4.0, {20.0, 3.5, 0.0},
                    5.0);
   Random random(3);
@@ -120,7 +120,7 @@ TEST(SteeringSearch, RoundsComeNearer) {
   EXPECT_LT(search.shortfall(), 0.5 * first);
 }
 
-TEST(SteeringSearch, NearestFirstAndNoMoreThanAreConsidered) {
+TEST(SteeringSearch, ReturnsTheNearestFirstUpToTheLimit) {
   Case oncoming(CollisionType::kOppositeDirection, 3.0, {0.0, 0.0, 0.0}, 8.0, {50.0, 3.0, M_PI},
                 8.0);
   EXPECT_EQ(oncoming.found().size(), std::size_t{SteeringSearch::kConsidered});

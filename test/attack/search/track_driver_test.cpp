@@ -87,7 +87,7 @@ TEST(TrackDriver, KeepsTheLimitsOfEveryClassWhateverThePlan) {
       const double sway = random.uniform(0.5, 3.0);
       const double leap = random.uniform(0.0, 8.0);
       const double beat = random.uniform(0.5, 4.0);
-      // Swerves and leaps that nobody could drive.
+      // Swerves and leaps beyond every limit.
       std::vector<PlannedStep> plan;
       for (std::size_t i = 0; i < kSteps; ++i) {
         const double time = kStep * static_cast<double>(i);

@@ -10,10 +10,10 @@
 namespace forge {
 namespace {
 
-constexpr double kWayBeyond = 20.0;    // m of way beyond what can be driven
+constexpr double kWayBeyond = 20.0;    // m of path beyond the reachable distance
 constexpr double kShortestWay = 10.0;  // m
 
-/// Along the nearest lane and on; straight on where none is near.
+/// Returns the path ahead along the nearest lane, straight on if no lane is near.
 ReferencePath wayOf(const Pose2& pose, double reach, const LaneIndex& lanes,
                     const AttackOptions& attack) {
   const PredictionOptions& prediction = attack.prediction;
@@ -26,7 +26,7 @@ ReferencePath wayOf(const Pose2& pose, double reach, const LaneIndex& lanes,
       Polyline({pose.position(), Vector2(pose.position() + reach * pose.heading())}));
 }
 
-/// Everybody that is not to be touched, and was not already.
+/// Returns the agents that must not be touched: all that do not overlap the vehicle already.
 std::vector<const Track*> othersOf(const DriveOnInput& input, const OrientedBox& now) {
   std::vector<const Track*> others;
   const auto add = [&](const Track& track) {
@@ -89,7 +89,7 @@ std::vector<TrajectoryPoint> driveOn(const DriveOnInput& input, const DriveOnOpt
           latest = *touch;
           best = points;
         }
-        if (share >= 1.0) break;  // no style is needed to keep a speed
+        if (share >= 1.0) break;  // styles differ only in braking
       }
     }
   }

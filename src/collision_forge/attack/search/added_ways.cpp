@@ -7,14 +7,14 @@
 namespace forge {
 namespace {
 
-constexpr int kBranches = 4;            // ways back from a lane that are examined
-constexpr double kWayAhead = 40.0;      // m of the way beyond the contact
-constexpr double kTrainDistance = 8.0;  // m from the way, within which the ego is followed
+constexpr int kBranches = 4;            // paths back from a lane that are examined
+constexpr double kWayAhead = 40.0;      // m of the path beyond the contact
+constexpr double kTrainDistance = 8.0;  // m from the path, within which the ego is followed
 constexpr double kSameSpeed = 1.0;      // m/s
-constexpr double kHeadsAlong = 0.7;     // rad between the ego and a way that it is on
-constexpr std::size_t kFlows = 3;       // a way
-constexpr double kFlowLength = 15.0;    // m; shorter drives are not followed
-constexpr std::size_t kOwnSpeeds = 2;   // of recorded vehicles, a way
+constexpr double kHeadsAlong = 0.7;     // rad between the ego and a path on which it is
+constexpr std::size_t kFlows = 3;       // per path
+constexpr double kFlowLength = 15.0;    // m; shorter recorded motions are not repeated
+constexpr std::size_t kOwnSpeeds = 2;   // speeds of recorded vehicles per path
 
 }  // namespace
 
@@ -126,7 +126,7 @@ void AddedWays::addSpeeds(AddedWay& way) const {
   }
 }
 
-/// The longest that each vehicle drives along the way, of those that are on it now or then.
+/// Adds the longest motion of each vehicle along the path, before and after t0.
 void AddedWays::addFlows(AddedWay& way) const {
   for (const Track& agent : past_.agents) {
     if (way.flows.size() >= kFlows) return;
@@ -146,7 +146,7 @@ void AddedWays::addFlows(AddedWay& way) const {
   }
 }
 
-/// Adds where a track is along the way; false where it leaves the way.
+/// Appends the track's positions along the path; returns false where it leaves the path.
 bool AddedWays::follow(const Track& track, const AddedWay& way, AddedFlow& flow) const {
   for (const AgentState& state : track.states) {
     const double time = state.time - past_.now;

@@ -25,13 +25,13 @@ constexpr double kEffortWeight = 0.02;  // cost of driving at the limits, share 
 // CommonRoad's vehicle models (v_delta, 0.4 rad/s).
 constexpr double kQuickSteering = 0.3;
 constexpr int kPatience = 2;       // rounds after which steering an attacker ends that is still ...
-constexpr double kHopeless = 5.0;  // ... so many m short of the aim
+constexpr double kHopeless = 5.0;  // ... so many m short of the target
 // Budget of the bicycle for plausible attackers that follow no route: they are the second try.
 constexpr int kAnyMotionBicycleTargets = 20;
 constexpr int kAnyMotionBicycleRounds = 2;
-constexpr double kShrink = 0.6;      // of the perturbations, a round
-constexpr double kRounding = 0.999;  // of a limit, so that a bicycle at the limit is within it
-constexpr double kHome = 0.02;       // m from the pattern: near enough
+constexpr double kShrink = 0.6;      // factor on perturbations per round
+constexpr double kRounding = 0.999;  // of a limit, so that a bicycle at the limit passes
+constexpr double kOnPattern = 0.02;  // m from the pattern: on target
 
 VehicleLimits scaled(VehicleLimits limits, double margin) {
   limits.max_forward_acceleration *= margin;
@@ -44,7 +44,7 @@ VehicleLimits scaled(VehicleLimits limits, double margin) {
   return limits;
 }
 
-/// Of believable attackers the bicycle is tried less: few more of them are found by it.
+/// For plausible attackers the bicycle is tried less, because few of its motions are plausible.
 SearchOptions searchOptionsFor(const SearchInput& input, const AttackOptions& options) {
   SearchOptions search = options.search;
   if (!input.request.crash.believable) return search;
@@ -56,14 +56,14 @@ SearchOptions searchOptionsFor(const SearchInput& input, const AttackOptions& op
 struct Candidate {
   const Contender* contender = nullptr;
   const Aim* aim = nullptr;
-  bool is_quintic = false;  // else the bicycle, by its knots
+  bool is_quintic = false;  // else the bicycle with `knots`
   AimedArrival aimed;
   SteeringKnots knots;
   FutureScore score;
   PatternMiss miss;  // with a share above 0
   double off_road = 0.0;
-  double steering = 0.0;    // fastest, 1/(m s)
-  bool is_as_asked = true;  // how it uses the road, and how it crashes
+  double steering = 0.0;    // greatest rate of curvature, 1/(m s)
+  bool is_as_asked = true;  // plausible road use, and the request's constraints
   double objective = 0.0;
 };
 
@@ -87,18 +87,18 @@ class Search {
 
   std::vector<FoundAttack> run() {
     for (const auto& contender : contenders_) drawFor(*contender);
-    homeIn();
+    correctContacts();
     for (int round = 0; round < search_.rounds && !isGood(); ++round) {
       perturb(quintics_, search_.perturbations, std::pow(kShrink, round));
     }
     if (!isGood()) {
       steerToArrivals();
-      if (!input_.request.crash.believable && bestShare() == 0.0) steerAnyhow();
+      if (!input_.request.crash.believable && bestShare() == 0.0) steerToContact();
       for (int round = 0; round < search_.bicycle_rounds && !isGood(); ++round) {
         perturb(bicycles_, search_.bicycle_perturbations, std::pow(kShrink, round));
       }
     }
-    homeIn();
+    correctContacts();
     std::vector<FoundAttack> found;
     for (const Candidate& candidate : best()) {
       if (candidate.score.share > 0.0) found.push_back(finished(candidate));
@@ -107,7 +107,7 @@ class Search {
   }
 
  private:
-  /// The kept candidates of both kinds, best first.
+  /// Returns the kept candidates of both families, best first.
   std::vector<Candidate> best() const {
     std::vector<Candidate> all = quintics_;
     all.insert(all.end(), bicycles_.begin(), bicycles_.end());
@@ -134,7 +134,8 @@ class Search {
     }
   }
 
-  /// The pattern's own arrival at two speeds, then in turns near it and anywhere.
+  /// Draws the pattern's own arrival at two speeds, then alternates between arrivals near it and
+  /// anywhere.
   AimedArrival drawn(const Contender& contender, const Aim& aim, int draw, bool steady) {
     if (draw >= 2 && draw % 2 == 1) return sampler_.wide(contender, aim, steady);
     AimedArrival aimed = sampler_.own(contender, aim, draw != 1);
@@ -152,7 +153,7 @@ class Search {
     if (candidate.contender->driver) follow(*candidate.contender, points);
   }
 
-  /// Drives as the class of the vehicle allows to where the points lead.
+  /// Drives along the points within the limits of the vehicle's class.
   static void follow(const Contender& contender, std::vector<TrajectoryPoint>& points) {
     std::vector<PlannedStep> plan;
     plan.reserve(points.size());
@@ -167,7 +168,7 @@ class Search {
     return !findBrokenDrive(points_, contender.drive_start, until, contender.limits);
   }
 
-  /// Drives the candidate, scores it, and keeps it if it is among the best of its kind.
+  /// Drives and scores the candidate, and keeps it if it is among the best of its family.
   void consider(Candidate& candidate) {
     const DriveStart& start = candidate.contender->start;
     candidate.score = {};
@@ -188,13 +189,13 @@ class Search {
     candidate.objective -= search_.off_road_weight * candidate.off_road +
                            kEffortWeight * effort(points_, arrival, limits_) +
                            search_.steering_weight * beyond(candidate.steering);
-    if (input_.request.crash.believable) candidate.objective -= beyondBelief(candidate);
+    if (input_.request.crash.believable) candidate.objective -= roadUsePenalty(candidate);
     kept.insert(std::upper_bound(kept.begin(), kept.end(), candidate, better), candidate);
     if (static_cast<int>(kept.size()) > search_.kept) kept.pop_back();
   }
 
-  /// What the use of the road costs; says, too, whether it is a driver's, and the crash as named.
-  double beyondBelief(Candidate& candidate) {
+  /// Returns the penalty for the candidate's road use; sets is_as_asked.
+  double roadUsePenalty(Candidate& candidate) {
     const BelievabilityOptions& believability = options_.verification.believability;
     const Track& track = *candidate.contender->track;
     const LaneIndex& lanes = drivenLanes(input_.request, input_.lanes);
@@ -204,11 +205,11 @@ class Search {
         whyUnbelievable(road, points_, track.size, lanes, believability).empty() &&
         (candidate.score.share == 0.0 || how_asked_.holds(track, points_, candidate.score.met));
     return kOffLaneWeight * (1.0 - road.on_lane) + kWrongWayWeight * road.wrong_way +
-           (candidate.is_as_asked ? 0.0 : kNotAsAsked);
+           (candidate.is_as_asked ? 0.0 : kConstraintPenalty);
   }
 
-  /// Compares the contact with the aim. What that counts: nothing within the pattern's tolerance, 1
-  /// by far, or without a contact.
+  /// Compares the contact with the pattern. Returns 0 within the pattern's tolerance, towards 1 far
+  /// away, 1 without a contact.
   double missCost(Candidate& candidate) const {
     if (candidate.score.share == 0.0) return 1.0;
     candidate.miss = missBetween(candidate.aim->pattern->attacker_offset, candidate.score.contact);
@@ -220,7 +221,7 @@ class Search {
     return candidate.aim->missedBy(candidate.miss, candidate.contender->track->size, input_.exact);
   }
 
-  /// What steering counts: nothing while quick_steering is not exceeded, 1 when it is by far.
+  /// Returns the penalty for steering: 0 up to the configured rate, towards 1 far above it.
   double beyond(double steering) const {
     return 1.0 - kQuickSteering / std::max(kQuickSteering, steering);
   }
@@ -246,7 +247,7 @@ class Search {
     return good(quintics_) || good(bicycles_);
   }
 
-  /// Moves away from the kept candidates, better ones more often.
+  /// Perturbs the kept candidates, better ones more often.
   void perturb(const std::vector<Candidate>& kept, int count, double scale) {
     const std::vector<Candidate> parents = kept;
     if (parents.empty()) return;
@@ -268,15 +269,16 @@ class Search {
     for (double& knot : knots.curvature) knot += random_.bell(0.02 * scale);
   }
 
-  /// Moves the aims of the best candidates by what their contacts miss the patterns by.
-  void homeIn() {
+  /// Shifts the aims of the best candidates by the error of their contacts.
+  void correctContacts() {
     std::vector<Candidate> parents = best();
     parents.resize(std::min(parents.size(), static_cast<std::size_t>(search_.homed)));
     for (Candidate& candidate : parents) {
       for (int i = 0; i < search_.corrections && candidate.score.share > 0.0; ++i) {
         const Pose2& wanted = candidate.aim->touching;
         const Pose2& met = candidate.score.contact;
-        if (cornerMiss(missBetween(wanted, met), candidate.contender->track->size) < kHome) break;
+        if (cornerMiss(missBetween(wanted, met), candidate.contender->track->size) < kOnPattern)
+          break;
         sampler_.shift(candidate.aimed,
                        {wanted.x - met.x, wanted.y - met.y, angleBetween(met.yaw, wanted.yaw)});
         if (candidate.is_quintic || solve(candidate)) consider(candidate);
@@ -291,7 +293,7 @@ class Search {
     return knots.has_value();
   }
 
-  /// Steers the bicycle to arrivals of every attacker in turn.
+  /// Steers the bicycle to arrivals, cycling through the attackers.
   void steerToArrivals() {
     std::vector<const Contender*> reachable;
     for (const auto& contender : contenders_) {
@@ -310,9 +312,9 @@ class Search {
     }
   }
 
-  /// Steers every attacker's bicycle to the future of its best pattern, wherever and however it may
-  /// touch.
-  void steerAnyhow() {
+  /// Steers each attacker's bicycle to the ego in the future of its best pattern, with any contact
+  /// of the type.
+  void steerToContact() {
     const double end = sampler_.latest();
     SteeringAim aim;
     aim.ego_size = input_.snapshot.ego.size;

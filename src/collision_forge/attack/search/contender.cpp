@@ -11,10 +11,10 @@
 namespace forge {
 namespace {
 
-constexpr int kBranches = 8;           // ways ahead of a lane that are examined
-constexpr double kBeyondReach = 10.0;  // m that ways go on beyond what can be driven
+constexpr int kBranches = 8;           // paths ahead of a lane that are examined
+constexpr double kBeyondReach = 10.0;  // m of path beyond the reachable distance
 
-/// The ways along lanes that come near one of the ego's places around the time asked for.
+/// Adds the paths along lanes that come near one of the ego's predicted positions at the contact.
 void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& options) {
   const PredictionOptions& prediction = options.prediction;
   const double tta = input.request.tta;
@@ -40,7 +40,7 @@ void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& 
   };
   const Pose2& pose = entry.track->states.back().pose;
   const LaneIndex& lanes = drivenLanes(input.request, input.lanes);
-  // Who stands beside a lane may pull out into it.
+  // A vehicle that stands beside a lane may pull out into it.
   const double aside = now.speed > 0.0 ? prediction.on_lane_distance
                                        : std::max(prediction.on_lane_distance, kParkingDistance);
   for (const LaneMatch& match : lanes.lanesNear(pose, aside, prediction.on_lane_heading)) {
@@ -78,7 +78,7 @@ std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& in
   return entry;
 }
 
-/// The future in which the ego comes nearest to the pattern's box at the pattern's time.
+/// Returns the future in which the ego is nearest to the pattern's box at the pattern's time.
 std::size_t nearestFuture(const std::vector<const Track*>& egos, const CollisionPattern& pattern) {
   const auto apart = [&](const Track* ego) {
     const Pose2 pose = stateAt(*ego, pattern.time).value_or(ego->states.back()).pose;
@@ -120,7 +120,7 @@ std::vector<std::unique_ptr<Contender>> contendersOf(const SearchInput& input,
       contenders.push_back(contenderOf(*agent, input, options, limits, points));
       entry = std::prev(contenders.end());
     }
-    // Most patterns have the same ego.
+    // Most patterns share one ego pose.
     if (!aim.pattern || !haveOneEgo(*aim.pattern, pattern)) {
       aim.ego = nearestFuture(input.egos, pattern);
     }

@@ -6,7 +6,7 @@
 namespace forge {
 namespace {
 
-constexpr double kStandstill = 0.1;  // m/s; below it the direction of motion is not a heading
+constexpr double kStandstill = 0.1;  // m/s; below, the direction of motion is no heading
 
 /// The axes x and y of the map.
 struct Axes {
@@ -28,14 +28,14 @@ void setPose(double time, const Vector2& position, const Vector2& velocity, doub
   point.pose = {position.x(), position.y(), yaw};
 }
 
-/// The turn over the way between two points, 1/m.
+/// Returns the turn per distance between two points, 1/m.
 double curvatureBetween(double step, const TrajectoryPoint& a, const TrajectoryPoint& b) {
   const double way = (b.pose.position() - a.pose.position()).norm();
   return angleBetween(a.pose.yaw, b.pose.yaw) / std::max(way, kStandstill * step);
 }
 
-/// Acceleration from the neighbours' positions, curvature from the sharper of the turns to them: a
-/// reader of the points alone finds no more.
+/// Derives the acceleration from neighbouring positions and the curvature from the sharper of the
+/// two neighbouring turns, so that a reader of the positions finds the same values.
 void deriveFromNeighbours(double step, std::vector<TrajectoryPoint>& points) {
   const std::size_t last = points.size() - 1;
   for (std::size_t i = 0; i <= last; ++i) {

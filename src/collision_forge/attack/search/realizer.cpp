@@ -18,10 +18,10 @@ void checkPatterns(const std::vector<CollisionPattern>& patterns, const Snapshot
   for (const CollisionPattern& pattern : patterns) {
     if (!findTrack(snapshot.agents, pattern.attacker_id)) {
       throw InputError("the pattern's attacker_id \"" + pattern.attacker_id +
-                       "\" is nobody in the scene");
+                       "\" is not in the scene");
     }
     if (!(pattern.time > snapshot.now)) {
-      throw InputError("the pattern's time is not after now");
+      throw InputError("the pattern's time is not after t0");
     }
     if (!pattern.ego.center.isFinite() || !pattern.attacker_offset.isFinite() ||
         !std::isfinite(pattern.attacker_speed)) {
@@ -31,7 +31,7 @@ void checkPatterns(const std::vector<CollisionPattern>& patterns, const Snapshot
     }
     if (!(pattern.tolerance >= 0.0)) {
       throw InputError("the pattern's tolerance = " + numberText(pattern.tolerance) +
-                       " is not 0 m or more");
+                       " m must be at least 0");
     }
   }
 }

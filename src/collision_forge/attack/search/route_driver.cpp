@@ -16,18 +16,18 @@ constexpr double kSettling = 1.0;         // s in which the driver reaches a cho
 constexpr double kReturnDistance = 80.0;  // m in which the offset from the lane's middle fades to
                                           // 74 %, critically damped
 constexpr double kSpacing = ReferencePath::kBendSpacing;
-constexpr double kSpeedPrecision = 0.01;    // m/s, of the speed that is driven at, and ...
-constexpr std::uintmax_t kMostTrials = 20;  // ... of these to find it
-constexpr double kLookahead = 0.4;          // s that a driver sees a bend before
-constexpr double kWandering = 2.0;          // m/s; slower ones wander less
-constexpr double kStandstill = 0.05;        // m/s; nobody moves across without moving along
+constexpr double kSpeedPrecision = 0.01;    // m/s, of the chosen speed
+constexpr std::uintmax_t kMostTrials = 20;  // to find it
+constexpr double kLookahead = 0.4;          // s of anticipation of bends
+constexpr double kWandering = 2.0;          // m/s; slower vehicles vary less
+constexpr double kStandstill = 0.05;        // m/s; below, no lateral motion
 
 }  // namespace
 
-/// One way to drive along the route.
+/// Parameters of a drive along the route.
 struct RouteDriver::Cruise {
   std::size_t style;
-  double speed;  // that is chosen, m/s
+  double speed;  // m/s, chosen speed
   double arrival;
   double late_from;  // s
   double late_acceleration;
@@ -67,7 +67,8 @@ double RouteDriver::cap(std::size_t style, double along) const {
   return caps[static_cast<std::size_t>(place)];
 }
 
-/// Where the driver is at the arrival, along the path; on the way every step to `alongs`.
+/// Returns m along the path at the arrival; appends the position at every step to `alongs`, if not
+/// null.
 double RouteDriver::drive(const Cruise& cruise, std::vector<double>* alongs) const {
   const DrivingStyle& style = kDrivingStyles[cruise.style];
   const DrivingStyle& wildest = kDrivingStyles.back();
@@ -76,7 +77,7 @@ double RouteDriver::drive(const Cruise& cruise, std::vector<double>* alongs) con
   double along = start_.along;
   double speed = now_.speed;
   double acceleration = now_.acceleration;
-  // The wave, turned on step by step.
+  // The variation's wave, rotated step by step.
   const double turn = variation_.frequency() * cruise.step;
   const Vector2 turned{std::cos(turn), std::sin(turn)};
   Vector2 wave =
@@ -167,16 +168,16 @@ void RouteDriver::plan(const RoutePlan& wanted, const RouteCourse& course, doubl
   const double end = course.end;
   const double before = wanted.arrival - static_cast<double>(alongs.size() - 1) * step;
   const double last_speed = std::max(0.0, (end - alongs.back()) / std::max(1e-6, before));
-  // Across the path: as kept so far, then in a fifth-order polynomial to the arrival.
+  // Across the path: the kept offset, then a quintic to the arrival.
   const double waits = now_.speed > 0.0 ? 0.0 : std::min(wanted.wait, wanted.arrival - step);
-  // A step at least, and not before now, even if the arrival is less than a step away.
+  // At least one step, and not before t0, even if the arrival is less than a step away.
   const double departure = std::min(std::max(wanted.departure, step), wanted.arrival - waits);
   const double from = wanted.arrival - departure;
   const double moving = std::max(step, departure - wanted.lead);
   const auto from_step = std::min(static_cast<std::size_t>(from / step), alongs.size() - 1);
   const double kept = keptOffset(alongs[from_step]);
   const double drift = last_speed * std::tan(wanted.at.lean);
-  // Who leaves at once goes on as it leans now.
+  // A departure at once continues the present heading.
   const double leaning = from < step ? now_.speed * std::sin(start_.lean) : 0.0;
   const Quintic across({kept, leaning, 0.0}, {wanted.at.across - wanted.lead * drift, drift, 0.0},
                        moving);

@@ -15,7 +15,7 @@ double SpeedVariation::way(double time) const {
 }
 
 SpeedVariation variationOf(const std::string& id, std::uint64_t seed) {
-  // FNV-1a: the standard's hashes differ between libraries.
+  // FNV-1a: std::hash differs between libraries.
   std::uint64_t hash = 0xcbf29ce484222325U ^ seed;
   for (const char letter : id) hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3U;
   Random random(hash);

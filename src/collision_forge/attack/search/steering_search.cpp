@@ -26,7 +26,7 @@ constexpr int kWide = SteeringSearch::kWide;
 constexpr float kFar = 1e6F;    // m
 constexpr float kTiny = 1e-6F;  // m2/s2
 
-// Without a branch, as vectors need it.
+// Branch-free, for vectorisation.
 inline float lower(float a, float b) { return a < b ? a : b; }
 inline float higher(float a, float b) { return a > b ? a : b; }
 inline float bounded(float value, float low, float high) { return lower(higher(value, low), high); }
@@ -35,8 +35,8 @@ inline float bounded(float value, float low, float high) { return lower(higher(v
 struct Band {
   float cos_min, sin_min, cos_max, sin_max;
 
-  /// Square of the chord of the angle beyond the band, for a heading's cosine and its sine without
-  /// sign.
+  /// Returns the squared chord of the angle beyond the band, from a heading's cosine and absolute
+  /// sine.
   float beyond(float cosine, float sine) const {
     const float above = 2.0F - 2.0F * (cosine * cos_max + sine * sin_max);
     const float below = 2.0F - 2.0F * (cosine * cos_min + sine * sin_min);
@@ -53,7 +53,7 @@ Band bandOf(const TypeDefinition& type) {
           static_cast<float>(std::sin(type.max_heading))};
 }
 
-/// Half of a box.
+/// Half the dimensions of a box.
 struct Half {
   float length, width;
 };
@@ -62,15 +62,15 @@ Half halfOf(const BoxSize& size) {
   return {static_cast<float>(0.5 * size.length), static_cast<float>(0.5 * size.width)};
 }
 
-/// Some motions at one instant, seen from where they begin.
+/// kWide motions at one instant, relative to their start.
 struct Motions {
   float x[kWide] = {};
   float y[kWide] = {};
   float cosine[kWide];  // of the heading
   float sine[kWide] = {};
   float speed[kWide];
-  float best[kWide];        // shortfall so far, m
-  float wrong[kWide] = {};  // contacts so far that are not as they should be, m
+  float best[kWide];        // smallest shortfall so far, m
+  float wrong[kWide] = {};  // penalty of wrong contacts so far, m
 
   explicit Motions(float speed_now) {
     std::fill_n(cosine, kWide, 1.0F);
@@ -164,7 +164,7 @@ FORGE_WIDE_VECTORS SteeringSearch::Shortfalls SteeringSearch::drive(const Knots*
   Motions motions(speed_);
   const int last = static_cast<int>(ego_.size()) - 1;
   for (int i = 0; i <= last; ++i) {
-    // How far each is from the aim.
+    // Distance of each motion to the aim.
     const EgoBox& ego = ego_[static_cast<std::size_t>(i)];
     const bool in_time = i >= first_in_time_;
     const float no_contact_yet = in_time ? 0.0F : kFar;
@@ -207,7 +207,7 @@ FORGE_WIDE_VECTORS SteeringSearch::Shortfalls SteeringSearch::drive(const Knots*
       const float across = std::sqrt(higher(total - change * change, 0.0F));
       const float tightest = lower(max_curvature, across / (fastest * fastest + kTiny));
       const float distance = 0.5F * (speed + next_speed) * step_;
-      // Half the turn by its tangent (Cayley): the heading stays of unit length.
+      // Half the turn by its tangent (Cayley): keeps the heading of unit length.
       const float half_turn = 0.5F * bounded(curvature[lane], -tightest, tightest) * distance;
       const float scale = 1.0F / (1.0F + half_turn * half_turn);
       const float turn_cosine = (1.0F - half_turn * half_turn) * scale;

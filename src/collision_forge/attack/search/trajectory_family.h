@@ -10,21 +10,21 @@
 
 namespace forge {
 
-/// Where and how the attacker is to arrive.
+/// Target state of a motion.
 struct Arrival {
-  double time = 0.0;                ///< s from now, > 0
-  Pose2 pose;                       ///< box middle, global map frame
+  double time = 0.0;                ///< s after t0, > 0
+  Pose2 pose;                       ///< box centre, global map frame
   double speed = 0.0;               ///< m/s along the heading
-  double start_acceleration = 0.0;  ///< m/s2 along the heading, now
-  double end_acceleration = 0.0;    ///< m/s2 along the heading, at the arrival
+  double start_acceleration = 0.0;  ///< m/s2 along the heading at t0
+  double end_acceleration = 0.0;    ///< m/s2 along the heading at the arrival
 };
 
-/// What all motions of one attacker in one search share.
+/// Start and sampling, common to all motions of one attacker in one search.
 struct DriveStart {
-  Motion motion;      ///< the attacker's, now
-  double now = 0.0;   ///< s, the snapshot's clock
+  Motion motion;      ///< of the attacker at t0
+  double now = 0.0;   ///< s, t0 on the snapshot's clock
   double step = 0.0;  ///< s between points
-  int points = 0;     ///< how many, the first at now
+  int points = 0;     ///< number of points, the first at t0
 };
 
 /// Drives a quintic polynomial on each axis of the map from the start to the arrival, and straight
@@ -34,27 +34,27 @@ struct DriveStart {
 void driveQuintic(const DriveStart& start, const Arrival& arrival,
                   std::vector<TrajectoryPoint>& points);
 
-/// What steers the bicycle: values at instants evenly spread from now to the end of the steering,
+/// Input of the bicycle: values at instants evenly spaced from t0 to the end of the steering,
 /// linear in between. Acceleration along the heading in m/s2, curvature in 1/m.
 struct SteeringKnots {
-  static constexpr int kCount = 5;
+  static constexpr int kCount = 5;  ///< knots per control
   std::array<double, kCount> acceleration{};
   std::array<double, kCount> curvature{};
 };
 
-/// A kinematic bicycle steered by knots of acceleration and curvature, held to the limits at every
-/// step. Can turn from rest, brake and turn hard: what a quintic cannot.
+/// A kinematic bicycle steered by knots of acceleration and curvature, clamped to the limits at
+/// every step. Unlike a quintic it can turn from rest and combine hard braking and turning.
 class BicycleFamily {
  public:
   static constexpr double kMaxMiss = 1.0;  ///< m between arrival and reached position
 
   explicit BicycleFamily(const VehicleLimits& limits) : limits_(limits) {}
 
-  /// Knots that bring the bicycle to the arrival, found by damped least squares (Levenberg 1944,
-  /// Marquardt 1963); empty when it stays further than kMaxMiss away.
+  /// Returns knots that bring the bicycle to the arrival, by damped least squares (Levenberg 1944,
+  /// Marquardt 1963); empty if it stays too far away.
   std::optional<SteeringKnots> solve(const DriveStart& start, const Arrival& arrival) const;
 
-  /// Steers for `duration` seconds, then goes straight on.
+  /// Overwrites `points`: steers for `duration` s, then goes straight.
   void roll(const DriveStart& start, const SteeringKnots& knots, double duration,
             std::vector<TrajectoryPoint>& points) const;
 
