@@ -18,10 +18,6 @@ TEST(SearchOptions, MarginsLeaveRoomInEveryBand) {
   EXPECT_LT(kLimitMargin, 1.0);
 }
 
-TEST(SearchOptions, EverybodyIsPredictedForAsLongAsAnAttackDrivesOn) {
-  EXPECT_GE(shippedOptions().prediction.tail, shippedOptions().search.tail);
-}
-
 TEST(SearchOptions, ConfidencePromisesNoMoreThanTheShareOfFuturesHit) {
   const std::vector<double>& curve = shippedOptions().search.confidence_curve;
   EXPECT_EQ(curve.front(), 0.0);

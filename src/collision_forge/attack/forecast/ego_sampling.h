@@ -12,6 +12,8 @@
 
 namespace forge {
 
+inline constexpr double kKeptOffset = 0.3;  ///< share of an offset from the path that stays
+
 // What samplers of the ego's futures are made of.
 
 /// Evenly spread numbers in (0, 1), shifted at random.
@@ -62,8 +64,7 @@ class DrivenDistance {
 /// is a share of the present one and `offset_difference` (metres) more. The path must outlive it.
 class ReturnToPath {
  public:
-  ReturnToPath(const SampledPath& path, const EgoNow& ego, double offset_difference,
-               const EgoFutureOptions& options);
+  ReturnToPath(const SampledPath& path, const EgoNow& ego, double offset_difference);
 
   /// After so many metres along the path.
   Pose2 poseAfter(double driven) const;

@@ -4,6 +4,10 @@
 
 namespace forge {
 
+inline constexpr int kMotionFrames = 4;          ///< newest frames that a motion is fitted to
+inline constexpr int kMinHistoryFrames = 2;      ///< frames of the ego needed to derive its motion
+inline constexpr double kStandstillSpeed = 0.5;  ///< m/s; a slower agent stands still
+
 /// How an agent moves at the instant of its newest state.
 struct Motion {
   Pose2 pose;                 ///< box centre, global map frame, as recorded
@@ -20,6 +24,6 @@ std::size_t unbrokenStart(const std::vector<AgentState>& states, int frames);
 /// from unbrokenStart() on: least squares, evaluated at the newest. Two states give a velocity
 /// without acceleration, one gives standstill. The past alone is looked at, recorded velocities
 /// (which may look ahead) are not. Throws std::invalid_argument for a track without states.
-Motion estimateMotion(const Track& track, int frames);
+Motion estimateMotion(const Track& track, int frames = kMotionFrames);
 
 }  // namespace forge

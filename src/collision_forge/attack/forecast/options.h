@@ -11,20 +11,11 @@ inline constexpr int kMaxHistoryFrames = 256;  ///< 128 s; in config/ and a file
 /// config/prediction.yaml
 struct PredictionOptions {
   int history_frames = 0;
-  int min_history_frames = 0;
-  int motion_frames = 0;
   double min_tta = 0.0;
   double max_tta = 0.0;
   double candidate_radius = 0.0;
-  double step = 0.0;
-  double tail = 0.0;
+  double tail = 0.0;  ///< s predicted beyond the impact: SearchOptions::tail
   int ego_samples = 0;
-  double on_lane_distance = 0.0;
-  double on_lane_heading = 0.0;
-  double standstill_speed = 0.0;
-  double lane_return_distance = 0.0;
-  double rear_end_closing_speed = 0.0;
-  double min_impact_speed = 0.0;
   double pattern_tolerance = 0.0;
   double network_pattern_tolerance = 0.0;
 };
@@ -55,28 +46,8 @@ struct SpeedModelFitOptions {
   FeatureWeights feature_weights = {0.25, 1.0, 0.75, 0.25, 2.5, 0.35, 1.14, 1.3, 0.25, 4.0};
 };
 
-/// config/ego_futures.yaml, section paths
-struct EgoPathOptions {
-  double reachable_lane_distance = 0.0;
-  double reachable_lane_heading = 0.0;
-  int max_lanes = 0;
-  int max_paths_per_lane = 0;
-  double near_deviation_cost = 0.0;
-  double far_deviation_cost = 0.0;
-  double bend_braking_cost = 0.0;
-  double turn_cost = 0.0;
-  double free_path_cost = 0.0;
-  double comfortable_lateral_acceleration = 0.0;
-  double turn_rate_fading = 0.0;
-};
-
 /// config/ego_futures.yaml
 struct EgoFutureOptions {
-  double step = 0.0;  ///< that of PredictionOptions
-  EgoPathOptions paths;
-  double lane_return_time = 0.0;
-  double lane_return_min_distance = 0.0;
-  double kept_offset = 0.0;
   double offset_spread = 0.0;
   double turn_rate_spread = 0.0;
   double acceleration_fading = 0.0;
@@ -85,7 +56,6 @@ struct EgoFutureOptions {
 
 void readOptions(Section& section, PredictionOptions& options);
 void readOptions(Section& section, SpeedModelFitOptions& options);
-/// `step` is that of PredictionOptions: all futures have states at the same intervals.
-void readOptions(Section& section, EgoFutureOptions& options, double step);
+void readOptions(Section& section, EgoFutureOptions& options);
 
 }  // namespace forge

@@ -34,12 +34,10 @@ struct EgoWays {
   std::vector<EgoPath> paths;
   std::vector<WayAhead> ahead;  ///< one a path, with the vehicle ahead
 };
-EgoWays egoWays(const Snapshot& observed, const LaneIndex& lanes, double horizon,
-                const EgoFutureOptions& options, int max_ways);
+EgoWays egoWays(const Snapshot& observed, const LaneIndex& lanes, double horizon, int max_ways);
 
 /// The anchors for the ego `tta` seconds from now, of the head that the options name.
 AnchorFeatures anchorFeatures(const EgoWays& ways, const LaneIndex& lanes, double tta,
-                              const EgoFutureOptions& futures,
                               const PatternFeatureOptions& options);
 
 }  // namespace forge

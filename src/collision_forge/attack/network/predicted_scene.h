@@ -13,7 +13,7 @@ class PredictedScene {
   /// Ways as long as `horizon` seconds take. Network and lanes must outlive it. Throws as
   /// sceneFeatures().
   PredictedScene(const PatternNetwork& network, const Snapshot& snapshot, const LaneIndex& lanes,
-                 double horizon, const EgoFutureOptions& options);
+                 double horizon);
 
   const EgoWays& ways() const { return ways_; }
   const Snapshot& observed() const { return observed_; }
@@ -31,7 +31,6 @@ class PredictedScene {
  private:
   const PatternNetwork& network_;
   const LaneIndex& lanes_;
-  EgoFutureOptions options_;
   Snapshot observed_;
   EgoWays ways_;
   Eigen::VectorXf scene_;

@@ -29,11 +29,10 @@ struct DriveOnInput {
 
 /// Drives as drivers do who want nothing of anybody: back to the middle of the nearest lane, or
 /// straight on where there is none, at the present speed, or as much slower as it takes to touch
-/// nobody: of the options' shares of speed and the routes' styles the first at which the box, grown
+/// nobody: of some shares of speed and kDrivingStyles the first at which the box, grown
 /// by the clearance or as it is, stays clear of everybody in the likeliest future. Where none does,
 /// the one that touches somebody latest, of equals that which brakes hardest. Within the limits of
 /// the vehicle's class, the first point at `time`.
-std::vector<TrajectoryPoint> driveOn(const DriveOnInput& input, const DriveOnOptions& options,
-                                     const AttackOptions& attack);
+std::vector<TrajectoryPoint> driveOn(const DriveOnInput& input, const AttackOptions& attack);
 
 }  // namespace forge

@@ -1,17 +1,8 @@
 #pragma once
 
-#include <vector>
-
 namespace forge {
 
 class Section;
-
-/// How one drives on who does not attack.
-struct DriveOnOptions {
-  std::vector<double> speed_shares;
-  double back_time = 0.0;
-  double clearance = 0.0;
-};
 
 /// What keeps a test fair.
 struct FairnessOptions {
@@ -25,15 +16,9 @@ struct AdaptiveOptions {
   double period = 0.0;
   double commit_time = 0.0;
   int ego_samples = 0;
-  double min_gain = 0.0;
-  int ways = 0;
-  double min_hope = 0.0;
   double evade_time = 0.0;
   double lost_after = 0.0;
   double max_ego_speed = 0.0;
-  int rounds = 0;
-  int perturbations = 0;
-  DriveOnOptions drive_on;
   FairnessOptions fairness;
 };
 

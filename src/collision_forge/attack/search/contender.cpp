@@ -17,7 +17,6 @@ constexpr double kBeyondReach = 10.0;  // m that ways go on beyond what can be d
 
 /// The ways along lanes that come near one of the ego's places around the time asked for.
 void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& options) {
-  const PredictionOptions& prediction = options.prediction;
   const double tta = input.request.tta;
   const DriveState& now = entry.drive_start;
   SpeedVariation variation = variationOf(entry.track->id, input.request.seed);
@@ -42,9 +41,9 @@ void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& 
   const Pose2& pose = entry.track->states.back().pose;
   const LaneIndex& lanes = drivenLanes(input.request, input.lanes);
   // Who stands beside a lane may pull out into it.
-  const double aside = now.speed > 0.0 ? prediction.on_lane_distance
-                                       : std::max(prediction.on_lane_distance, kParkingDistance);
-  for (const LaneMatch& match : lanes.lanesNear(pose, aside, prediction.on_lane_heading)) {
+  const double aside =
+      now.speed > 0.0 ? kOnLaneDistance : std::max(kOnLaneDistance, kParkingDistance);
+  for (const LaneMatch& match : lanes.lanesNear(pose, aside, kOnLaneHeading)) {
     for (const LanePath& path :
          lanes.pathsAhead(match.lane, match.projection.arc_length, reach + kBeyondReach,
                           static_cast<std::size_t>(kBranches))) {
@@ -61,13 +60,11 @@ std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& in
                                        const AttackOptions& options, const VehicleLimits& limits,
                                        int points) {
   auto entry = std::make_unique<Contender>();
-  const PredictionOptions& prediction = options.prediction;
   entry->track = &agent;
-  entry->start = {estimateMotion(agent, prediction.motion_frames), input.snapshot.now,
-                  options.search.step, points};
+  entry->start = {estimateMotion(agent), input.snapshot.now, options.search.step, points};
   Motion& motion = entry->start.motion;
   motion.speed = std::clamp(motion.speed, 0.0, limits.max_speed);
-  if (motion.speed < prediction.standstill_speed) motion.acceleration = 0.0;
+  if (motion.speed < kStandstillSpeed) motion.acceleration = 0.0;
   const double tta = input.request.tta;
   const double reach =
       tta * std::min(limits.max_speed, motion.speed + 0.5 * limits.max_forward_acceleration * tta);
@@ -83,8 +80,8 @@ std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& in
     return entry;
   }
   entry->paths = pathsAhead(drivenLanes(input.request, input.lanes), agent.states.back().pose,
-                            reach + kBeyondReach, prediction.on_lane_distance,
-                            prediction.on_lane_heading, static_cast<std::size_t>(kLanePaths));
+                            reach + kBeyondReach, kOnLaneDistance, kOnLaneHeading,
+                            static_cast<std::size_t>(kLanePaths));
   entry->quintics.push_back(std::make_unique<QuinticFamily>());
   for (const ReferencePath& path : entry->paths) {
     entry->quintics.push_back(std::make_unique<QuinticFamily>(path));

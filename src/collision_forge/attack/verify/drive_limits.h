@@ -76,9 +76,9 @@ struct DriveState {
 };
 
 /// The state that a recorded motion is in: speed and acceleration along the heading and the
-/// steering angle that its yaw rate needs, each held to the limits. Below `standstill_speed` (m/s)
+/// steering angle that its yaw rate needs, each held to the limits. Below kStandstillSpeed
 /// it stands, with the wheels straight.
-DriveState driveStateOf(const Motion& motion, const DriveLimits& limits, double standstill_speed);
+DriveState driveStateOf(const Motion& motion, const DriveLimits& limits);
 
 void readOptions(Section& section, DriveLimitOptions& options);
 

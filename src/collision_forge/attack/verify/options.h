@@ -38,8 +38,6 @@ struct VerificationOptions {
   VehicleLimits limits;        ///< of attackers by LimitSet::kStrict
   DriveLimitOptions drivable;  ///< of attackers by LimitSet::kDrivable
   BelievabilityOptions believability;
-  int motion_frames = 0;             ///< of PredictionOptions
-  double standstill_speed = 0.0;     ///< of PredictionOptions
   double overlap_tolerance = 0.001;  ///< m; contacts shallower than this may be missed
   double off_road_interval = 0.5;  ///< s between the poses of which the off-road share is the mean
 };

@@ -71,8 +71,7 @@ SpeedSituations collect(const LogSource& logs, const StudyConfig& config) {
   ProgressLine progress("scenes");
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto indexed = scenes.at(names[i]);
-    for (SpeedProfileRow& row :
-         collectSpeedProfiles(indexed->scene, *indexed->lanes, config.attack.ego_futures.paths)) {
+    for (SpeedProfileRow& row : collectSpeedProfiles(indexed->scene, *indexed->lanes)) {
       roundValues(row);
       rows.push_back(std::move(row));
     }
