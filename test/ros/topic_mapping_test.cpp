@@ -39,6 +39,10 @@ std::string complaintOf(const std::string& from, const std::string& to) {
   return "";
 }
 
+/// Fields of a pose in the plane.
+constexpr char kPlane[] =
+    "  position: {x: east, y: north, z: -1.5}\n  orientation: {yaw: heading}\n";
+
 std::string pathOf(const NumberSource& source) { return std::get<std::string>(source); }
 
 TEST(ReadTopicMapping, DerivedObjectsHaveTheirPlaces) {
@@ -89,19 +93,22 @@ TEST(ReadTopicMapping, TransformsHaveTheirPlacesByTheirType) {
 }
 
 TEST(ReadTopicMapping, WhatMayBeLeftOutOrOtherwise) {
-  EXPECT_FALSE(
-      spoilt("  velocity: {frame: map, x: twist.linear.x, y: twist.linear.y, z: twist.linear.z}\n",
-             "")
-          .agents.velocity);
+  EXPECT_FALSE(spoilt("  velocity: {frame: map, vector: twist.linear}\n", "").agents.velocity);
   EXPECT_EQ(spoilt("  frame_id: map\n", "").ego.fields.frame_id, "");
   EXPECT_EQ(spoilt("  frame_id: map\n", "  stamp: time\n").ego.fields.stamp, "time");
-  EXPECT_EQ(std::get<double>(spoilt("z: pose.position.z", "z: -1.5").agents.pose.position[2]),
-            -1.5);
-  EXPECT_EQ(pathOf(std::get<NumberSource>(spoilt("{x: pose.orientation.x, y: pose.orientation.y, "
-                                                 "z: pose.orientation.z, w: pose.orientation.w}",
-                                                 "{yaw: heading}")
-                                              .agents.pose.orientation)),
-            "objects[].heading");
+}
+
+TEST(ReadTopicMapping, EachNumberOfAPoseOrVelocityMayHaveAFieldOfItsOwn) {
+  const TopicMapping plane = spoilt("  pose: pose\n", kPlane);
+  EXPECT_EQ(pathOf(plane.agents.pose.position[0]), "objects[].east");
+  EXPECT_EQ(std::get<double>(plane.agents.pose.position[2]), -1.5);
+  EXPECT_EQ(pathOf(std::get<NumberSource>(plane.agents.pose.orientation)), "objects[].heading");
+  const TopicMapping turned =
+      spoilt("  pose: pose\n",
+             "  position: {x: x, y: y, z: 0}\n  orientation: {x: a, y: b, z: c, w: d}\n");
+  EXPECT_EQ(pathOf(std::get<0>(turned.agents.pose.orientation)[3]), "objects[].d");
+  const TopicMapping moving = spoilt("vector: twist.linear", "x: vx, y: vy, z: 0");
+  EXPECT_EQ(pathOf(moving.agents.velocity->velocity[1]), "objects[].vy");
 }
 
 TEST(ReadTopicMapping, EveryKeyIsChecked) {
@@ -119,8 +126,14 @@ TEST(ReadTopicMapping, EveryKeyIsChecked) {
   EXPECT_THAT(complaintOf("default: static_object", "default: none"),
               HasSubstr("agents.class.default"));
   EXPECT_THAT(complaintOf("{length:", "{depth: 1, length:"), HasSubstr("agents.size.depth"));
-  EXPECT_THAT(complaintOf("z: pose.position.z", "z: inf"),
+  std::string infinite = kPlane;
+  replaceIn(infinite, "-1.5", "inf");
+  EXPECT_THAT(complaintOf("  pose: pose\n", infinite),
               AllOf(HasSubstr("agents.position.z"), HasSubstr("finite")));
+  EXPECT_THAT(complaintOf("vector: twist.linear", "vector: twist.linear, x: vx"),
+              HasSubstr("agents.velocity.x"));
+  EXPECT_THAT(complaintOf("  pose: pose\n", std::string("  pose: pose\n") + kPlane),
+              HasSubstr("agents.orientation"));
   EXPECT_THAT(complaintOf("objects: objects", "objects: objects[]"), HasSubstr("agents.objects"));
   EXPECT_THAT(complaintOf("ego:", "{ego:"), HasSubstr("mapping.yaml"));
 }

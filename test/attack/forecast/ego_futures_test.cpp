@@ -109,7 +109,7 @@ TEST(EgoFutures, AnOffsetFromTheLaneDecaysToAShare) {
   for (const Track& track : sampleOn(twoLaneRoad(), {-100, -1.0, 0}, 10.0, evenDrivers())) {
     mean += track.states.back().pose.y / kCount;
   }
-  EXPECT_NEAR(mean, kOptions.kept_offset * -1.0, 0.2);
+  EXPECT_NEAR(mean, kKeptOffset * -1.0, 0.2);
 }
 
 TEST(EgoFutures, SpreadTheirSpeedsAsRecorded) {

@@ -10,7 +10,6 @@
 namespace forge {
 namespace {
 
-const EgoPathOptions kOptions = shippedEgoFutureOptions().paths;
 constexpr double kHorizon = 8.0;  // s
 
 /// Eastbound to x = 0, then straight on or left along a quarter circle of 12 m radius.
@@ -86,7 +85,7 @@ TEST(EgoNow, ReversingIsNegativeAndASingleStateStands) {
 
 TEST(EgoPaths, IncludeEveryBranchAndThePathWithoutLanes) {
   const LaneIndex lanes(junction());
-  const auto paths = egoPaths(egoAt({-20, 0, 0}, 6.0), lanes, kHorizon, kOptions);
+  const auto paths = egoPaths(egoAt({-20, 0, 0}, 6.0), lanes, kHorizon);
   ASSERT_EQ(paths.size(), 3u);
   EXPECT_NEAR(sumOf(paths), 1.0, 1e-12);
   EXPECT_TRUE(paths[0].on_lanes);
@@ -105,7 +104,7 @@ TEST(EgoPaths, ATurningEgoTakesTheTurn) {
                                    : Pose2{12 * angle, 0.0, 0.0};
     ego.states.push_back({kNow + 0.5 * i, pose, Vector2::Zero()});
   }
-  const auto paths = egoPaths(egoNow(ego), LaneIndex(junction()), kHorizon, kOptions);
+  const auto paths = egoPaths(egoNow(ego), LaneIndex(junction()), kHorizon);
   const EgoPath* best = &paths.front();
   for (const EgoPath& path : paths) best = path.weight > best->weight ? &path : best;
   EXPECT_TRUE(best->on_lanes);
@@ -117,11 +116,11 @@ TEST(EgoPaths, EqualPathsAreMerged) {
   auto map = junction();
   map->lanes.push_back(straightLane("twin", {-200.0, 0.1}, {200.0, 0.1}));
   const LaneIndex lanes(map);
-  EXPECT_EQ(egoPaths(egoAt({-20, 0, 0}, 6.0), lanes, kHorizon, kOptions).size(), 3u);
+  EXPECT_EQ(egoPaths(egoAt({-20, 0, 0}, 6.0), lanes, kHorizon).size(), 3u);
 }
 
 TEST(EgoPaths, TheFollowedPathIsTheNearestToTheTrack) {
-  const auto paths = egoPaths(egoAt({-20, 0, 0}, 6.0), LaneIndex(junction()), kHorizon, kOptions);
+  const auto paths = egoPaths(egoAt({-20, 0, 0}, 6.0), LaneIndex(junction()), kHorizon);
   EXPECT_EQ(&followedPath(paths, {{-10, 0}, {9, 4}, {12, 20}}), &paths[1]);
   EXPECT_EQ(&followedPath(paths, {{-10, 0}, {9, 0}}), &paths[0]);
 }
@@ -130,7 +129,7 @@ class VehicleAhead : public testing::Test {
  protected:
   WayAhead with(Track agent) {
     const EgoNow ego = egoAt({-50, 0, 0}, 10.0);
-    const auto paths = egoPaths(ego, LaneIndex(junction()), kHorizon, kOptions);
+    const auto paths = egoPaths(ego, LaneIndex(junction()), kHorizon);
     return wayAhead(
         paths.front(), ego,
         snapshotOf(pastTrack(kEgoId, kEgoSize, {-50, 0, 0}, 10.0), {std::move(agent)}, junction()));

@@ -9,12 +9,10 @@
 namespace forge {
 namespace {
 
-const PredictionOptions kOptions = shippedOptions().prediction;
-
 /// The only agent's prediction over six seconds.
 Track predicted(const Track& past, const std::shared_ptr<LaneMap>& map) {
   const Track ego = pastTrack(kEgoId, kEgoSize, {-100.0, 0.0, 0.0}, 0.0);
-  const Future future = predictFuture(snapshotOf(ego, {past}, map), LaneIndex(map), 6.0, kOptions);
+  const Future future = predictFuture(snapshotOf(ego, {past}, map), LaneIndex(map), 6.0);
   return future.agents.at(0);
 }
 
@@ -84,8 +82,7 @@ TEST(PredictFuture, PredictsOnlyAgentsPresentAtNow) {
   const Track here = pastTrack("here", kCarSize, {40.0, 0.0, 0.0}, 5.0);
   const auto map = twoLaneRoad();
   const Track ego = pastTrack(kEgoId, kEgoSize, {}, 10.0);
-  const Future future =
-      predictFuture(snapshotOf(ego, {gone, here}, map), LaneIndex(map), 4.0, kOptions);
+  const Future future = predictFuture(snapshotOf(ego, {gone, here}, map), LaneIndex(map), 4.0);
   ASSERT_EQ(future.agents.size(), 1u);
   EXPECT_EQ(future.agents[0].id, "here");
   EXPECT_EQ(future.ego.id, kEgoId);

@@ -18,11 +18,9 @@ Scene followingScene() {
   return scene;
 }
 
-const EgoPathOptions kOptions = shippedEgoFutureOptions().paths;
-
 TEST(CollectSpeedProfiles, ReturnsARowPerFrameExceptTheFirst) {
   const Scene scene = followingScene();
-  const auto rows = collectSpeedProfiles(scene, LaneIndex(scene.map), kOptions);
+  const auto rows = collectSpeedProfiles(scene, LaneIndex(scene.map));
   ASSERT_EQ(rows.size(), 20u);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     EXPECT_EQ(rows[i].scene, "following");
@@ -38,7 +36,7 @@ TEST(CollectSpeedProfiles, ReturnsARowPerFrameExceptTheFirst) {
 TEST(CollectSpeedProfiles, SkipsAFrameNumberWhereFramesAreMissing) {
   Scene scene = followingScene();
   scene.frame_times.erase(scene.frame_times.begin() + 5, scene.frame_times.begin() + 8);
-  const auto rows = collectSpeedProfiles(scene, LaneIndex(scene.map), kOptions);
+  const auto rows = collectSpeedProfiles(scene, LaneIndex(scene.map));
   ASSERT_EQ(rows.size(), 17u);
   EXPECT_EQ(rows[3].frame, 4);
   EXPECT_EQ(rows[4].frame, 6);
@@ -51,12 +49,12 @@ TEST(CollectSpeedProfiles, DescribesThePathThatTheEgoFollowed) {
   map->lanes = {straightLane("in", {-200, 0}, {-40, 0}, {"on", "left"}),
                 straightLane("on", {-40, 0}, {200, 0}), straightLane("left", {-40, 0}, {60, 60})};
   scene.map = map;
-  const auto straight = collectSpeedProfiles(scene, LaneIndex(map), kOptions);
+  const auto straight = collectSpeedProfiles(scene, LaneIndex(map));
   EXPECT_NEAR(straight[2].ahead.bend_turn, 0.0, 1e-6);
   for (AgentState& state : scene.ego.states) {
     if (state.pose.x > -40) state.pose = {state.pose.x, 0.6 * (state.pose.x + 40), 0.54};
   }
-  const auto turned = collectSpeedProfiles(scene, LaneIndex(map), kOptions);
+  const auto turned = collectSpeedProfiles(scene, LaneIndex(map));
   EXPECT_NEAR(turned[2].ahead.bend_turn, 0.54, 0.01);
 }
 

@@ -15,9 +15,8 @@ AnchorFeatures anchorsOf(const Snapshot& snapshot, EgoHead head = EgoHead::kRegi
   PatternFeatureOptions options = smallFeatures();
   options.head = head;
   const LaneIndex lanes = lanesOf(snapshot);
-  const EgoWays ways = egoWays(observedSnapshot(snapshot, {}), lanes, 9.0,
-                               shippedEgoFutureOptions(), options.max_ways);
-  return anchorFeatures(ways, lanes, kTta, shippedEgoFutureOptions(), options);
+  const EgoWays ways = egoWays(observedSnapshot(snapshot, {}), lanes, 9.0, options.max_ways);
+  return anchorFeatures(ways, lanes, kTta, options);
 }
 
 TEST(AnchorFeatures, LieAlongThePathsAroundConstantSpeed) {
@@ -74,9 +73,8 @@ TEST(AnchorFeatures, HeadsWithoutLanesGoStraightOn) {
 TEST(AnchorFeatures, RejectATimeThatIsNotAfterNow) {
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
-  const EgoWays ways = egoWays(snapshot, lanes, 9.0, shippedEgoFutureOptions(), 4);
-  EXPECT_THROW(anchorFeatures(ways, lanes, 0.0, shippedEgoFutureOptions(), smallFeatures()),
-               std::invalid_argument);
+  const EgoWays ways = egoWays(snapshot, lanes, 9.0, 4);
+  EXPECT_THROW(anchorFeatures(ways, lanes, 0.0, smallFeatures()), std::invalid_argument);
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST(NetworkEgoFutures, DistancesFollowTheNetworksDistribution) {
   snapshot.map = emptyMap();  // one way alone
   const auto network = networkOf(modestWeights());
   const LaneIndex lanes = lanesOf(snapshot);
-  const PredictedScene scene(*network, snapshot, lanes, kHorizon, shippedEgoFutureOptions());
+  const PredictedScene scene(*network, snapshot, lanes, kHorizon);
   expectSpread(sampled(network, snapshot), scene.egoAfter(4.0, std::nullopt));
 }
 
@@ -86,7 +86,7 @@ TEST(NetworkEgoFutures, DistancesUseTheKnownType) {
   weights.layers["request"].matrix *= 200.0F;  // the type weighs
   const auto network = networkOf(weights);
   const LaneIndex lanes = lanesOf(snapshot);
-  const PredictedScene scene(*network, snapshot, lanes, kHorizon, shippedEgoFutureOptions());
+  const PredictedScene scene(*network, snapshot, lanes, kHorizon);
   const auto with_type = scene.egoAfter(4.0, CollisionType::kRearEnd);
   ASSERT_GT(std::abs(medianPose(with_type).x - medianPose(scene.egoAfter(4.0, std::nullopt)).x),
             1.0);
@@ -115,7 +115,7 @@ TEST(NetworkEgoFutures, FollowAPathOfTemporarilyZeroProbability) {
   const LaneIndex lanes = lanesOf(snapshot);
   const auto network = loadPatternNetwork(COLLISION_FORGE_SOURCE_DIR
                                           "/test/fuzz/cases/weights/way_without_chance.bin");
-  const PredictedScene scene(*network, snapshot, lanes, kHorizon, shippedEgoFutureOptions());
+  const PredictedScene scene(*network, snapshot, lanes, kHorizon);
   ASSERT_GT(chanceOf(scene, 1, 4.0), 0.99);
   ASSERT_EQ(chanceOf(scene, 1, 5.0), 0.0);
   const auto tracks = sampled(network, snapshot);

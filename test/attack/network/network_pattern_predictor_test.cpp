@@ -42,7 +42,7 @@ TEST(NetworkPatternPredictor, UsesTheTypeForTheEgoInKnownScenesOnly) {
   const auto chosen = networkOf(0);
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
-  const PredictedScene scene(*chosen, snapshot, lanes, 4.0, shippedEgoFutureOptions());
+  const PredictedScene scene(*chosen, snapshot, lanes, 4.0);
   const Pose2 with_type = medianPose(scene.egoAfter(4.0, CollisionType::kJunctionCrossing));
   const Pose2 without_type = medianPose(scene.egoAfter(4.0, std::nullopt));
   ASSERT_GT((with_type.position() - without_type.position()).norm(), 1e-3);
@@ -89,7 +89,7 @@ TEST(NetworkPatternPredictor, RanksByTheNetwork) {
   const auto chosen = networkOf(0);
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
-  const PredictedScene scene(*chosen, snapshot, lanes, 4.0, shippedEgoFutureOptions());
+  const PredictedScene scene(*chosen, snapshot, lanes, 4.0);
   const Pose2 ego = medianPose(scene.egoAfter(4.0, std::nullopt));
   std::vector<const Track*> vehicles;
   for (const Track& agent : snapshot.agents) vehicles.push_back(&agent);

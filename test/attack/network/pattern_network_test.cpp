@@ -58,7 +58,7 @@ TEST(PatternNetwork, ProbabilitiesSumToOneAndSpreadsArePositive) {
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
   const PatternNetwork network(randomWeights());
-  const PredictedScene scene(network, snapshot, lanes, 9.0, shippedEgoFutureOptions());
+  const PredictedScene scene(network, snapshot, lanes, 9.0);
   double sum = 0.0;
   for (const EgoComponent& component : scene.egoAfter(kTta, std::nullopt)) {
     sum += component.probability;
@@ -112,10 +112,10 @@ TEST(PatternNetwork, OutputsOutOfRangeAreErrors) {
     return PatternNetwork(weights);
   };
   const PatternNetwork of_ego = networkWithLarge("anchor_last");
-  const PredictedScene ego(of_ego, snapshot, lanes, 9.0, shippedEgoFutureOptions());
+  const PredictedScene ego(of_ego, snapshot, lanes, 9.0);
   EXPECT_THROW(ego.egoAfter(kTta, std::nullopt), std::runtime_error);
   const PatternNetwork of_others = networkWithLarge("candidate_last");
-  const PredictedScene others(of_others, snapshot, lanes, 9.0, shippedEgoFutureOptions());
+  const PredictedScene others(of_others, snapshot, lanes, 9.0);
   EXPECT_THROW(others.judge({&snapshot.agents[0]}, {10.0, 0.0, 0.0}, kTta, CollisionType::kLtap),
                std::runtime_error);
 }

@@ -39,8 +39,7 @@ TEST(Baselines, ReportsUseTheStrictLimitsWhateverTheRequestSays) {
   const CollisionReport same = NominalMethod(shippedOptions()).answer(moment, strict).report;
   EXPECT_EQ(answer.report.limits_kept, same.limits_kept);
   EXPECT_EQ(answer.report.broken_limit, same.broken_limit);
-  const Future expected =
-      predictFuture(moment.snapshot, *moment.lanes, 6.0, shippedOptions().prediction);
+  const Future expected = predictFuture(moment.snapshot, *moment.lanes, 6.0);
   const CollisionReport by_class =
       verifyDrive(answer.trajectory, {moment.snapshot, expected, drivable, *moment.lanes},
                   shippedOptions().verification);

@@ -18,10 +18,6 @@ TEST(SearchOptions, MarginsAreSmallerThanEveryBand) {
   EXPECT_LT(kLimitMargin, 1.0);
 }
 
-TEST(SearchOptions, PredictionsLastAsLongAsAttacks) {
-  EXPECT_GE(shippedOptions().prediction.tail, shippedOptions().search.tail);
-}
-
 TEST(SearchOptions, ConfidenceIsAtMostTheShareOfFuturesHit) {
   const std::vector<double>& curve = shippedOptions().search.confidence_curve;
   EXPECT_EQ(curve.front(), 0.0);

@@ -47,7 +47,7 @@ std::shared_ptr<TrafficGenerator> StriveAttacks::model_;
 
 TEST_F(StriveAttacks, FindsACrashThatTheModelAloneDoesNotPredict) {
   Moment moment = farBehind();
-  moment.recorded = predictFuture(moment.snapshot, *moment.lanes, 8.0, shippedOptions().prediction);
+  moment.recorded = predictFuture(moment.snapshot, *moment.lanes, 8.0);
   EXPECT_FALSE(answer("c_strive", moment).report.contact);
   const Realization found = answer("strive_optimised", moment);
   ASSERT_EQ(found.status.code, StatusCode::kOk);

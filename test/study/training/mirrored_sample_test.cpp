@@ -44,9 +44,8 @@ PatternFeatureOptions optionsOf(EgoHead head) {
 AnchorFeatures anchorsOf(const Snapshot& snapshot, EgoHead head) {
   const PatternFeatureOptions options = optionsOf(head);
   const LaneIndex lanes = lanesOf(snapshot);
-  const EgoWays ways = egoWays(observedSnapshot(snapshot, {}), lanes, 9.0,
-                               shippedEgoFutureOptions(), options.max_ways);
-  return anchorFeatures(ways, lanes, kTta, shippedEgoFutureOptions(), options);
+  const EgoWays ways = egoWays(observedSnapshot(snapshot, {}), lanes, 9.0, options.max_ways);
+  return anchorFeatures(ways, lanes, kTta, options);
 }
 
 void expectNear(const RowMatrix& a, const RowMatrix& b) {

@@ -37,21 +37,20 @@ PatternTrainer trainerOf(const TrainingOptions& options, std::uint64_t seed = 0,
 /// Samples with different ego speeds; the second vehicle is the attacker.
 std::vector<TrainingSample> samplesOf(const PatternFeatureOptions& options, int count) {
   std::vector<TrainingSample> samples;
-  const EgoFutureOptions futures = shippedEgoFutureOptions();
   for (int i = 0; i < count; ++i) {
     Snapshot snapshot = junctionSnapshot();
     const double speed = 4.0 + i;
     snapshot.ego = pastTrack(kEgoId, kEgoSize, {-40.0, -1.75, 0.0}, speed);
     const Snapshot observed = observedSnapshot(snapshot, {});
     const LaneIndex lanes = lanesOf(snapshot);
-    const EgoWays ways = egoWays(observed, lanes, 9.0, futures, options.max_ways);
+    const EgoWays ways = egoWays(observed, lanes, 9.0, options.max_ways);
     TrainingSample sample;
     sample.scene = "scene-" + std::to_string(i);
     sample.features = sceneFeatures(observed, lanes, options);
     sample.ego_speed = speed;
     for (const double tta : {1.0, 3.0}) {
       sample.times.push_back({tta,
-                              anchorFeatures(ways, lanes, tta, futures, options),
+                              anchorFeatures(ways, lanes, tta, options),
                               {0.9 * speed * tta, 0.1 * tta, 0.02 * i}});
     }
     if (i % 2 == 0) {

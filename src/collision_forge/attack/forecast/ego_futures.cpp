@@ -21,7 +21,7 @@ std::vector<Track> KinematicEgoFutures::sample(const Snapshot& snapshot, const L
   if (count == 0) return tracks;
   tracks.reserve(static_cast<std::size_t>(count));
   std::mt19937_64 engine(seed);
-  const std::vector<EgoPath> paths = egoPaths(ego, lanes, horizon, options_.paths);
+  const std::vector<EgoPath> paths = egoPaths(ego, lanes, horizon);
   std::vector<double> weights;
   for (const EgoPath& path : paths) weights.push_back(path.weight);
   const std::vector<int> shares = shareOut(weights, count, engine);
@@ -35,12 +35,12 @@ std::vector<Track> KinematicEgoFutures::sample(const Snapshot& snapshot, const L
     for (std::size_t j = 0; j < profiles.size(); ++j) {
       const DrivenDistance distance(ego.past_speeds[0], forecast.speeds.row(profiles[j]));
       if (paths[i].on_lanes) {
-        const ReturnToPath way(paths[i].line, ego, offsets[j], options_);
-        tracks.push_back(drive(snapshot.ego, ego, distance, way, horizon, options_.step));
+        const ReturnToPath way(paths[i].line, ego, offsets[j]);
+        tracks.push_back(drive(snapshot.ego, ego, distance, way, horizon, kPredictionStep));
       } else {
-        const SampledPath line = freePath(ego, turns[j], horizon, options_.paths);
+        const SampledPath line = freePath(ego, turns[j], horizon);
         const ReturnToPath way(line, ego, 0.0, options_);
-        tracks.push_back(drive(snapshot.ego, ego, distance, way, horizon, options_.step));
+        tracks.push_back(drive(snapshot.ego, ego, distance, way, horizon, kPredictionStep));
       }
     }
   }

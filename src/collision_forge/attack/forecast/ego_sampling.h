@@ -12,6 +12,8 @@
 
 namespace forge {
 
+inline constexpr double kKeptOffset = 0.3;  ///< share of an offset from the path that stays
+
 // What samplers of the ego's futures are made of.
 
 /// Stratified random numbers in (0, 1): equally spaced, with one random shift.
@@ -67,8 +69,7 @@ class DrivenDistance {
 /// (m). `path` must outlive this object.
 class ReturnToPath {
  public:
-  ReturnToPath(const SampledPath& path, const EgoNow& ego, double offset_difference,
-               const EgoFutureOptions& options);
+  ReturnToPath(const SampledPath& path, const EgoNow& ego, double offset_difference);
 
   /// Returns the pose after `driven` m along the path.
   Pose2 poseAfter(double driven) const;

@@ -8,6 +8,9 @@
 namespace forge {
 namespace {
 
+// m over which the lateral offset of a vehicle that follows a lane fades by 1/e.
+constexpr double kLaneReturnDistance = 15.0;
+
 Track trackFrom(const Track& past, double now, double horizon, double step,
                 const std::function<Pose2(double)>& pose_after) {
   Track future{past.id, past.agent_class, past.size, {}};
@@ -21,37 +24,36 @@ Track trackFrom(const Track& past, double now, double horizon, double step,
 }
 
 Track followLane(const Track& past, double now, double horizon, const Motion& motion,
-                 const Polyline& path, const PredictionOptions& options) {
+                 const Polyline& path) {
   const PolylineProjection start = path.project(motion.pose.position());
   const Pose2 offset = relativeTo(start.pose, motion.pose);
-  return trackFrom(past, now, horizon, options.step, [=, &path](double t) {
+  return trackFrom(past, now, horizon, kPredictionStep, [=, &path](double t) {
     const double driven = motion.speed * t;
-    const double fade = std::exp(-driven / options.lane_return_distance);
+    const double fade = std::exp(-driven / kLaneReturnDistance);
     return compose(path.poseAt(start.arc_length + driven),
                    {offset.x * fade, offset.y * fade, offset.yaw * fade});
   });
 }
 
 Track predictTrack(const Track& past, const Snapshot& snapshot, const LaneIndex& lanes,
-                   double horizon, const PredictionOptions& options) {
-  const Motion motion = estimateMotion(past, options.motion_frames);
+                   double horizon) {
+  const Motion motion = estimateMotion(past);
   const double now = snapshot.now;
   const Vector2 velocity = past.states.back().velocity;
   const double speed = isVehicle(past.agent_class) ? std::abs(motion.speed) : velocity.norm();
-  if (speed < options.standstill_speed) {
-    return trackFrom(past, now, horizon, options.step, [&](double) { return motion.pose; });
+  if (speed < kStandstillSpeed) {
+    return trackFrom(past, now, horizon, kPredictionStep, [&](double) { return motion.pose; });
   }
   if (isVehicle(past.agent_class) && motion.speed > 0.0) {
-    const auto matches =
-        lanes.lanesNear(motion.pose, options.on_lane_distance, options.on_lane_heading);
+    const auto matches = lanes.lanesNear(motion.pose, kOnLaneDistance, kOnLaneHeading);
     if (!matches.empty()) {
-      const double reach = motion.speed * horizon + options.lane_return_distance;
+      const double reach = motion.speed * horizon + kLaneReturnDistance;
       const Polyline path =
           lanes.pathAhead(matches.front().lane, matches.front().projection.arc_length, reach);
-      return followLane(past, now, horizon, motion, path, options);
+      return followLane(past, now, horizon, motion, path);
     }
   }
-  return trackFrom(past, now, horizon, options.step, [&](double t) {
+  return trackFrom(past, now, horizon, kPredictionStep, [&](double t) {
     return Pose2{motion.pose.x + velocity.x() * t, motion.pose.y + velocity.y() * t,
                  motion.pose.yaw};
   });
@@ -59,13 +61,12 @@ Track predictTrack(const Track& past, const Snapshot& snapshot, const LaneIndex&
 
 }  // namespace
 
-Future predictFuture(const Snapshot& snapshot, const LaneIndex& lanes, double horizon,
-                     const PredictionOptions& options) {
+Future predictFuture(const Snapshot& snapshot, const LaneIndex& lanes, double horizon) {
   Future future;
-  future.ego = predictTrack(snapshot.ego, snapshot, lanes, horizon, options);
+  future.ego = predictTrack(snapshot.ego, snapshot, lanes, horizon);
   for (const Track& agent : snapshot.agents) {
     if (!newestAt(agent, snapshot.now)) continue;
-    future.agents.push_back(predictTrack(agent, snapshot, lanes, horizon, options));
+    future.agents.push_back(predictTrack(agent, snapshot, lanes, horizon));
   }
   return future;
 }

@@ -1,17 +1,21 @@
 #pragma once
 
-#include "collision_forge/attack/forecast/options.h"
 #include "collision_forge/base/map/lane_queries.h"
 #include "collision_forge/base/scene/scene.h"
 
 namespace forge {
 
+inline constexpr double kPredictionStep = 0.1;  ///< s between predicted states, of the ego too
+// A vehicle that is farther from every lane, or deviates more from its direction, does not follow
+// it:
+inline constexpr double kOnLaneDistance = 2.0;    ///< m to the centreline
+inline constexpr double kOnLaneHeading = 0.7854;  ///< rad (45 degrees)
+
 /// Predicts ego and other agents from t0 to t0 + `horizon` (s) from the snapshot alone. A vehicle
 /// on a lane follows it at constant speed, at branches the straightest successor, while its lateral
-/// offset decays; all others keep their velocity; agents below options.standstill_speed stand
+/// offset decays; all others keep their velocity; agents below kStandstillSpeed stand
 /// still. Agents without a state at t0 are omitted. The first state of every track is the one at
 /// t0.
-Future predictFuture(const Snapshot& snapshot, const LaneIndex& lanes, double horizon,
-                     const PredictionOptions& options);
+Future predictFuture(const Snapshot& snapshot, const LaneIndex& lanes, double horizon);
 
 }  // namespace forge

@@ -4,6 +4,10 @@
 
 namespace forge {
 
+inline constexpr int kMotionFrames = 4;          ///< newest frames that a motion is fitted to
+inline constexpr int kMinHistoryFrames = 2;      ///< frames of the ego needed to derive its motion
+inline constexpr double kStandstillSpeed = 0.5;  ///< m/s; a slower agent stands still
+
 /// Motion of an agent at its newest state.
 struct Motion {
   Pose2 pose;                 ///< box centre, global map frame, as recorded
@@ -20,6 +24,6 @@ std::size_t unbrokenStart(const std::vector<AgentState>& states, int frames);
 /// unbrokenStart(): a parabola in time for positions, a line for yaws. Two states give no
 /// acceleration, one gives standstill. Ignores recorded velocities, which may use later states.
 /// Throws std::invalid_argument if `track` has no states.
-Motion estimateMotion(const Track& track, int frames);
+Motion estimateMotion(const Track& track, int frames = kMotionFrames);
 
 }  // namespace forge

@@ -11,20 +11,11 @@ inline constexpr int kMaxHistoryFrames = 256;  ///< 128 s; in config/ and in net
 /// config/prediction.yaml
 struct PredictionOptions {
   int history_frames = 0;                  ///< frames at 2 Hz, the one at t0 included
-  int min_history_frames = 0;              ///< frames of the ego
-  int motion_frames = 0;                   ///< frames for estimateMotion()
   double min_tta = 0.0;                    ///< s
   double max_tta = 0.0;                    ///< s
   double candidate_radius = 0.0;           ///< m around the ego at t0
-  double step = 0.0;                       ///< s between predicted states
-  double tail = 0.0;                       ///< s predicted after the impact
+  double tail = 0.0;                       ///< s predicted after the impact: SearchOptions::tail
   int ego_samples = 0;                     ///< futures; half for search, half for confidence
-  double on_lane_distance = 0.0;           ///< m from an agent to its lane
-  double on_lane_heading = 0.0;            ///< rad between an agent and its lane
-  double standstill_speed = 0.0;           ///< m/s; slower agents stand
-  double lane_return_distance = 0.0;       ///< m in which a lateral offset decays by 1/e
-  double rear_end_closing_speed = 0.0;     ///< m/s above the ego's speed
-  double min_impact_speed = 0.0;           ///< m/s of any other attacker
   double pattern_tolerance = 0.0;          ///< m of corner distance from a pattern
   double network_pattern_tolerance = 0.0;  ///< m, the same for a network's pattern
 };
@@ -55,37 +46,16 @@ struct SpeedModelFitOptions {
   FeatureWeights feature_weights = {0.25, 1.0, 0.75, 0.25, 2.5, 0.35, 1.14, 1.3, 0.25, 4.0};
 };
 
-/// config/ego_futures.yaml, section paths; costs are summed and a path has weight exp(-cost).
-struct EgoPathOptions {
-  double reachable_lane_distance = 0.0;           ///< m from the ego to a lane
-  double reachable_lane_heading = 0.0;            ///< rad between the ego and a lane
-  int max_lanes = 0;                              ///< nearest lanes followed
-  int max_paths_per_lane = 0;                     ///< branches per lane
-  double near_deviation_cost = 0.0;               ///< 1/m from constant turn rate after 1 s
-  double far_deviation_cost = 0.0;                ///< 1/m, after 2 s
-  double bend_braking_cost = 0.0;                 ///< s2/m of braking needed for bends
-  double turn_cost = 0.0;                         ///< 1/rad of turn over 60 m
-  double free_path_cost = 0.0;                    ///< cost of leaving the lanes
-  double comfortable_lateral_acceleration = 0.0;  ///< m/s2
-  double turn_rate_fading = 0.0;  ///< s in which the turn rate decays by 1/e off lanes
-};
-
 /// config/ego_futures.yaml
 struct EgoFutureOptions {
-  double step = 0.0;  ///< s, PredictionOptions::step
-  EgoPathOptions paths;
-  double lane_return_time = 0.0;          ///< s in which an offset decays by about 1/e
-  double lane_return_min_distance = 0.0;  ///< m, the same for a slow ego
-  double kept_offset = 0.0;               ///< share 0..1 of the offset that remains
-  double offset_spread = 0.0;             ///< m, mean |difference| of the target offset
-  double turn_rate_spread = 0.0;          ///< rad/s, mean |difference| off lanes
-  double acceleration_fading = 0.0;       ///< s to 1/e
-  double acceleration_spread = 0.0;       ///< m/s2, mean |difference|
+  double offset_spread = 0.0;        ///< m, mean |difference| of the target offset
+  double turn_rate_spread = 0.0;     ///< rad/s, mean |difference| off lanes
+  double acceleration_fading = 0.0;  ///< s to 1/e
+  double acceleration_spread = 0.0;  ///< m/s2, mean |difference|
 };
 
 void readOptions(Section& section, PredictionOptions& options);
 void readOptions(Section& section, SpeedModelFitOptions& options);
-/// `step` (s) is PredictionOptions::step: all futures have states at the same intervals.
-void readOptions(Section& section, EgoFutureOptions& options, double step);
+void readOptions(Section& section, EgoFutureOptions& options);
 
 }  // namespace forge

@@ -32,8 +32,7 @@ Track pastOf(const Track& ego, double now) {
 
 }  // namespace
 
-std::vector<SpeedProfileRow> collectSpeedProfiles(const Scene& scene, const LaneIndex& lanes,
-                                                  const EgoPathOptions& options) {
+std::vector<SpeedProfileRow> collectSpeedProfiles(const Scene& scene, const LaneIndex& lanes) {
   std::vector<SpeedProfileRow> rows;
   int frame = 0;
   for (std::size_t i = 1; i < scene.frame_times.size(); ++i) {
@@ -43,7 +42,7 @@ std::vector<SpeedProfileRow> collectSpeedProfiles(const Scene& scene, const Lane
     const Track past = pastOf(scene.ego, now);
     if (past.states.size() < 2) continue;
     const EgoNow ego = egoNow(past);
-    const std::vector<EgoPath> paths = egoPaths(ego, lanes, kFollowedSeconds, options);
+    const std::vector<EgoPath> paths = egoPaths(ego, lanes, kFollowedSeconds);
     const EgoPath& path = followedPath(paths, positionsAfter(scene.ego, now));
     const WayAhead ahead = wayAhead(path, ego, snapshotAt(scene, now, kPastFrames));
     rows.push_back({scene.name, frame, ego.past_speeds[0], ahead});

@@ -72,7 +72,7 @@ double bendDemand(const EgoPath& path, double start, double driven, double speed
 }
 
 void fillAnchor(const EgoWays& ways, std::size_t way, double driven, double place, double tta,
-                const EgoFutureOptions& futures, Eigen::Index row, AnchorFeatures& features) {
+                Eigen::Index row, AnchorFeatures& features) {
   const EgoPath& path = ways.paths[way];
   const double speed = ways.ego.past_speeds[0];
   const double mean_speed = driven / tta;
@@ -90,8 +90,7 @@ void fillAnchor(const EgoWays& ways, std::size_t way, double driven, double plac
       held(rest / kJunction, kMaxFeature),
       held((driven - junction) / kJunction, kMaxFeature),
       held(std::min(std::abs(driven - junction), 10.0) / 10.0, 1.0),
-      held(bendDemand(path, start, driven, mean_speed,
-                      futures.paths.comfortable_lateral_acceleration),
+      held(bendDemand(path, start, driven, mean_speed, kComfortableLateralAcceleration),
            kMaxFeature),
       held(driven / kPlaceScale, 2.0 * kMaxFeature),
       held(static_cast<double>(features.poses(row, 1)) / kPlaceScale, kMaxFeature),
@@ -116,8 +115,7 @@ AnchorFeatures emptyAnchors(int groups, int group_size, double tta,
 }
 
 /// Places anchors along the candidate paths: one standing, then evenly around constant speed.
-AnchorFeatures wayAnchors(const EgoWays& ways, double tta, const EgoFutureOptions& futures,
-                          const PatternFeatureOptions& options) {
+AnchorFeatures wayAnchors(const EgoWays& ways, double tta, const PatternFeatureOptions& options) {
   AnchorFeatures features = emptyAnchors(options.max_ways, options.way_anchors + 1, tta, options);
   features.arc_lengths = Eigen::VectorXf::Zero(features.prior.size());
   const double reached = ways.ego.past_speeds[0] * tta;
@@ -135,7 +133,7 @@ AnchorFeatures wayAnchors(const EgoWays& ways, double tta, const EgoFutureOption
       const Eigen::Index row = group * features.group_size + i;
       placeAnchor(ways.ego.state.pose, line.poseAfter(driven), row, features);
       const double place = i == 0 ? 0.0 : static_cast<double>(step) / middle;
-      fillAnchor(ways, way, driven, place, tta, futures, row, features);
+      fillAnchor(ways, way, driven, place, tta, row, features);
       features.prior[row] = static_cast<float>(std::log(std::max(path.weight, 1e-6)));
       features.arc_lengths[row] = static_cast<float>(driven);
     }
@@ -198,10 +196,9 @@ AnchorFeatures straightOn(const EgoWays& ways, double tta, const PatternFeatureO
 
 }  // namespace
 
-EgoWays egoWays(const Snapshot& observed, const LaneIndex& lanes, double horizon,
-                const EgoFutureOptions& options, int max_ways) {
+EgoWays egoWays(const Snapshot& observed, const LaneIndex& lanes, double horizon, int max_ways) {
   EgoWays ways{egoNow(observed.ego), {}, {}};
-  ways.paths = egoPaths(ways.ego, lanes, horizon, options.paths);
+  ways.paths = egoPaths(ways.ego, lanes, horizon);
   std::stable_sort(ways.paths.begin(), ways.paths.end(),
                    [](const EgoPath& a, const EgoPath& b) { return a.weight > b.weight; });
   const auto count = std::min(ways.paths.size(), static_cast<std::size_t>(max_ways));
@@ -216,14 +213,13 @@ EgoWays egoWays(const Snapshot& observed, const LaneIndex& lanes, double horizon
 }
 
 AnchorFeatures anchorFeatures(const EgoWays& ways, const LaneIndex& lanes, double tta,
-                              const EgoFutureOptions& futures,
                               const PatternFeatureOptions& options) {
   if (!(tta > 0.0 && std::isfinite(tta))) {
     throw std::invalid_argument("tta = " + numberText(tta) + " s: it must be positive and finite");
   }
   switch (options.head) {
     case EgoHead::kRegionProposal:
-      return wayAnchors(ways, tta, futures, options);
+      return wayAnchors(ways, tta, options);
     case EgoHead::kTargetPoints:
       return targetPoints(ways, lanes, tta, options);
     case EgoHead::kRegression:

@@ -37,13 +37,11 @@ struct EgoWays {
   std::vector<WayAhead> ahead;  ///< one per path, with the vehicle ahead
 };
 /// Returns the ego's most probable candidate paths, at most `max_ways`, for `horizon` s.
-EgoWays egoWays(const Snapshot& observed, const LaneIndex& lanes, double horizon,
-                const EgoFutureOptions& options, int max_ways);
+EgoWays egoWays(const Snapshot& observed, const LaneIndex& lanes, double horizon, int max_ways);
 
 /// Returns the anchors of the ego `tta` s after t0 for options.head. Throws std::invalid_argument
 /// if `tta` is not positive and finite.
 AnchorFeatures anchorFeatures(const EgoWays& ways, const LaneIndex& lanes, double tta,
-                              const EgoFutureOptions& futures,
                               const PatternFeatureOptions& options);
 
 }  // namespace forge

@@ -188,7 +188,7 @@ std::vector<Track> NetworkEgoFutures::sample(const Snapshot& snapshot, const Lan
   if (count == 0 || !network || network->weights().features.head != EgoHead::kRegionProposal) {
     return kinematic_.sample(snapshot, lanes, horizon, count, seed);
   }
-  const PredictedScene scene(*network, snapshot, lanes, horizon, options_);
+  const PredictedScene scene(*network, snapshot, lanes, horizon);
   const EgoNow& ego = scene.ways().ego;
   const Distributions distributions = distributionsOf(scene, horizon, foresight_.known_type);
   std::mt19937_64 engine(seed);
@@ -207,10 +207,9 @@ std::vector<Track> NetworkEgoFutures::sample(const Snapshot& snapshot, const Lan
     const auto turns = drawDifferences(shares[i], options_.turn_rate_spread, engine);
     for (std::size_t j = 0; j < profiles.size(); ++j) {
       const DrivenDistance distance = stretched.distance(profiles[j]);
-      const SampledPath line =
-          path.on_lanes ? path.line : freePath(ego, turns[j], horizon, options_.paths);
+      const SampledPath line = path.on_lanes ? path.line : freePath(ego, turns[j], horizon);
       const ReturnToPath way(line, ego, path.on_lanes ? offsets[j] : 0.0, options_);
-      tracks.push_back(drive(snapshot.ego, ego, distance, way, horizon, options_.step));
+      tracks.push_back(drive(snapshot.ego, ego, distance, way, horizon, kPredictionStep));
     }
   }
   return tracks;

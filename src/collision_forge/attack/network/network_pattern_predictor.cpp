@@ -70,8 +70,7 @@ PatternPrediction NetworkPatternPredictor::predict(const Snapshot& snapshot, con
                                                    const Future* recorded) const {
   PatternPrediction prediction = kinematic_.predict(snapshot, lanes, request, recorded);
   if (!foresight_.network || prediction.patterns.empty()) return prediction;
-  const PredictedScene scene(*foresight_.network, snapshot, lanes, request.tta,
-                             options_.ego_futures);
+  const PredictedScene scene(*foresight_.network, snapshot, lanes, request.tta);
   const Pose2 ego = egoAtImpact(scene, request, recorded, snapshot.now, foresight_.known_type);
   const std::vector<const Track*> attackers = attackersOf(prediction.patterns, snapshot);
   const std::vector<CandidateAnswer> answers =

@@ -8,19 +8,16 @@
 namespace forge {
 
 PredictedScene::PredictedScene(const PatternNetwork& network, const Snapshot& snapshot,
-                               const LaneIndex& lanes, double horizon,
-                               const EgoFutureOptions& options)
+                               const LaneIndex& lanes, double horizon)
     : network_(network),
       lanes_(lanes),
-      options_(options),
       observed_(observedSnapshot(snapshot, {})),
-      ways_(egoWays(observed_, lanes, horizon, options, network.weights().features.max_ways)),
+      ways_(egoWays(observed_, lanes, horizon, network.weights().features.max_ways)),
       scene_(network.encode(sceneFeatures(observed_, lanes, network.weights().features))) {}
 
 std::vector<EgoComponent> PredictedScene::egoAfter(double tta,
                                                    std::optional<CollisionType> type) const {
-  const AnchorFeatures anchors =
-      anchorFeatures(ways_, lanes_, tta, options_, network_.weights().features);
+  const AnchorFeatures anchors = anchorFeatures(ways_, lanes_, tta, network_.weights().features);
   return network_.ego(network_.withRequest(scene_, requestFeatures(type, tta)), anchors);
 }
 

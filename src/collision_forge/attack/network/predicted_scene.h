@@ -13,7 +13,7 @@ class PredictedScene {
   /// Candidate paths cover `horizon` s. `network` and `lanes` must outlive this object. Throws as
   /// sceneFeatures().
   PredictedScene(const PatternNetwork& network, const Snapshot& snapshot, const LaneIndex& lanes,
-                 double horizon, const EgoFutureOptions& options);
+                 double horizon);
 
   const EgoWays& ways() const { return ways_; }
   /// The snapshot without information from later frames, see observedSnapshot().
@@ -33,7 +33,6 @@ class PredictedScene {
  private:
   const PatternNetwork& network_;
   const LaneIndex& lanes_;
-  EgoFutureOptions options_;
   Snapshot observed_;
   EgoWays ways_;
   Eigen::VectorXf scene_;

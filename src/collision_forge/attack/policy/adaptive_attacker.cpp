@@ -17,20 +17,26 @@
 namespace forge {
 namespace {
 
+// The budget of a new plan in one update step, in place of that of RouteDriverOptions:
+constexpr int kWays = 3;  // the path of the present plan first
+constexpr int kRounds = 2;
+constexpr int kPerturbations = 12;
+constexpr double kMinGain = 0.05;  // of the search's objective: a new plan must be better by this
+constexpr double kMinHope = 0.02;  // closeness (0 to 1) of a plan that hits no future; with less
+                                   // the attack is aborted
 constexpr double kOwnSpacing = 1.0;  // m between the points of the planned path
 constexpr double kOwnBeyond = 40.0;  // m by which the planned path continues straight
 
-AttackOptions optionsOfPlans(AttackOptions options, const AdaptiveOptions& adaptive) {
-  options.route.ways = adaptive.ways;
-  options.route.rounds = adaptive.rounds;
-  options.route.perturbations = adaptive.perturbations;
-  const double share = adaptive.fairness.aggressiveness;
+AttackOptions optionsOfPlans(AttackOptions options, double aggressiveness) {
+  options.route.ways = kWays;
+  options.route.rounds = kRounds;
+  options.route.perturbations = kPerturbations;
   for (DriveLimits& limits : options.verification.drivable.rows) {
-    limits.max_braking *= share;
-    limits.max_forward_acceleration *= share;
-    limits.max_lateral_acceleration *= share;
-    limits.max_jerk *= share;
-    limits.max_steering_rate *= share;
+    limits.max_braking *= aggressiveness;
+    limits.max_forward_acceleration *= aggressiveness;
+    limits.max_lateral_acceleration *= aggressiveness;
+    limits.max_jerk *= aggressiveness;
+    limits.max_steering_rate *= aggressiveness;
   }
   return options;
 }
@@ -71,7 +77,7 @@ std::string shareText(double share) {
 AdaptiveAttacker::AdaptiveAttacker(AttackerTask task, AttackerSetup setup)
     : task_(std::move(task)),
       setup_(std::move(setup)),
-      planning_(optionsOfPlans(setup_.attack, setup_.adaptive)),
+      planning_(optionsOfPlans(setup_.attack, setup_.adaptive.fairness.aggressiveness)),
       vehicle_{task_.plan.attacker_id, task_.plan.agent_class, task_.plan.size, {}},
       limits_(driveLimitsOf(vehicle_, setup_.attack.verification)),
       scene_(setup_.attack.prediction.history_frames, task_.ego, task_.snapshot),
@@ -147,7 +153,7 @@ Future AdaptiveAttacker::foresee(const Snapshot& snapshot) const {
   const PredictionOptions& prediction = setup_.attack.prediction;
   const double end = task_.plan.points.back().time - snapshot.now;
   // The plan may end less than a step from now.
-  const double central = std::min(std::max(impact_ - snapshot.now, prediction.step), end);
+  const double central = std::min(std::max(impact_ - snapshot.now, kPredictionStep), end);
   return foreseenFuture(snapshot, *task_.lanes, *setup_.ego_futures, end, central,
                         setup_.adaptive.ego_samples, task_.request.seed, prediction);
 }
@@ -222,7 +228,7 @@ void AdaptiveAttacker::replan(const Frame& seen, std::size_t from) {
   if (found.empty()) return;
   const auto present = std::prev(found.end());
   const auto better = std::find_if(found.begin(), present, [&](const FoundAttack& attack) {
-    return attack.objective > present->objective + setup_.adaptive.min_gain &&
+    return attack.objective > present->objective + kMinGain &&
            isBelievable(from, attack.points, snapshot.now + attack.drafted->draft.contact);
   });
   if (better != present) {
@@ -230,7 +236,7 @@ void AdaptiveAttacker::replan(const Frame& seen, std::size_t from) {
     drafted_->draft.contact += snapshot.now;
     if (drafted_->draft.wait > 0.0) drafted_->draft.wait += snapshot.now;
     take(seen.time, from, better->points, shareText(better->score.share));
-  } else if (present->score.share == 0.0 && present->score.closeness < setup_.adaptive.min_hope) {
+  } else if (present->score.share == 0.0 && present->score.closeness < kMinHope) {
     abortAttack(seen.time, from, "no plan comes close to the requested crash");
     return;
   }
@@ -279,7 +285,7 @@ void AdaptiveAttacker::driveOnFrom(double seen, std::size_t from, const std::str
   const DriveState state = driveStateOf(points[from], limits_);
   take(seen, from,
        driveOn({vehicle_, state, points[from].time, points.size() - from, future, *task_.lanes},
-               setup_.adaptive.drive_on, setup_.attack),
+               setup_.attack),
        reason);
 }
 

@@ -10,14 +10,18 @@
 namespace forge {
 namespace {
 
+// Shares of the speed now that are tried, the first at which the vehicle touches no other agent is
+// driven.
+constexpr double kSpeedShares[] = {1.0, 0.8, 0.6, 0.4, 0.2, 0.0};
+constexpr double kBackTime = 3.0;      // s in which the vehicle returns to the middle of its lane
+constexpr double kClearance = 0.2;     // m to all other agents
 constexpr double kWayBeyond = 20.0;    // m of path beyond the reachable distance
 constexpr double kShortestWay = 10.0;  // m
 
 /// Returns the path ahead along the nearest lane, straight on if no lane is near.
 ReferencePath wayOf(const Pose2& pose, double reach, const LaneIndex& lanes,
                     const AttackOptions& attack) {
-  const PredictionOptions& prediction = attack.prediction;
-  const auto matches = lanes.lanesNear(pose, kMaxDeparture, prediction.on_lane_heading);
+  const auto matches = lanes.lanesNear(pose, kMaxDeparture, kOnLaneHeading);
   if (!matches.empty()) {
     const LaneMatch& match = matches.front();
     return ReferencePath(lanes.pathAhead(match.lane, match.projection.arc_length, reach));
@@ -57,8 +61,7 @@ std::optional<double> firstTouch(const std::vector<TrajectoryPoint>& points, con
   return first;
 }
 
-std::vector<TrajectoryPoint> driveOn(const DriveOnInput& input, const DriveOnOptions& options,
-                                     const AttackOptions& attack) {
+std::vector<TrajectoryPoint> driveOn(const DriveOnInput& input, const AttackOptions& attack) {
   const double step = attack.search.step;
   const DriveLimits limits = driveLimitsOf(input.vehicle, attack.verification);
   const TrackDriver driver(limits, kLimitShare, kPreview, step);
@@ -70,15 +73,15 @@ std::vector<TrajectoryPoint> driveOn(const DriveOnInput& input, const DriveOnOpt
   RoutePlan plan;
   plan.arrival = std::max(duration, step);
   plan.departure = plan.arrival;
-  plan.lead = std::max(0.0, plan.arrival - options.back_time);
+  plan.lead = std::max(0.0, plan.arrival - kBackTime);
   std::vector<PlannedStep> planned;
   std::vector<TrajectoryPoint> points;
   std::vector<TrajectoryPoint> best;
   double latest = -std::numeric_limits<double>::infinity();
-  for (const double clearance : {options.clearance, 0.0}) {
+  for (const double clearance : {kClearance, 0.0}) {
     const BoxSize size{input.vehicle.size.length + 2.0 * clearance,
                        input.vehicle.size.width + 2.0 * clearance};
-    for (const double share : options.speed_shares) {
+    for (const double share : kSpeedShares) {
       for (std::size_t style = 0; style < kDrivingStyles.size(); ++style) {
         along.plan(plan, along.courseAt(plan, {style, share * input.state.speed}, step), step,
                    input.steps, planned);

@@ -29,12 +29,11 @@ struct DriveOnInput {
 
 /// Returns a motion that continues as normal traffic, within the limits of the vehicle's class,
 /// first point at `time`: back to the middle of the nearest lane, or straight on without a lane.
-/// Tries the speed shares of `options` in order, each with every style of `attack.route`, first
-/// with the box enlarged by options.clearance, then without, and returns the first motion without
+/// Tries shares of the present speed in order, each with every style of kDrivingStyles, first
+/// with the box enlarged by a clearance, then without, and returns the first motion without
 /// contact in the predicted future. If there is none, returns the motion with the latest contact,
 /// of equals the one with the strongest braking. Agents that overlap the vehicle at `time` are
 /// ignored.
-std::vector<TrajectoryPoint> driveOn(const DriveOnInput& input, const DriveOnOptions& options,
-                                     const AttackOptions& attack);
+std::vector<TrajectoryPoint> driveOn(const DriveOnInput& input, const AttackOptions& attack);
 
 }  // namespace forge

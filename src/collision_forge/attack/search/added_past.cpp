@@ -147,14 +147,11 @@ const char* AddedPast::driveFrom(std::size_t frame, const AddedDrive& drive,
 
 bool AddedPast::facesTraffic(const Pose2& pose) const {
   const Pose2 turned{pose.x, pose.y, wrapAngle(pose.yaw + M_PI)};
-  return !input_.driven()
-              .lanesNear(turned, kParkingDistance, options_.prediction.on_lane_heading)
-              .empty();
+  return !input_.driven().lanesNear(turned, kParkingDistance, kOnLaneHeading).empty();
 }
 
 bool AddedPast::isInJunction(const Pose2& pose) const {
-  const auto near =
-      input_.driven().lanesNear(pose, kParkingDistance, options_.prediction.on_lane_heading);
+  const auto near = input_.driven().lanesNear(pose, kParkingDistance, kOnLaneHeading);
   return std::any_of(near.begin(), near.end(), [&](const LaneMatch& match) {
     const Lane& lane = input_.driven().map().lanes[match.lane];
     return lane.is_connector || lane.is_intersection;

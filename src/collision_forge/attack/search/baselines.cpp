@@ -40,7 +40,7 @@ Pose2 egoAtImpact(const Snapshot& snapshot, const Future* recorded, const Collis
     if (!state) throw std::invalid_argument("the ego's recording ends before the impact");
     return state->pose;
   }
-  const Motion motion = estimateMotion(snapshot.ego, options.prediction.motion_frames);
+  const Motion motion = estimateMotion(snapshot.ego);
   return compose(motion.pose, {motion.speed * request.tta, 0.0, 0.0});
 }
 
@@ -70,7 +70,7 @@ AttackerTrajectory constantVelocityAttacker(const std::string& attacker_id,
                                             const Snapshot& snapshot, double tta,
                                             const AttackOptions& options) {
   const Track& attacker = trackOf(snapshot, attacker_id);
-  const Motion motion = estimateMotion(attacker, options.prediction.motion_frames);
+  const Motion motion = estimateMotion(attacker);
   AttackerTrajectory trajectory{attacker.id, attacker.agent_class, attacker.size, {}};
   trajectory.points.push_back({snapshot.now, motion.pose, motion.speed, 0.0, 0.0});
   goStraightOn(trajectory, tta + options.search.tail, options.search.step);
@@ -81,7 +81,7 @@ AttackerTrajectory nominalAttacker(const std::string& attacker_id, const Snapsho
                                    const Future* recorded, const CollisionRequest& request,
                                    const AttackOptions& options) {
   const Track& attacker = trackOf(snapshot, attacker_id);
-  const Motion motion = estimateMotion(attacker, options.prediction.motion_frames);
+  const Motion motion = estimateMotion(attacker);
   const Pose2 ego = egoAtImpact(snapshot, recorded, request, options);
   const bool from_left = relativeTo(ego, motion.pose).y > 0.0;
   return drivenTo(compose(ego, nominalOffset(request.type, from_left, options.nominal)),
@@ -92,7 +92,7 @@ AttackerTrajectory patternAttacker(const CollisionPattern& pattern, const Snapsh
                                    double tta, const AttackOptions& options,
                                    const std::optional<EndMotion>& end) {
   const Track& attacker = trackOf(snapshot, pattern.attacker_id);
-  const Motion motion = estimateMotion(attacker, options.prediction.motion_frames);
+  const Motion motion = estimateMotion(attacker);
   return drivenTo(compose(pattern.ego.center, pattern.attacker_offset),
                   end.value_or(EndMotion{motion.speed, 0.0}), tta, attacker, motion, snapshot.now,
                   options.search);

@@ -16,7 +16,6 @@ constexpr double kBeyondReach = 10.0;  // m of path beyond the reachable distanc
 
 /// Adds the paths along lanes that come near one of the ego's predicted positions at the contact.
 void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& options) {
-  const PredictionOptions& prediction = options.prediction;
   const double tta = input.request.tta;
   const DriveState& now = entry.drive_start;
   SpeedVariation variation = variationOf(entry.track->id, input.request.seed);
@@ -41,9 +40,9 @@ void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& 
   const Pose2& pose = entry.track->states.back().pose;
   const LaneIndex& lanes = drivenLanes(input.request, input.lanes);
   // A vehicle that stands beside a lane may pull out into it.
-  const double aside = now.speed > 0.0 ? prediction.on_lane_distance
-                                       : std::max(prediction.on_lane_distance, kParkingDistance);
-  for (const LaneMatch& match : lanes.lanesNear(pose, aside, prediction.on_lane_heading)) {
+  const double aside =
+      now.speed > 0.0 ? kOnLaneDistance : std::max(kOnLaneDistance, kParkingDistance);
+  for (const LaneMatch& match : lanes.lanesNear(pose, aside, kOnLaneHeading)) {
     for (const LanePath& path :
          lanes.pathsAhead(match.lane, match.projection.arc_length, reach + kBeyondReach,
                           static_cast<std::size_t>(kBranches))) {
@@ -60,13 +59,11 @@ std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& in
                                        const AttackOptions& options, const VehicleLimits& limits,
                                        int points) {
   auto entry = std::make_unique<Contender>();
-  const PredictionOptions& prediction = options.prediction;
   entry->track = &agent;
-  entry->start = {estimateMotion(agent, prediction.motion_frames), input.snapshot.now,
-                  options.search.step, points};
+  entry->start = {estimateMotion(agent), input.snapshot.now, options.search.step, points};
   Motion& motion = entry->start.motion;
   motion.speed = std::clamp(motion.speed, 0.0, limits.max_speed);
-  if (motion.speed < prediction.standstill_speed) motion.acceleration = 0.0;
+  if (motion.speed < kStandstillSpeed) motion.acceleration = 0.0;
   const CrashDefinition& crash = input.request.crash;
   if (crash.limits == LimitSet::kDrivable || crash.believable || input.underway != nullptr) {
     entry->limits = driveLimitsOf(agent, options.verification);

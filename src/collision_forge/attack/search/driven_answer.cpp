@@ -37,7 +37,7 @@ Realization drivenAnswer(AttackerTrajectory trajectory, const Moment& moment,
   const PredictionOptions& prediction = options.prediction;
   const Future future = moment.recorded ? *moment.recorded
                                         : predictFuture(moment.snapshot, *moment.lanes,
-                                                        request.tta + prediction.tail, prediction);
+                                                        request.tta + prediction.tail);
   Realization answer;
   answer.report =
       verify(trajectory, {moment.snapshot, future, request, *moment.lanes}, options.verification);

@@ -66,9 +66,8 @@ void readAttackOptions(const ConfigFolder& directory, AttackOptions& options) {
   readVehicleLimits(inner, options.verification);
   inner.finish();
   limits.finish();
-  options.verification.motion_frames = options.prediction.motion_frames;
-  options.verification.standstill_speed = options.prediction.standstill_speed;
-  readConfigFile(directory, "ego_futures", options.ego_futures, options.prediction.step);
+  options.prediction.tail = options.search.tail;
+  readConfigFile(directory, "ego_futures", options.ego_futures);
 }
 
 }  // namespace forge

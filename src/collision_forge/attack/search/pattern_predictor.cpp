@@ -13,6 +13,9 @@
 namespace forge {
 namespace {
 
+constexpr double kRearEndClosingSpeed =
+    4.0;  // m/s, nominal, of a rear-end attacker above the ego's speed
+constexpr double kMinImpactSpeed = 3.0;  // m/s, nominal, of every other attacker at least
 constexpr double kStraight = 1e-3;  // sine of a heading rounded from 0 or pi
 
 struct RankedPattern {
@@ -41,7 +44,7 @@ bool approachFitsType(const Track& agent, const Snapshot& snapshot,
 RankedPattern placedPattern(const Track& agent, Side side, double heading, const AgentState& ego,
                             const Snapshot& snapshot, const CollisionRequest& request,
                             const PredictionOptions& prediction) {
-  const Motion motion = estimateMotion(agent, prediction.motion_frames);
+  const Motion motion = estimateMotion(agent);
   CollisionPattern pattern;
   pattern.type = request.type;
   pattern.attacker_id = agent.id;
@@ -49,8 +52,8 @@ RankedPattern placedPattern(const Track& agent, Side side, double heading, const
   pattern.ego = boxAt(snapshot.ego, ego.pose);
   pattern.attacker_offset = attackerOffset(snapshot.ego.size, agent.size, side, heading, 0.0, 0.0);
   pattern.attacker_speed = request.type == CollisionType::kRearEnd
-                               ? ego.velocity.norm() + prediction.rear_end_closing_speed
-                               : std::max(motion.speed, prediction.min_impact_speed);
+                               ? ego.velocity.norm() + kRearEndClosingSpeed
+                               : std::max(motion.speed, kMinImpactSpeed);
   pattern.tolerance = prediction.pattern_tolerance;
   return {pattern, speedMismatch(pattern, motion, request.tta)};
 }
@@ -79,7 +82,7 @@ const Track& mostCentral(const std::vector<Track>& tracks, double time) {
 Future foreseenFuture(const Snapshot& snapshot, const LaneIndex& lanes,
                       const EgoFutureSampler& ego_futures, double horizon, double central,
                       int samples, std::uint64_t seed, const PredictionOptions& options) {
-  Future future = predictFuture(snapshot, lanes, horizon, options);
+  Future future = predictFuture(snapshot, lanes, horizon);
   future.ego_samples = ego_futures.sample(snapshot, lanes, horizon, samples, seed);
   if (!future.ego_samples.empty()) {
     future.ego = mostCentral(future.ego_samples, snapshot.now + central);

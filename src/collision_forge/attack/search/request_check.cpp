@@ -35,10 +35,9 @@ Status checkEgo(const Snapshot& snapshot, const PredictionOptions& options) {
                   ego.size.width, " m");
   }
   if (!isFinite(ego)) return refuse(StatusCode::kInvalidInput, "the ego's pose is not finite");
-  if (static_cast<int>(ego.states.size()) < options.min_history_frames ||
-      !newestAt(ego, snapshot.now)) {
+  if (static_cast<int>(ego.states.size()) < kMinHistoryFrames || !newestAt(ego, snapshot.now)) {
     return refuse(StatusCode::kTooLittleHistory, "the ego was observed in ", ego.states.size(),
-                  " frames up to t0, ", options.min_history_frames, " are needed");
+                  " frames up to t0, ", kMinHistoryFrames, " are needed");
   }
   if (!hasMotion(ego)) {
     return refuse(StatusCode::kTooLittleHistory, "the ego was not observed in the ", kMaxGap,

@@ -39,7 +39,7 @@ std::vector<std::optional<std::string>> attackersOf(const Snapshot& snapshot, At
 }
 
 double speedOf(const Track& ego, const PredictionOptions& options) {
-  return ego.states.empty() ? 0.0 : estimateMotion(ego, options.motion_frames).speed;
+  return ego.states.empty() ? 0.0 : estimateMotion(ego).speed;
 }
 
 }  // namespace

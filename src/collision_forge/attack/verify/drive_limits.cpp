@@ -66,10 +66,10 @@ DriveLimits driveLimitsOf(AgentClass agent_class, const BoxSize& size,
   return limits;
 }
 
-DriveState driveStateOf(const Motion& motion, const DriveLimits& limits, double standstill_speed) {
+DriveState driveStateOf(const Motion& motion, const DriveLimits& limits) {
   DriveState state;
   state.axle = compose(motion.pose, {-limits.axle_to_middle, 0.0, 0.0});
-  if (motion.speed < standstill_speed) return state;
+  if (motion.speed < kStandstillSpeed) return state;
   state.speed = std::min(motion.speed, limits.max_speed);
   state.acceleration =
       std::clamp(motion.acceleration, -limits.max_braking, limits.forwardAt(state.speed));

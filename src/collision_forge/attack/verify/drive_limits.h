@@ -78,8 +78,8 @@ struct DriveState {
 
 /// Converts a recorded motion to a single-track state: speed and acceleration along the heading,
 /// and the steering angle that gives the yaw rate, each clamped to the limits. Below
-/// `standstill_speed` (m/s) the vehicle stands with straight wheels.
-DriveState driveStateOf(const Motion& motion, const DriveLimits& limits, double standstill_speed);
+/// kStandstillSpeed the vehicle stands with straight wheels.
+DriveState driveStateOf(const Motion& motion, const DriveLimits& limits);
 
 void readOptions(Section& section, DriveLimitOptions& options);
 

@@ -38,8 +38,6 @@ struct VerificationOptions {
   VehicleLimits limits;        ///< of attackers under LimitSet::kStrict
   DriveLimitOptions drivable;  ///< of attackers under LimitSet::kDrivable
   BelievabilityOptions believability;
-  int motion_frames = 0;             ///< frames, see PredictionOptions
-  double standstill_speed = 0.0;     ///< m/s, see PredictionOptions
   double overlap_tolerance = 0.001;  ///< m; contacts shallower than this may be missed
   double off_road_interval = 0.5;    ///< s between the poses averaged by offRoadShare()
 };

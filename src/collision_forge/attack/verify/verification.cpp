@@ -149,8 +149,7 @@ DriveLimits driveLimitsOf(const Track& attacker, const VerificationOptions& opti
 }
 
 DriveState driveStateNow(const Track& attacker, const VerificationOptions& options) {
-  return driveStateOf(estimateMotion(attacker, options.motion_frames),
-                      driveLimitsOf(attacker, options), options.standstill_speed);
+  return driveStateOf(estimateMotion(attacker), driveLimitsOf(attacker, options));
 }
 
 CollisionReport verifyDrive(const AttackerTrajectory& trajectory, const VerificationInput& input,

@@ -128,7 +128,7 @@ class EgoDriver {
 
 /// Returns the recorded ego at t0 with its motion estimated from the past.
 TrajectoryPoint startOf(const CrashScenario& scenario, const AttackOptions& options) {
-  const Motion motion = estimateMotion(scenario.snapshot.ego, options.prediction.motion_frames);
+  const Motion motion = estimateMotion(scenario.snapshot.ego);
   TrajectoryPoint start{scenario.snapshot.now, motion.pose, std::max(motion.speed, 0.0),
                         motion.acceleration, 0.0};
   if (start.speed >= options.verification.limits.curvature_min_speed) {

@@ -41,8 +41,20 @@ std::array<NumberSource, count> numbersIn(Section section, const char* const (&k
   return numbers;
 }
 
+std::array<NumberSource, 3> vectorAt(const std::string& path) {
+  return {path + ".x", path + ".y", path + ".z"};
+}
+
+std::array<NumberSource, 4> quaternionAt(const std::string& path) {
+  return {path + ".x", path + ".y", path + ".z", path + ".w"};
+}
+
 PoseFields poseIn(Section& section, const std::string& prefix) {
   PoseFields pose;
+  if (section.has("pose")) {
+    const std::string path = prefix + wordIn(section, "pose");
+    return {vectorAt(path + ".position"), quaternionAt(path + ".orientation")};
+  }
   pose.position = numbersIn(section.section("position"), {"x", "y", "z"}, prefix);
   Section orientation = section.section("orientation");
   if (orientation.has("yaw")) {
@@ -70,11 +82,7 @@ void mapTransforms(EgoMapping& ego) {
   ego.fields.stamp = each + "header.stamp";
   ego.fields.frame_id_path = each + "header.frame_id";
   ego.child_frame_id_path = each + "child_frame_id";
-  const std::string position = each + "transform.translation.";
-  const std::string rotation = each + "transform.rotation.";
-  ego.pose.position = {position + "x", position + "y", position + "z"};
-  ego.pose.orientation =
-      std::array<NumberSource, 4>{rotation + "x", rotation + "y", rotation + "z", rotation + "w"};
+  ego.pose = {vectorAt(each + "transform.translation"), quaternionAt(each + "transform.rotation")};
 }
 
 EgoMapping egoIn(Section section) {
@@ -115,7 +123,12 @@ VelocityFields velocityIn(Section section, const std::string& prefix) {
   VelocityFields velocity;
   velocity.frame = section.choice<VelocityFrame>(
       "frame", {{"map", VelocityFrame::kMap}, {"object", VelocityFrame::kObject}});
-  velocity.velocity = numbersIn(section, {"x", "y", "z"}, prefix);
+  if (section.has("vector")) {
+    velocity.velocity = vectorAt(prefix + wordIn(section, "vector"));
+    section.finish();
+  } else {
+    velocity.velocity = numbersIn(section, {"x", "y", "z"}, prefix);
+  }
   return velocity;
 }
 

@@ -118,7 +118,7 @@ void measureClip(const CollideClip& clip, const LaneIndex& lanes, const PatternN
   const Scene recorded = toScene(clip, config.evaluation.collide, nullptr);
   const Snapshot snapshot =
       snapshotAt(recorded, clip.now(), network.weights().features.history_frames);
-  const PredictedScene scene(network, snapshot, lanes, clip.tta(), config.attack.ego_futures);
+  const PredictedScene scene(network, snapshot, lanes, clip.tta());
   const auto components =
       scene.egoAfter(clip.tta(), arguments.seen_scenes ? std::optional(clip.type) : std::nullopt);
   const Pose2 expected = medianPose(components);

@@ -20,13 +20,13 @@ class PatternTiming {
   /// Times each stage of the network on one scene; after every kBatch scenes also times encoder and
   /// heads over the whole batch. `tta` in s.
   void add(const PredictedScene& scene, const PatternNetwork& network, const LaneIndex& lanes,
-           double tta, CollisionType type, int candidates, const EgoFutureOptions& options) {
+           double tta, CollisionType type, int candidates) {
     Input input;
     const PatternFeatureOptions& sizes = network.weights().features;
     features_.push_back(timed([&] {
-      const EgoWays ways = egoWays(scene.observed(), lanes, tta, options, sizes.max_ways);
+      const EgoWays ways = egoWays(scene.observed(), lanes, tta, sizes.max_ways);
       input.scene = sceneFeatures(scene.observed(), lanes, sizes);
-      input.anchors = anchorFeatures(ways, lanes, tta, options, sizes);
+      input.anchors = anchorFeatures(ways, lanes, tta, sizes);
       input.request = requestFeatures(type, tta);
     }));
     input.candidates = RowMatrix::Zero(std::max(candidates, 1), kCandidateFeatures);

@@ -74,8 +74,7 @@ SpeedSituations collect(const LogSource& logs, const StudyConfig& config,
   ProgressLine progress("scenes");
   std::size_t done = 0;
   const auto add = [&](const IndexedScene& indexed) {
-    for (SpeedProfileRow& row :
-         collectSpeedProfiles(indexed.scene, *indexed.lanes, config.attack.ego_futures.paths)) {
+    for (SpeedProfileRow& row : collectSpeedProfiles(indexed.scene, *indexed.lanes)) {
       roundValues(row);
       rows.push_back(std::move(row));
     }

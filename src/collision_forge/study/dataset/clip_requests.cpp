@@ -51,7 +51,7 @@ class Lister {
     if (begin + kNow >= frames.size() || !comesAtTwoHertz(frames, begin, begin + kNow)) return;
     const Snapshot snapshot = snapshotAt(scene_, frames[begin + kNow], kCollideNowFrame + 1);
     if (snapshot.ego.states.size() < 2 ||
-        estimateMotion(snapshot.ego, prediction_.motion_frames).speed < options_.min_ego_speed) {
+        estimateMotion(snapshot.ego).speed < options_.min_ego_speed) {
       return;
     }
     const std::vector<int> lengths = possibleLengths(begin);

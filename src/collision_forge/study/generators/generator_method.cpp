@@ -97,7 +97,7 @@ Realization drivenThrough(const TrafficClip& clip, const Pose2& ego, const std::
                           const Moment& moment, const CollisionRequest& request, int now,
                           const AttackOptions& options) {
   const Track& track = trackOf(moment.snapshot, attacker);
-  const Motion motion = estimateMotion(track, options.prediction.motion_frames);
+  const Motion motion = estimateMotion(track);
   const double frame_time = request.tta / (clip.collision_frame - now);
   std::vector<Knot> knots = {{moment.snapshot.now, motion.pose}};
   for (int frame = now + 1; frame <= clip.collision_frame; ++frame) {
@@ -118,7 +118,7 @@ GeneratorMethod::GeneratorMethod(std::shared_ptr<const TrafficGenerator> generat
 Realization GeneratorMethod::answer(const Moment& moment, const CollisionRequest& request) const {
   const Snapshot& snapshot = moment.snapshot;
   const TrafficOptions& traffic = generator_->traffic();
-  const Pose2 ego = estimateMotion(snapshot.ego, options_.prediction.motion_frames).pose;
+  const Pose2 ego = estimateMotion(snapshot.ego).pose;
   return bestOfCandidates(moment, request, options_.prediction, [&](const std::string& id) {
     TrafficClip clip = trafficOf(snapshot, id, request, traffic, moment.lanes.get());
     rollOut(*generator_, request.seed, clip);

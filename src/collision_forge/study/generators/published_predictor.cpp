@@ -39,9 +39,8 @@ class PublishedPatternPredictor : public PatternPredictor {
                             const CollisionRequest& request,
                             const Future* recorded) const override {
     PatternPrediction prediction;
-    prediction.future = recorded
-                            ? *recorded
-                            : predictFuture(snapshot, lanes, request.tta + options_.tail, options_);
+    prediction.future =
+        recorded ? *recorded : predictFuture(snapshot, lanes, request.tta + options_.tail);
     const std::vector<std::string> allowed = allowedBy(request, snapshot);
     if (allowed.empty()) {
       prediction.status = {StatusCode::kNoCandidate, "no vehicle within candidate_radius = " +
@@ -96,7 +95,7 @@ class PublishedPatternPredictor : public PatternPredictor {
       }
       return found;
     };
-    const Pose2 now = estimateMotion(snapshot.ego, options_.motion_frames).pose;
+    const Pose2 now = estimateMotion(snapshot.ego).pose;
     const Pose2 ego =
         compose(now, {number(place[0]), number(place[1]), number(predicted.ego_yaw[0])});
     const Tensor order = predicted.selection[0].argsort(0, true);
@@ -110,7 +109,7 @@ class PublishedPatternPredictor : public PatternPredictor {
       pattern.time = snapshot.now + request.tta;
       pattern.ego = boxAt(snapshot.ego, ego);
       pattern.attacker_offset = {number(offset[0]), number(offset[1]), number(yaws[agent])};
-      pattern.attacker_speed = estimateMotion(trackOf(snapshot, id), options_.motion_frames).speed;
+      pattern.attacker_speed = estimateMotion(trackOf(snapshot, id)).speed;
       pattern.tolerance = options_.network_pattern_tolerance;
       prediction.patterns.push_back(std::move(pattern));
     }

@@ -147,7 +147,7 @@ class StriveAttack : public AttackMethod {
         options_(options) {}
 
   Realization answer(const Moment& moment, const CollisionRequest& request) const override {
-    const Pose2 ego = estimateMotion(moment.snapshot.ego, options_.prediction.motion_frames).pose;
+    const Pose2 ego = estimateMotion(moment.snapshot.ego).pose;
     return bestOfCandidates(moment, request, options_.prediction, [&](const std::string& id) {
       TrafficClip clip = trafficOf(moment.snapshot, id, request, traffic_, moment.lanes.get());
       drive(moment, request, ego, clip);

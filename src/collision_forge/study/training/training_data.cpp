@@ -44,8 +44,7 @@ TimedSample timedSample(const EgoWays& ways, const LaneIndex& lanes, const Track
                         double tta, const LearningOptions& options,
                         const PatternFeatureOptions& features) {
   const Pose2 there = stateAt(ego, now + tta)->pose;
-  return {tta, anchorFeatures(ways, lanes, tta, options.attack.ego_futures, features),
-          relativeTo(ways.ego.state.pose, there)};
+  return {tta, anchorFeatures(ways, lanes, tta, features), relativeTo(ways.ego.state.pose, there)};
 }
 
 /// Returns nullopt for a moment without enough history or without future.
@@ -61,8 +60,7 @@ std::optional<TrainingSample> momentSample(const Scene& scene, double now, const
   TrainingSample sample;
   sample.scene = scene.name;
   sample.features = sceneFeatures(observed, lanes, features);
-  const EgoWays ways = egoWays(observed, lanes, options.training.max_tta,
-                               options.attack.ego_futures, features.max_ways);
+  const EgoWays ways = egoWays(observed, lanes, options.training.max_tta, features.max_ways);
   sample.ego_speed = ways.ego.past_speeds[0];
   for (const double tta : ttas) {
     sample.times.push_back(timedSample(ways, lanes, scene.ego, now, tta, options, features));
@@ -184,8 +182,7 @@ std::optional<TrainingSample> clipSample(const std::string& path, const LaneInde
   const Snapshot observed =
       observedSnapshot(snapshotAt(scene, clip.now(), features.history_frames), {});
   const double longest = std::max(options.training.max_tta, clip.tta());
-  const EgoWays ways =
-      egoWays(observed, lanes, longest, options.attack.ego_futures, features.max_ways);
+  const EgoWays ways = egoWays(observed, lanes, longest, features.max_ways);
   TrainingSample sample;
   sample.scene = clip.scene;
   sample.features = sceneFeatures(observed, lanes, features);
