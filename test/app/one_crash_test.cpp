@@ -69,7 +69,7 @@ class OneCrash : public testing::Test {
       const Pose2 pose = compose(ego, {0.0, 0.6 * (i - 40), M_PI / 2});
       answer_.trajectory.points.push_back({now_ + 0.1 * i, pose, 6.0, 0.0, 0.0});
     }
-    answer_.aim.ego = {ego, recording_.scene.ego.size};
+    answer_.pattern.ego = {ego, recording_.scene.ego.size};
     request_.tta = 4.0;
     request_.crash = config_.crash;
     report_ =
@@ -170,7 +170,7 @@ class OneCrash : public testing::Test {
 
   /// From scene_markers during playback of the recording.
   Places inSceneMarkers() const {
-    ContactWatch watch(config_.ego_vehicle.size, config_.live.answerAge(),
+    ContactWatch watch(config_.ego_vehicle.size, config_.live.maxAttackAge(),
                        config_.attack.verification);
     watch.start(answer_.trajectory);
     for (const AgentState& ego : recording_.scene.ego.states) {
@@ -188,8 +188,10 @@ class OneCrash : public testing::Test {
 
   /// From the input of the drawing of PNG and GIF.
   Places inPicture() const {
-    ScenarioView view{"scene-0005",      4.0,         Mode::kReplay,      moment_.snapshot,
-                      *moment_.recorded, answer_.aim, answer_.trajectory, report_};
+    ScenarioView view{"scene-0005",       4.0,
+                      Mode::kReplay,      moment_.snapshot,
+                      *moment_.recorded,  answer_.pattern,
+                      answer_.trajectory, report_};
     view.crash = motion();
     const ScenarioMotion shown(view);
     return {shown.egoAt(time())->center.position(), shown.attackerAt(time())->center.position()};
@@ -241,7 +243,7 @@ class OneCrash : public testing::Test {
   double now_ = 0.0;
   Moment moment_;
   CollisionRequest request_;
-  Realization answer_;
+  Attack answer_;
   CollisionReport report_;
   collision_forge::Attack message_;
 };
@@ -269,8 +271,10 @@ TEST_F(OneCrash, IsTheSameInBagsPicturesPagesAndExports) {
 }
 
 TEST_F(OneCrash, EndsInBagsAndAnimationsAtTheSameTime) {
-  ScenarioView view{"scene-0005",      4.0,         Mode::kReplay,      moment_.snapshot,
-                    *moment_.recorded, answer_.aim, answer_.trajectory, report_};
+  ScenarioView view{"scene-0005",       4.0,
+                    Mode::kReplay,      moment_.snapshot,
+                    *moment_.recorded,  answer_.pattern,
+                    answer_.trajectory, report_};
   view.crash = motion();
   view.seconds_after_stand = config_.attacked_bag.seconds_after_stand;
   const auto frames = read<collision_forge::AgentArray>(attacked_, bagTopic(names::kAgents));

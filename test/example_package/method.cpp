@@ -22,8 +22,8 @@ struct FirstPattern : forge::AttackMethod {
   FastestFirst predictor;
   forge::AttackOptions options;
 
-  forge::Realization answer(const forge::Moment& moment,
-                            const forge::CollisionRequest& request) const override {
+  forge::Attack answer(const forge::Moment& moment,
+                       const forge::CollisionRequest& request) const override {
     auto prediction = predictor.predict(moment.snapshot, *moment.lanes, request,
                                         moment.recorded ? &*moment.recorded : nullptr);
     if (prediction.patterns.size() > 1) prediction.patterns.resize(1);

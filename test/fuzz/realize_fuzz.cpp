@@ -83,7 +83,7 @@ void answer(const collision_forge::RealizeTrajectory::Request& message) {
     if (way.points.size() > 10 * kMost) throw InputError("too long a way to fuzz with");
     ways.emplace(way.attacker_id, fromMessage(way));
   }
-  const Realization found =
+  const Attack found =
       realize({patterns,
                {snapshot, future, request, fuzzedLanes()},
                static_cast<bool>(message.exact),

@@ -73,10 +73,10 @@ nav_msgs::Odometry odometry() {
   return message;
 }
 
-Realization answer() {
-  Realization found;
-  found.aim = {CollisionType::kRearEnd,      "attacker",          kNow + 2.0,
-               {{16.0, 0.0, 0.0}, kEgoSize}, {-4.3, 0.25, 0.125}, 12.5};
+Attack answer() {
+  Attack found;
+  found.pattern = {CollisionType::kRearEnd,      "attacker",          kNow + 2.0,
+                   {{16.0, 0.0, 0.0}, kEgoSize}, {-4.3, 0.25, 0.125}, 12.5};
   found.trajectory = straightDrive({-14.7, 0.0, 0.0}, 10.0, 2.0);
   found.report.contact = true;
   found.report.contact_time = kNow + 1.9;
@@ -134,7 +134,7 @@ collision_forge::RealizeTrajectory::Request realizeRequest() {
   collision_forge::RealizeTrajectory::Request message;
   message.scene = toMessage(busyRoad());
   message.request = request();
-  CollisionPattern pattern = answer().aim;
+  CollisionPattern pattern = answer().pattern;
   pattern.attacker_id = "behind";
   message.patterns = {toMessage(pattern, kNow)};
   message.future = toMessage(future());

@@ -102,9 +102,9 @@ Scenario answered() {
   Scenario scenario;
   scenario.asked = {"scene-0001", kNow, requestFor()};
   scenario.ego = {kEgoSize, 1.385};
-  Realization& answer = scenario.answer;
-  answer.aim = {CollisionType::kRearEnd,      "attacker",          kNow + 2.0,
-                {{16.0, 0.0, 0.0}, kEgoSize}, {-4.3, 0.25, 0.125}, 12.5};
+  Attack& answer = scenario.answer;
+  answer.pattern = {CollisionType::kRearEnd,      "attacker",          kNow + 2.0,
+                    {{16.0, 0.0, 0.0}, kEgoSize}, {-4.3, 0.25, 0.125}, 12.5};
   answer.trajectory = straightDrive({-14.7, 0.0, 0.0}, 10.0, 2.0);
   CollisionReport& report = answer.report;
   report.contact = report.type_kept = report.on_time = report.limits_kept = true;
@@ -116,17 +116,17 @@ Scenario answered() {
 }
 
 Seeds scenarioSeeds() {
-  Scenario declined = answered();
-  declined.asked.request = demandingRequest();
-  declined.answer = {};
-  declined.answer.status = {StatusCode::kNoCandidate, "nobody is behind the ego"};
+  Scenario rejection = answered();
+  rejection.asked.request = demandingRequest();
+  rejection.answer = {};
+  rejection.answer.status = {StatusCode::kNoCandidate, "nobody is behind the ego"};
   Scenario adaptive = answered();
   adaptive.asked.request.mode = Mode::kAdaptive;
   adaptive.plans = {firstPlan(adaptive.answer.trajectory, AttackerPhase::kAttacking)};
   Scenario added = answered();
   const Track past = pastTrack("attacker", kCarSize, {-14.7, 0.0, 0.0}, 10.0);
   added.answer.trajectory.past = past.states;
-  return {scenarioLine(answered()), scenarioLine(declined), scenarioLine(adaptive),
+  return {scenarioLine(answered()), scenarioLine(rejection), scenarioLine(adaptive),
           scenarioLine(added)};
 }
 

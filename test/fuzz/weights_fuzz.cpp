@@ -13,7 +13,8 @@ namespace {
 void predict(const std::shared_ptr<const PatternNetwork>& network) {
   static const Snapshot snapshot = junctionSnapshot();
   static const LaneIndex lanes = lanesOf(snapshot);
-  const NetworkPatternPredictor predictor(configuration().attack, Foresight{nullptr, network, {}});
+  const NetworkPatternPredictor predictor(configuration().attack,
+                                          PredictionModels{nullptr, network, {}});
   const PatternPrediction found = predictor.predict(snapshot, lanes, requestFor(), nullptr);
   for (const CollisionPattern& pattern : found.patterns) {
     require(pattern.attacker_offset.isFinite(), "a pattern is not finite");

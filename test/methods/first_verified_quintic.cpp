@@ -12,14 +12,14 @@ class FirstVerifiedQuintic : public AttackMethod {
   explicit FirstVerifiedQuintic(const MethodSetup& setup)
       : options_(setup.options), predictor_(setup.kinematic.patterns) {}
 
-  Realization answer(const Moment& moment, const CollisionRequest& request) const override {
+  Attack answer(const Moment& moment, const CollisionRequest& request) const override {
     const PatternPrediction predicted = predictor_->predict(
         moment.snapshot, *moment.lanes, request, moment.recorded ? &*moment.recorded : nullptr);
-    Realization answer;
+    Attack answer;
     answer.status = predicted.status;
     for (const CollisionPattern& pattern : predicted.patterns) {
       answer.trajectory = patternAttacker(pattern, moment.snapshot, request.tta, options_);
-      answer.aim = pattern;
+      answer.pattern = pattern;
       answer.report =
           verify(answer.trajectory, {moment.snapshot, predicted.future, request, *moment.lanes},
                  options_.verification);

@@ -36,7 +36,7 @@ void expectSameAnswers(const LeastShares& least, MakeChange make) {
   forMostCases(least.status, [&](Random& random) {
     const AskedMoment asked = randomRequest(random, kBothModes);
     const PlaneChange change = make(random);
-    const Realization here = answerTo(asked), there = answerTo(change.asked(asked));
+    const Attack here = answerTo(asked), there = answerTo(change.asked(asked));
     if (here.status.code != there.status.code) return false;
     if (here.status.code != StatusCode::kOk) return true;
     ++attacks;
@@ -51,7 +51,7 @@ TEST(ChangedScenes, AnAttackThatIsChangedWithItsSceneHasTheSameVerdict) {
   forChangedAnswers(
       kBothModes, anyChange,
       [](const AskedMoment& asked, const Scenario& scenario, const PlaneChange& change) {
-        const Realization& answer = scenario.answer;
+        const Attack& answer = scenario.answer;
         if (answer.status.code != StatusCode::kOk) return;
         const CollisionReport here = change.report(testedReport(answer.trajectory, asked));
         const CollisionReport there =

@@ -116,7 +116,7 @@ Scenario PlaneChange::scenario(Scenario of) const {
   if (is_mirrored && side) side = mirrored(*side);
   of.answer.trajectory = trajectory(std::move(of.answer.trajectory));
   of.answer.report = report(std::move(of.answer.report));
-  CollisionPattern& aim = of.answer.aim;
+  CollisionPattern& aim = of.answer.pattern;
   aim.time += later;
   aim.ego.center = pose(aim.ego.center);
   if (is_mirrored) {

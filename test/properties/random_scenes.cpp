@@ -50,15 +50,15 @@ AskedMoment randomRequest(Random& random, const std::vector<Mode>& modes) {
   return asked;
 }
 
-Realization answerTo(const AskedMoment& asked) {
+Attack answerTo(const AskedMoment& asked) {
   return generateCollision(*searchMaker().makeWithoutScene(asked.recording->scene.name),
                            asked.moment(), asked.request, embeddedConfig().attack.prediction);
 }
 
 Scenario answered(const SceneRequest& asked) {
   const StudyConfig& config = embeddedConfig();
-  return RequestAnswerer(embeddedScenes(), searchMaker(), asked.request.crash, config.ego_vehicle,
-                         config.adaptive)
+  return RequestSolver(embeddedScenes(), searchMaker(), asked.request.crash, config.ego_vehicle,
+                       config.adaptive)
       .answer(asked);
 }
 

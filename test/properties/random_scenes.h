@@ -32,7 +32,7 @@ struct AskedMoment {
 AskedMoment randomRequest(Random& random, const std::vector<Mode>& modes);
 
 /// Of the method `search`, that knows nothing of the recording.
-Realization answerTo(const AskedMoment& asked);
+Attack answerTo(const AskedMoment& asked);
 
 /// The same of any mode, as forge generate answers a line of a list. Thread-safe.
 Scenario answered(const SceneRequest& asked);

@@ -221,7 +221,7 @@ TEST(CollisionRequestMessage, AnAdaptiveAttackerSetsOutHoweverLittleItPromises) 
 
 TEST(AttackMessage, AWholeAttackIsReadBack) {
   const double now = 1531883530.949817;
-  const Realization attack = wholeAttack(now);
+  const Attack attack = wholeAttack(now);
   expectSame(fromMessage(toMessage(attack, "search", now)), attack);
 }
 

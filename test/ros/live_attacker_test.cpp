@@ -19,11 +19,11 @@ class LiveAttackerTest : public testing::Test {
       : live_([this](const auto& attack) { published_.push_back(attack); }, keeps_attack, 40.0) {}
 
   collision_forge::Attack setOut() {
-    const Realization first = chase_.firstAttack();
-    return live_.setOut(
-        toMessage(first, "search", kNow),
-        {chase_.snapshot, chase_.lanes, chase_.ego, chase_.request, first.aim, first.trajectory},
-        shippedSetupOfAttackers());
+    const Attack first = chase_.firstAttack();
+    return live_.setOut(toMessage(first, "search", kNow),
+                        {chase_.snapshot, chase_.lanes, chase_.ego, chase_.request, first.pattern,
+                         first.trajectory},
+                        shippedSetupOfAttackers());
   }
 
   /// Frames after `from` seconds from kNow up to `until`; before kNow the ego stands.

@@ -8,7 +8,6 @@
 namespace forge {
 namespace {
 
-using collision_forge::Attack;
 using collision_forge::CollisionAnswer;
 using collision_forge::PossibleCollision;
 using Message = collision_forge::CollisionRequest;
@@ -70,8 +69,8 @@ TEST(RequestsForEach, RefuseWhatContradictsItself) {
   EXPECT_NE(unknown.message.find("\"sideswipe\""), std::string::npos);
 }
 
-Attack attackOf(const std::string& id, double confidence) {
-  Attack attack;
+collision_forge::Attack attackOf(const std::string& id, double confidence) {
+  collision_forge::Attack attack;
   attack.header.stamp = ros::Time(100.0);
   attack.trajectory.attacker_id = id;
   attack.report.confidence = confidence;
@@ -141,14 +140,14 @@ TEST(ListPossible, NamesTheCommonestReasonWhereNothingIsPossible) {
 TEST(AnswerMessage, HoldsAnAttackWithOkAlone) {
   CollisionRequest request;
   request.type = CollisionType::kLaneChange;
-  Realization answer;
+  Attack answer;
   answer.trajectory.attacker_id = "a";
   const CollisionAnswer attack = toMessage(request, answer, "search", 100.0);
   EXPECT_EQ(attack.code, 0);
   EXPECT_EQ(attack.attack.method, "search");
   EXPECT_FALSE(attack.summary.empty());
   const CollisionAnswer refusal =
-      toMessage(request, declined({StatusCode::kNoCandidate, "nobody"}), "search", 100.0);
+      toMessage(request, rejection({StatusCode::kNoCandidate, "nobody"}), "search", 100.0);
   EXPECT_EQ(refusal.collision_type, "lane_change");
   EXPECT_EQ(refusal.message, "nobody");
   EXPECT_TRUE(refusal.attack.trajectory.attacker_id.empty());

@@ -54,7 +54,7 @@ elif words[0] == 'evaluate':
     table('All conditions, full definitions', {{'constant_velocity': 1.0, **adaptive, value('--method'): 44.0}})
 elif words[0] == 'test':
     sys.stdout = open(value('--out') + '/table.md', 'w')
-    print('5 cases, of which were tested: 4')
+    print('5 cases, tested: 4')
     base = 50.0 if value('--drive') == 'recorded' else 60.0 + known.index(value('--method'))
     table('Collisions with the attacker', {{name: base + i / 10
                                             for i, name in enumerate(value('--planners').split(','))}})
@@ -65,7 +65,7 @@ elif words[0] == 'tune':
     if 'none' in value('--config') and train == 'c_strive':
         sys.exit('forge tune: there is no avoidable crash')
     sys.stdout = open(value('--out') + '/table.md', 'w')
-    print('Training: 9 cases, of which were tested: 7\\n\\nTest: 8 cases, of which were tested: 6')
+    print('Training: 9 cases, tested: 7\\n\\nTest: 8 cases, tested: 6')
     table('Collisions with the attacker', {{'default': 70.0, 'tuned': 30.0 if train == 'c_strive' else 20.0}})
 elif words[0] == 'measure':
     print('| method | clips | median ms | mean ms | 95 % ms |\\n|---|---|---|---|---|')

@@ -144,8 +144,8 @@ int generate(const Arguments& arguments) {
   run.work = [&](std::size_t index) {
     try {
       const SceneRequest& asked = list.requests[index];
-      const RequestAnswerer answerer(scenes, method, asked.request.crash, config.ego_vehicle,
-                                     config.adaptive);
+      const RequestSolver answerer(scenes, method, asked.request.crash, config.ego_vehicle,
+                                   config.adaptive);
       return scenarioLine(answerer.answer(asked));
     } catch (const std::exception& error) {
       throw std::runtime_error(arguments.requests + ": line " + std::to_string(index + 1) +

@@ -118,14 +118,14 @@ void checkOutputs(const Arguments& arguments) {
 }
 
 /// Runs the request. The plans of the result are empty except in mode adaptive.
-AdaptiveAnswer answerOf(const MethodMaker& maker, const Moment& moment, const Scene& scene,
-                        const CollisionRequest& request, const Arguments& arguments,
-                        const Config& config) {
+AdaptiveDrive answerOf(const MethodMaker& maker, const Moment& moment, const Scene& scene,
+                       const CollisionRequest& request, const Arguments& arguments,
+                       const Config& config) {
   if (request.mode == Mode::kAdaptive) {
     const AttackerSetup setup{maker.egoFutures(), config.attack, config.adaptive};
-    return withoutMisses(
-        answerAdaptively(*maker.make(), moment, scene,
-                         egoVehicleOf(scene, config.ego_vehicle.center_offset), request, setup),
+    return rejectMisses(
+        requestAdaptively(*maker.make(), moment, scene,
+                          egoVehicleOf(scene, config.ego_vehicle.center_offset), request, setup),
         request);
   }
   return {attackOf(generateCollision(*maker.make(), moment, request, config.attack.prediction),
@@ -136,7 +136,7 @@ AdaptiveAnswer answerOf(const MethodMaker& maker, const Moment& moment, const Sc
 
 /// The attack and its check against the recording, as written into the bag.
 struct TestedAttack {
-  const Realization& attack;
+  const Attack& attack;
   const std::vector<AttackerPlan>& plans;
   const CollisionReport& tested;
   const CollisionRequest& request;
@@ -216,8 +216,8 @@ int inject(const Arguments& arguments) {
   std::cout << aftermathOf(arguments.after_contact, tested.contact, config.attacked_bag)
             << "\nwrote " << arguments.out << "\n";
   if (!arguments.draw.empty()) {
-    ScenarioView view{scene.name,       request.tta, request.mode,      moment.snapshot,
-                      *moment.recorded, attack.aim,  attack.trajectory, tested};
+    ScenarioView view{scene.name,       request.tta,    request.mode,      moment.snapshot,
+                      *moment.recorded, attack.pattern, attack.trajectory, tested};
     view.crash = motionAfterContact(tested, attack.trajectory, moment.recorded->ego,
                                     config.attack.verification.drivable);
     view.seconds_after_stand = seconds_after_stand;

@@ -27,7 +27,7 @@ ScenarioView viewOf(const PlannerCase& one, const PlannerRow& row,
 
 }  // namespace
 
-ScenarioView viewOfHit(const PlannerCase& one, const PlannerRow& row, const Config& config) {
+ScenarioView viewOfCollision(const PlannerCase& one, const PlannerRow& row, const Config& config) {
   const CrashScenario& scenario = one.scenario;
   const RolloutOutcome& outcome = row.outcome;
   const PlannerContact& contact = *outcome.contact;
@@ -50,11 +50,11 @@ ScenarioView viewOfHit(const PlannerCase& one, const PlannerRow& row, const Conf
   return view;
 }
 
-ScenarioView viewOfEscape(const PlannerCase& one, const PlannerRow& row) {
+ScenarioView viewOfEvasiveManoeuvre(const PlannerCase& one, const PlannerRow& row) {
   const Escape& escape = *row.escape_drive;
   ScenarioView view =
       viewOf(one, row, wholeEscape(row.outcome.driven, escape.ego), escape.attacker);
-  view.escaped_hit = row.outcome.contact->time;
+  view.avoided_hit = row.outcome.contact->time;
   return view;
 }
 

@@ -14,11 +14,11 @@ namespace forge {
 /// Returns the view of a collision in a planner test: ego and attacker as driven up to the contact,
 /// then their post-crash motion. `row.outcome` must hold a contact with the attacker and the driven
 /// motions (see KeptDrives).
-ScenarioView viewOfHit(const PlannerCase& one, const PlannerRow& row, const Config& config);
+ScenarioView viewOfCollision(const PlannerCase& one, const PlannerRow& row, const Config& config);
 
 /// Returns the view of the evasive manoeuvre that would have avoided the collision, with the
 /// attacker's reaction to it. `row.escape_drive` must be set.
-ScenarioView viewOfEscape(const PlannerCase& one, const PlannerRow& row);
+ScenarioView viewOfEvasiveManoeuvre(const PlannerCase& one, const PlannerRow& row);
 
 /// Writes PATH.png and PATH.gif.
 void drawView(const std::string& path, const ScenarioView& view, const DrawingOptions& drawing);

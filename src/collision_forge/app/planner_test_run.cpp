@@ -155,7 +155,7 @@ void PlannerTestRun::drawWorst(const PlannerCases& cases,
         const std::string name =
             planner + "_" + toString(policy) + "_" + std::to_string(++ranks[row]);
         drawView((folder / name).string(),
-                 viewOfHit(one, drives.rowOf(one, worst.result, planner, policy), config_),
+                 viewOfCollision(one, drives.rowOf(one, worst.result, planner, policy), config_),
                  config_.drawing);
       }
     }

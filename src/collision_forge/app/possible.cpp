@@ -56,7 +56,7 @@ std::string requestText(const CollisionRequest& request) {
   return text.str();
 }
 
-void printPossible(const CollisionRequest& request, const Realization& attack, double now) {
+void printPossible(const CollisionRequest& request, const Attack& attack, double now) {
   const CollisionReport& report = attack.report;
   std::cout << requestText(request) << "  " << std::left << std::setw(22)
             << toString(report.manoeuvre) << std::setw(kShortId + 4)
@@ -70,10 +70,10 @@ void printPossible(const CollisionRequest& request, const Realization& attack, d
 }
 
 /// Returns the attack and its alternatives, highest confidence first.
-std::vector<Realization> attacksOf(Realization answer) {
-  std::vector<Realization> attacks = std::move(answer.alternatives);
+std::vector<Attack> attacksOf(Attack answer) {
+  std::vector<Attack> attacks = std::move(answer.alternatives);
   attacks.insert(attacks.begin(), std::move(answer));
-  std::stable_sort(attacks.begin(), attacks.end(), [](const Realization& a, const Realization& b) {
+  std::stable_sort(attacks.begin(), attacks.end(), [](const Attack& a, const Attack& b) {
     return a.report.confidence > b.report.confidence;
   });
   return attacks;
@@ -100,14 +100,14 @@ int listPossible(const Arguments& arguments) {
     for (const double tta : arguments.ttas.empty() ? config.requests.ttas : arguments.ttas) {
       request.type = type;
       request.tta = tta;
-      const Realization answer =
+      const Attack answer =
           generateCollision(*maker.make(), moment, request, config.attack.prediction);
       if (answer.status.code != StatusCode::kOk) {
         rejected << requestText(request) << "  " << toString(answer.status.code) << ": "
                  << answer.status.message << "\n";
         continue;
       }
-      for (const Realization& attack : attacksOf(answer)) {
+      for (const Attack& attack : attacksOf(answer)) {
         printPossible(request, attack, now);
         ++possible;
       }

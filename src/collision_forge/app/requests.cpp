@@ -90,7 +90,7 @@ void addRequestsOf(const IndexedScene& recording, const RequestListOptions& opti
                    std::vector<SceneRequest>& requests, RoadCounts& counts) {
   for (SceneRequest& listed : listRequests(recording.scene, options, config.attack.prediction,
                                            config.crash.time_tolerance, asked)) {
-    const bool allowed = roadAllowsAsked(listed, recording, config);
+    const bool allowed = roadAllowsRequest(listed, recording, config);
     RoadCount& count = counts[listed.request.type];
     ++count.all;
     count.allowed += allowed;

@@ -171,8 +171,8 @@ void reportWeaknesses(const RequestCases& cases, const std::vector<PlannerTestRe
     if (written.insert(hardest).second) scenarios += scenarioLine(shown.scenario) + "\n";
     witnesses += witnessLine(weakness, shown) + "\n";
     const std::string picture = (pictures / std::to_string(list.count())).string();
-    drawView(picture, viewOfHit(shown.one, shown.row, config), config.drawing);
-    drawView(picture + "_escape", viewOfEscape(shown.one, shown.row), config.drawing);
+    drawView(picture, viewOfCollision(shown.one, shown.row, config), config.drawing);
+    drawView(picture + "_escape", viewOfEvasiveManoeuvre(shown.one, shown.row), config.drawing);
   }
   writeText(folder + "/weaknesses.md", list.table());
   writeText(folder + "/weaknesses.jsonl", scenarios);

@@ -15,7 +15,7 @@ AnchorFeatures anchorsOf(const Snapshot& snapshot, EgoHead head = EgoHead::kRegi
   PatternFeatureOptions options = smallFeatures();
   options.head = head;
   const LaneIndex lanes = lanesOf(snapshot);
-  const EgoWays ways = egoWays(observedSnapshot(snapshot, {}), lanes, 9.0, options.max_ways);
+  const EgoPathSet ways = egoPathSet(observedSnapshot(snapshot, {}), lanes, 9.0, options.max_ways);
   return anchorFeatures(ways, lanes, kTta, options);
 }
 
@@ -73,7 +73,7 @@ TEST(AnchorFeatures, HeadsWithoutLanesGoStraightOn) {
 TEST(AnchorFeatures, RejectATimeThatIsNotAfterNow) {
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
-  const EgoWays ways = egoWays(snapshot, lanes, 9.0, 4);
+  const EgoPathSet ways = egoPathSet(snapshot, lanes, 9.0, 4);
   EXPECT_THROW(anchorFeatures(ways, lanes, 0.0, smallFeatures()), std::invalid_argument);
 }
 

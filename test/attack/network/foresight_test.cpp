@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-std::vector<Track> sampled(const Foresight& foresight) {
+std::vector<Track> sampled(const PredictionModels& foresight) {
   const Snapshot snapshot = junctionSnapshot();
   return NetworkEgoFutures(shippedEgoFutureOptions(), foresight)
       .sample(snapshot, lanesOf(snapshot), 6.0, 32, 0);
@@ -30,37 +30,37 @@ class DriversOfAScene : public SpeedForecaster {
   }
 };
 
-TEST(Foresight, ATestSceneUsesTheNetworkTrainedWithoutIt) {
+TEST(PredictionModels, ATestSceneUsesTheNetworkTrainedWithoutIt) {
   PatternWeights fold = randomWeights(7);
   fold.left_out_scenes = {"scene-x"};
   const auto both =
       std::make_shared<const PatternNetwork>(randomWeights(5), std::vector<PatternWeights>{fold});
-  const Foresight foresight{nullptr, both, {}};
-  const Foresight alone{nullptr, std::make_shared<const PatternNetwork>(fold), {}};
+  const PredictionModels foresight{nullptr, both, {}};
+  const PredictionModels alone{nullptr, std::make_shared<const PatternNetwork>(fold), {}};
   EXPECT_TRUE(areSame(sampled(foresight.withoutScene("scene-x")), sampled(alone)));
   EXPECT_TRUE(areSame(sampled(foresight.withoutScene("scene-y")), sampled(foresight)));
   EXPECT_FALSE(areSame(sampled(foresight), sampled(alone)));
 }
 
-TEST(Foresight, WithoutSceneCopiesNothingAndKeepsTheType) {
+TEST(PredictionModels, WithoutSceneCopiesNothingAndKeepsTheType) {
   PatternWeights fold = randomWeights(7);
   fold.left_out_scenes = {"scene-x"};
-  const Foresight foresight{
+  const PredictionModels foresight{
       nullptr,
       std::make_shared<const PatternNetwork>(randomWeights(5), std::vector<PatternWeights>{fold}),
       CollisionType::kLtap};
-  const Foresight without = foresight.withoutScene("scene-x");
+  const PredictionModels without = foresight.withoutScene("scene-x");
   EXPECT_EQ(without.network, foresight.network->folds()[0]);
   EXPECT_EQ(foresight.withoutScene("scene-y").network, foresight.network);
   EXPECT_EQ(without.known_type, CollisionType::kLtap);
 }
 
-TEST(Foresight, ATestSceneUsesTheSpeedModelFittedWithoutIt) {
+TEST(PredictionModels, ATestSceneUsesTheSpeedModelFittedWithoutIt) {
   const auto drivers = std::make_shared<const DriversOfAScene>();
-  const Foresight foresight{drivers, nullptr, {}};
+  const PredictionModels foresight{drivers, nullptr, {}};
   EXPECT_NE(foresight.withoutScene("scene-x").speeds, drivers);
   EXPECT_EQ(foresight.withoutScene("scene-y").speeds, drivers);
-  EXPECT_EQ(Foresight{}.withoutScene("scene-x").speeds, nullptr);
+  EXPECT_EQ(PredictionModels{}.withoutScene("scene-x").speeds, nullptr);
 }
 
 }  // namespace

@@ -8,9 +8,9 @@ namespace forge {
 namespace {
 
 /// The chase as it was recorded, frames at 2 Hz.
-class AdaptiveAnswerTest : public testing::Test {
+class AdaptiveDriveTest : public testing::Test {
  protected:
-  AdaptiveAnswer ask(const SpeedOf& speed) {
+  AdaptiveDrive ask(const SpeedOf& speed) {
     Scene scene;
     const Track driven = egoAt(speed);
     scene.map = chase_.map;
@@ -22,31 +22,31 @@ class AdaptiveAnswerTest : public testing::Test {
       scene.ego.states.back().time = kNow + 0.5 * i;
     }
     const Moment moment{chase_.snapshot, recordedFuture(scene, kNow), chase_.lanes};
-    return answerAdaptively(searchMethod(shippedOptions()), moment, scene, chase_.ego,
-                            chase_.request, shippedSetupOfAttackers());
+    return requestAdaptively(searchMethod(shippedOptions()), moment, scene, chase_.ego,
+                             chase_.request, shippedSetupOfAttackers());
   }
 
   Chase chase_;
 };
 
-TEST_F(AdaptiveAnswerTest, ReportsTheDriveOverTheRecording) {
-  const AdaptiveAnswer answer = ask([](double t) { return std::max(5.0, 8.0 - 1.5 * t); });
+TEST_F(AdaptiveDriveTest, ReportsTheDriveOverTheRecording) {
+  const AdaptiveDrive answer = ask([](double t) { return std::max(5.0, 8.0 - 1.5 * t); });
   ASSERT_EQ(answer.attack.status.code, StatusCode::kOk) << answer.attack.status.message;
   EXPECT_TRUE(answer.attack.report.verified());
   EXPECT_EQ(answer.plans.front().reason, "initial plan");
   EXPECT_GT(answer.plans.size(), 1u);
   EXPECT_FALSE(answer.milliseconds.empty());
-  EXPECT_EQ(withoutMisses(answer, chase_.request).attack.status.code, StatusCode::kOk);
+  EXPECT_EQ(rejectMisses(answer, chase_.request).attack.status.code, StatusCode::kOk);
 }
 
-TEST_F(AdaptiveAnswerTest, AMissIsRejectedWithTheReason) {
-  const AdaptiveAnswer answer = ask([](double t) { return std::min(32.0, 8.0 + 12.0 * t); });
+TEST_F(AdaptiveDriveTest, AMissIsRejectedWithTheReason) {
+  const AdaptiveDrive answer = ask([](double t) { return std::min(32.0, 8.0 + 12.0 * t); });
   EXPECT_FALSE(answer.attack.report.contact);
-  const AdaptiveAnswer declined = withoutMisses(answer, chase_.request);
-  EXPECT_EQ(declined.attack.status.code, StatusCode::kNoAttackWithinLimits);
-  EXPECT_NE(declined.attack.status.message.find("missed the ego"), std::string::npos);
-  EXPECT_NE(declined.attack.status.message.find(answer.plans.back().reason), std::string::npos);
-  EXPECT_TRUE(declined.plans.empty());
+  const AdaptiveDrive rejection = rejectMisses(answer, chase_.request);
+  EXPECT_EQ(rejection.attack.status.code, StatusCode::kNoAttackWithinLimits);
+  EXPECT_NE(rejection.attack.status.message.find("missed the ego"), std::string::npos);
+  EXPECT_NE(rejection.attack.status.message.find(answer.plans.back().reason), std::string::npos);
+  EXPECT_TRUE(rejection.plans.empty());
 }
 
 }  // namespace

@@ -118,11 +118,12 @@ TEST(AdaptiveAttacker, WholeDriveKeepsTheLimitsForRandomEgoMotion) {
 TEST(AdaptiveAttacker, AggressivenessScalesTheLimitsOfNewPlans) {
   const double share = 0.5;
   const Chase chase;
-  const Realization first = chase.firstAttack();
+  const Attack first = chase.firstAttack();
   AttackerSetup setup = shippedSetupOfAttackers();
   setup.adaptive.fairness.aggressiveness = share;
   AdaptiveAttacker attacker(
-      {chase.snapshot, chase.lanes, chase.ego, chase.request, first.aim, first.trajectory}, setup);
+      {chase.snapshot, chase.lanes, chase.ego, chase.request, first.pattern, first.trajectory},
+      setup);
   watch(attacker, egoAt(braking), 3.5);
   const DriveLimits limits = driveLimitsOf(chase.snapshot.agents[0], shippedOptions().verification);
   int planned = 0;
@@ -180,11 +181,11 @@ TEST(AdaptiveAttacker, NewPlansKeepTheClassLimitsWhateverTheRequestSays) {
   Chase chase;
   chase.request.mode = Mode::kHistory;
   chase.request.crash.believable = false;
-  const Realization first = chase.firstAttack();
+  const Attack first = chase.firstAttack();
   ASSERT_EQ(first.status.code, StatusCode::kOk) << first.status.message;
   chase.request.crash.limits = LimitSet::kStrict;
   AdaptiveAttacker attacker(
-      {chase.snapshot, chase.lanes, chase.ego, chase.request, first.aim, first.trajectory},
+      {chase.snapshot, chase.lanes, chase.ego, chase.request, first.pattern, first.trajectory},
       shippedSetupOfAttackers());
   const Track ego = egoAt(braking);
   watch(attacker, ego, 5.5);
@@ -193,12 +194,12 @@ TEST(AdaptiveAttacker, NewPlansKeepTheClassLimitsWhateverTheRequestSays) {
 
 TEST(AdaptiveAttacker, ExtendsAShortTrajectoryStraight) {
   const Chase chase;
-  Realization first = chase.firstAttack();
+  Attack first = chase.firstAttack();
   const std::size_t all = first.trajectory.points.size();
   first.trajectory.points.resize(12);
   first.trajectory.points.erase(first.trajectory.points.begin() + 5);
   AdaptiveAttacker attacker(
-      {chase.snapshot, chase.lanes, chase.ego, chase.request, first.aim, first.trajectory},
+      {chase.snapshot, chase.lanes, chase.ego, chase.request, first.pattern, first.trajectory},
       shippedSetupOfAttackers());
   ASSERT_EQ(attacker.trajectory().points.size(), all);
   for (std::size_t i = 1; i < all; ++i) {

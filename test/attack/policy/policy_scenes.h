@@ -35,15 +35,15 @@ struct Chase {
 
   Chase() { request.mode = Mode::kAdaptive; }
 
-  Realization firstAttack() const {
+  Attack firstAttack() const {
     const AttackOptions options = shippedOptions();
     return generateCollision(searchMethod(options), {snapshot, std::nullopt, lanes, nullptr},
                              request, options.prediction);
   }
 
   AdaptiveAttacker attacker() const {
-    const Realization first = firstAttack();
-    return {{snapshot, lanes, ego, request, first.aim, first.trajectory},
+    const Attack first = firstAttack();
+    return {{snapshot, lanes, ego, request, first.pattern, first.trajectory},
             shippedSetupOfAttackers()};
   }
 };

@@ -38,18 +38,18 @@ class AddedDrivesTest : public testing::Test {
     return meeting;
   }
 
-  bool plan(const AddedMeeting& meeting, const AddedManner& manner) {
+  bool plan(const AddedMeeting& meeting, const ApproachManner& manner) {
     return drives_->plan(meeting, manner, kCarSize, drive_);
   }
 
   /// Kinds of the manners that are tried for a meeting.
-  std::vector<AddedManner::Kind> kindsOf(const AddedMeeting& meeting) const {
-    std::vector<AddedManner::Kind> kinds;
-    for (const AddedManner& manner : drives_->mannersOf(meeting)) kinds.push_back(manner.kind);
+  std::vector<ApproachManner::Kind> kindsOf(const AddedMeeting& meeting) const {
+    std::vector<ApproachManner::Kind> kinds;
+    for (const ApproachManner& manner : drives_->mannersFor(meeting)) kinds.push_back(manner.kind);
     return kinds;
   }
 
-  static bool has(const std::vector<AddedManner::Kind>& kinds, AddedManner::Kind kind) {
+  static bool has(const std::vector<ApproachManner::Kind>& kinds, ApproachManner::Kind kind) {
     return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
   }
 
@@ -63,7 +63,7 @@ class AddedDrivesTest : public testing::Test {
 
 TEST_F(AddedDrivesTest, ACruiseReachesTheMeetingAtTheContact) {
   const AddedMeeting meeting = meetingAt(Side::kRear);
-  ASSERT_TRUE(plan(meeting, {AddedManner::kCruise, 11.0}));
+  ASSERT_TRUE(plan(meeting, {ApproachManner::kCruise, 11.0}));
   const Pose2 then = drive_.poseAt(meeting.way->path, 40);
   EXPECT_NEAR(then.x, kEgoThen - kTouching, 1e-6);
   EXPECT_NEAR(then.y, 0.0, 1e-6);
@@ -77,7 +77,7 @@ TEST_F(AddedDrivesTest, ACruiseReachesTheMeetingAtTheContact) {
 TEST_F(AddedDrivesTest, InterpolatesPlacesForAnyContactTime) {
   AddedMeeting meeting = meetingAt(Side::kRear);
   meeting.contact = 1.33;
-  ASSERT_TRUE(plan(meeting, {AddedManner::kCruise, 10.0}));
+  ASSERT_TRUE(plan(meeting, {ApproachManner::kCruise, 10.0}));
   const double now = drive_.back.front();
   for (int i = 1; i <= 13; ++i) {
     EXPECT_NEAR(drive_.at(i), now + 10.0 * AddedDrive::kStep * i, 1e-6) << i;
@@ -87,7 +87,7 @@ TEST_F(AddedDrivesTest, InterpolatesPlacesForAnyContactTime) {
 
 TEST_F(AddedDrivesTest, ATrainKeepsTheEgosDistanceUntilNow) {
   const AddedMeeting meeting = meetingAt(Side::kRear);
-  ASSERT_TRUE(plan(meeting, {AddedManner::kTrain, 1.2}));
+  ASSERT_TRUE(plan(meeting, {ApproachManner::kTrain, 1.2}));
   const std::vector<double>& ego = meeting.way->ego;
   const double gap = -kTouching - 0.5 * 1.2 * kContact * kContact;
   ASSERT_EQ(drive_.back.size(), ego.size());
@@ -101,23 +101,23 @@ TEST_F(AddedDrivesTest, AFollowerRepeatsAFlowEarlierOrLater) {
   make();
   const AddedMeeting meeting = meetingAt(Side::kRear);
   ASSERT_EQ(meeting.way->flows.size(), 1u);
-  ASSERT_TRUE(plan(meeting, {AddedManner::kFollow, 0.0}));
+  ASSERT_TRUE(plan(meeting, {ApproachManner::kFollow, 0.0}));
   EXPECT_NEAR(drive_.on.back(), meeting.seen(kCarSize).along, 1e-6);
   EXPECT_NEAR(drive_.at(0) - meeting.way->flows.front().at(0.0), 17.0, 1e-6) << "1.7 s ahead of it";
   scene_ = {};
   scene_.add("at the same time", {kEgoThen - kTouching - 45.0, 0.0, 0.0}, 10.0);
   make();
-  EXPECT_FALSE(plan(meetingAt(Side::kRear), {AddedManner::kFollow, 0.0}));
+  EXPECT_FALSE(plan(meetingAt(Side::kRear), {ApproachManner::kFollow, 0.0}));
 }
 
 TEST_F(AddedDrivesTest, AStartingVehicleStandsNow) {
   const AddedMeeting meeting = meetingAt(Side::kRear);
-  ASSERT_TRUE(plan(meeting, {AddedManner::kStart, 1.2, false}));
+  ASSERT_TRUE(plan(meeting, {ApproachManner::kStart, 1.2, false}));
   EXPECT_NEAR(drive_.on.back(), meeting.seen(kCarSize).along, 1e-6);
   ASSERT_EQ(drive_.back.size(), 121u);
   EXPECT_EQ(drive_.back.front(), drive_.back.back()) << "stood all along";
   EXPECT_GT(drive_.at(1), drive_.at(0));
-  ASSERT_TRUE(plan(meeting, {AddedManner::kStart, 1.2, true}));
+  ASSERT_TRUE(plan(meeting, {ApproachManner::kStart, 1.2, true}));
   const int waited = static_cast<int>(std::lround(AddedDrive::kWait / AddedDrive::kStep));
   EXPECT_EQ(drive_.at(-waited), drive_.at(0));
   EXPECT_LT(drive_.at(-waited - 1), drive_.at(0)) << "came there";
@@ -125,7 +125,7 @@ TEST_F(AddedDrivesTest, AStartingVehicleStandsNow) {
 
 TEST_F(AddedDrivesTest, AStandingVehicleStandsAtTheMeeting) {
   const AddedMeeting meeting = meetingAt(Side::kFront);
-  ASSERT_TRUE(plan(meeting, {AddedManner::kStand}));
+  ASSERT_TRUE(plan(meeting, {ApproachManner::kStand}));
   for (const int step : {-120, -1, 0, 1, 40}) {
     EXPECT_NEAR(drive_.poseAt(meeting.way->path, step).x, kEgoThen + kTouching, 1e-6) << step;
   }
@@ -135,7 +135,7 @@ TEST_F(AddedDrivesTest, AParkedCarStandsBeforeTheMeetingAndFartherOut) {
   const AddedMeeting meeting = meetingAt(Side::kRight);
   const double beside = -0.5 * (kEgoSize.width + kCarSize.width);
   ASSERT_NEAR(meeting.across, beside, 1e-6);
-  ASSERT_TRUE(plan(meeting, {AddedManner::kPark, 3.0}));
+  ASSERT_TRUE(plan(meeting, {ApproachManner::kPark, 3.0}));
   ASSERT_EQ(drive_.back.size(), 121u);
   for (const int step : {-120, 0, 40}) {
     const Pose2 place = drive_.poseAt(meeting.way->path, step);
@@ -143,41 +143,41 @@ TEST_F(AddedDrivesTest, AParkedCarStandsBeforeTheMeetingAndFartherOut) {
     EXPECT_LT(place.y, beside - 0.1) << step;
     EXPECT_GT(place.y, beside - 1.0) << step;
   }
-  EXPECT_FALSE(plan(meeting, {AddedManner::kPark, 30.0})) << "too far off the lane";
+  EXPECT_FALSE(plan(meeting, {ApproachManner::kPark, 30.0})) << "too far off the lane";
 }
 
 TEST_F(AddedDrivesTest, RearEndsStandOnlyAheadOfTheEgo) {
   const AddedMeeting ahead = meetingAt(Side::kFront);
-  EXPECT_FALSE(has(kindsOf(meetingAt(Side::kRear)), AddedManner::kStand));
-  EXPECT_EQ(kindsOf(ahead).front(), AddedManner::kTrain);
-  EXPECT_EQ(kindsOf(ahead).back(), AddedManner::kStand);
+  EXPECT_FALSE(has(kindsOf(meetingAt(Side::kRear)), ApproachManner::kStand));
+  EXPECT_EQ(kindsOf(ahead).front(), ApproachManner::kTrain);
+  EXPECT_EQ(kindsOf(ahead).back(), ApproachManner::kStand);
   scene_.request.manoeuvre = Manoeuvre::kLeadStopped;
-  EXPECT_EQ(kindsOf(ahead).front(), AddedManner::kStand);
+  EXPECT_EQ(kindsOf(ahead).front(), ApproachManner::kStand);
   scene_.request.manoeuvre.reset();
   scene_.future.ego_samples = {scene_.future.ego};
-  EXPECT_EQ(kindsOf(ahead).front(), AddedManner::kStand) << "where the future is predicted";
+  EXPECT_EQ(kindsOf(ahead).front(), ApproachManner::kStand) << "where the future is predicted";
 }
 
 TEST_F(AddedDrivesTest, LaneChangesParkOnRequestOrWhereTheEgoHasTheLane) {
   scene_.request.type = CollisionType::kLaneChange;
   const AddedMeeting own = meetingAt(Side::kRight);
   const AddedMeeting beside = meetingAt(Side::kLeft, 1);
-  ASSERT_TRUE(own.isEgosOwn());
-  ASSERT_FALSE(beside.isEgosOwn());
-  EXPECT_EQ(kindsOf(own).front(), AddedManner::kPark);
-  EXPECT_EQ(kindsOf(beside).back(), AddedManner::kPark);
+  ASSERT_TRUE(own.isEgosPath());
+  ASSERT_FALSE(beside.isEgosPath());
+  EXPECT_EQ(kindsOf(own).front(), ApproachManner::kPark);
+  EXPECT_EQ(kindsOf(beside).back(), ApproachManner::kPark);
   scene_.request.manoeuvre = Manoeuvre::kPullOut;
-  EXPECT_EQ(kindsOf(own), std::vector<AddedManner::Kind>(2, AddedManner::kPark));
+  EXPECT_EQ(kindsOf(own), std::vector<ApproachManner::Kind>(2, ApproachManner::kPark));
   scene_.request.manoeuvre = Manoeuvre::kCutIn;
-  EXPECT_FALSE(has(kindsOf(own), AddedManner::kPark));
+  EXPECT_FALSE(has(kindsOf(own), ApproachManner::kPark));
 }
 
 TEST_F(AddedDrivesTest, ACruiseWithSpeedVariationStillReachesTheMeeting) {
   const AddedMeeting meeting = meetingAt(Side::kRear);
-  ASSERT_TRUE(plan(meeting, {AddedManner::kCruise, 8.0}));
+  ASSERT_TRUE(plan(meeting, {ApproachManner::kCruise, 8.0}));
   const AddedDrive even = drive_;
   const SpeedVariation variation{0.6, 5.0, 1.0};
-  ASSERT_TRUE(drives_->plan(meeting, {AddedManner::kCruise, 8.0}, kCarSize, drive_, variation));
+  ASSERT_TRUE(drives_->plan(meeting, {ApproachManner::kCruise, 8.0}, kCarSize, drive_, variation));
   EXPECT_NEAR(drive_.on.back(), even.on.back(), 1e-9);
   ASSERT_EQ(drive_.back.size(), even.back.size());
   const auto speedAgo = [](const AddedDrive& drive, std::size_t i) {

@@ -40,8 +40,7 @@ struct Case {
     const Snapshot now = snapshot();
     return addVehicles({now, live ? nullptr : &all, future(), request, LaneIndex(map)}, options);
   }
-  Realization resultIn(const Future& known,
-                       SearchedMotion motion = SearchedMotion::kByRoutes) const {
+  Attack resultIn(const Future& known, SearchedMotion motion = SearchedMotion::kByRoutes) const {
     const Snapshot all = past();
     const Snapshot now = snapshot();
     const LaneIndex lanes(map);
@@ -49,15 +48,15 @@ struct Case {
     return realizeByAdded(addVehicles(input, options), input, options, SearchRealizer(options),
                           motion);
   }
-  Realization result() const { return resultIn(future()); }
+  Attack result() const { return resultIn(future()); }
 };
 
 /// Rejects every task and counts the calls.
 class CountingRealizer : public TrajectoryRealizer {
  public:
-  Realization realize(const RealizationTask&) const override {
+  Attack realize(const RealizationTask&) const override {
     ++calls;
-    return declined({StatusCode::kNoAttackWithinLimits, "is only counted"});
+    return rejection({StatusCode::kNoAttackWithinLimits, "is only counted"});
   }
   mutable int calls = 0;
 };
@@ -85,10 +84,10 @@ TEST(AddedVehicle, HitsAnEgoWithoutOtherTrafficAsRequested) {
     scene.request.type = type;
     // The ego is in the middle of the junction 5 s from now.
     scene.request.tta = type == CollisionType::kJunctionCrossing ? 5.0 : 3.0;
-    const Realization answer = scene.result();
+    const Attack answer = scene.result();
     ASSERT_EQ(answer.status.code, StatusCode::kOk)
         << toString(type) << ": " << answer.status.message;
-    EXPECT_TRUE(isAsAsked(answer.report, scene.request)) << toString(type);
+    EXPECT_TRUE(meetsRequest(answer.report, scene.request)) << toString(type);
     EXPECT_TRUE(answer.trajectory.isAdded());
     EXPECT_EQ(answer.trajectory.past.back().time, kNow);
     const Pose2& now = answer.trajectory.points.front().pose;
@@ -103,7 +102,7 @@ TEST(AddedVehicle, PullsOutWhereTheEgoHasTheOnlyLane) {
   scene.map->drivable_area.push_back(rectangle(-200.0, -5.25, 200.0, -1.0));
   scene.ego = {-40.0, 0.0, 0.0};
   scene.request = believableRequestFor(CollisionType::kLaneChange);
-  const Realization answer = scene.result();
+  const Attack answer = scene.result();
   ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
   for (const AgentState& state : answer.trajectory.past) {
     EXPECT_NEAR(state.pose.x, answer.trajectory.past.back().pose.x, 1e-6) << "is parked";
@@ -115,13 +114,13 @@ TEST(AddedVehicle, UsesAMotorcycleWhereNoCarCanPark) {
   scene.map = twoLaneRoad();
   scene.ego = {-40.0, 0.0, 0.0};
   scene.request = believableRequestFor(CollisionType::kLaneChange);
-  const Realization answer = scene.result();
+  const Attack answer = scene.result();
   ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
   EXPECT_EQ(answer.trajectory.agent_class, AgentClass::kMotorcycle);
   EXPECT_EQ(answer.report.manoeuvre, Manoeuvre::kDrift);
   EXPECT_GE(answer.effort, kRidingCost);
   scene.request.attacker_class = AgentClass::kMotorcycle;
-  const Realization asked = scene.result();
+  const Attack asked = scene.result();
   ASSERT_EQ(asked.status.code, StatusCode::kOk) << asked.status.message;
   EXPECT_EQ(asked.trajectory.agent_class, AgentClass::kMotorcycle);
   scene.request.attacker_class = AgentClass::kBus;
@@ -137,9 +136,9 @@ TEST(AddedVehicle, DrivesTheWrongWayOnRequest) {
   scene.request = believableRequestFor(CollisionType::kOppositeDirection);
   EXPECT_EQ(scene.result().status.code, StatusCode::kRoadDoesNotAllow) << "nobody comes there";
   scene.request.manoeuvre = Manoeuvre::kWrongWay;
-  const Realization answer = scene.result();
+  const Attack answer = scene.result();
   ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
-  EXPECT_TRUE(isAsAsked(answer.report, scene.request));
+  EXPECT_TRUE(meetsRequest(answer.report, scene.request));
   EXPECT_TRUE(answer.report.believable()) << answer.report.unbelievable;
   EXPECT_EQ(answer.report.road.wrong_way, 1.0) << "is told as it is";
   EXPECT_EQ(answer.report.road.on_lane, 0.0);

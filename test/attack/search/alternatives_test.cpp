@@ -18,9 +18,9 @@ class WillingMethod : public AttackMethod {
  public:
   mutable std::vector<CollisionRequest> asked;
 
-  Realization answer(const Moment&, const CollisionRequest& request) const override {
+  Attack answer(const Moment&, const CollisionRequest& request) const override {
     asked.push_back(request);
-    Realization answer;
+    Attack answer;
     CollisionReport& report = answer.report;
     report.contact = report.type_kept = report.on_time = report.limits_kept = true;
     report.manoeuvre = request.manoeuvre.value_or(Manoeuvre::kFollowerCloses);
@@ -50,17 +50,17 @@ struct Case {
 
   Case() { request.alternatives = kMaxAlternatives; }
 
-  Realization answer() const {
+  Attack answer() const {
     return generateCollision(method, moment, request, shippedOptions().prediction);
   }
   /// Attacker, class and manoeuvre of each attack, the first one included.
   std::set<std::string> names() const {
-    const Realization first = answer();
+    const Attack first = answer();
     std::set<std::string> names = {nameOf(first)};
-    for (const Realization& other : first.alternatives) names.insert(nameOf(other));
+    for (const Attack& other : first.alternatives) names.insert(nameOf(other));
     return names;
   }
-  static std::string nameOf(const Realization& attack) {
+  static std::string nameOf(const Attack& attack) {
     const AttackerTrajectory& trajectory = attack.trajectory;
     return (trajectory.isAdded() ? std::string("added ") + toString(trajectory.agent_class)
                                  : trajectory.attacker_id) +
@@ -122,14 +122,14 @@ TEST(FindAlternatives, StopsWhenThereAreEnough) {
 }
 
 TEST(FindAlternatives, SortsByConfidenceWithoutNestedAlternatives) {
-  const std::vector<Realization> found = Case().answer().alternatives;
+  const std::vector<Attack> found = Case().answer().alternatives;
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found.front().report.manoeuvre, Manoeuvre::kLeadSlow);
-  for (const Realization& other : found) EXPECT_TRUE(other.alternatives.empty());
+  for (const Attack& other : found) EXPECT_TRUE(other.alternatives.empty());
 }
 
 TEST(AttackOf, ReturnsEachAttackAndRejectsNumbersBeyondTheLast) {
-  const Realization answer = Case().answer();
+  const Attack answer = Case().answer();
   const std::size_t count = 1 + answer.alternatives.size();
   EXPECT_EQ(Case::nameOf(attackOf(answer, 1)), Case::nameOf(answer));
   EXPECT_EQ(Case::nameOf(attackOf(answer, count)), Case::nameOf(answer.alternatives.back()));
@@ -138,31 +138,31 @@ TEST(AttackOf, ReturnsEachAttackAndRejectsNumbersBeyondTheLast) {
     EXPECT_EQ(attackOf(answer, number).status.code, StatusCode::kNoAttackWithinLimits);
   }
   const Status nobody{StatusCode::kNoCandidate, "nobody"};
-  EXPECT_EQ(attackOf(declined(nobody), 2).status.message, "nobody");
+  EXPECT_EQ(attackOf(rejection(nobody), 2).status.message, "nobody");
 }
 
 TEST(AreDistinct, ByManoeuvreOrAttackerAddedVehiclesByClassOrSide) {
   const Case scene;
   const auto attack = [](const std::string& id, Manoeuvre manoeuvre) {
-    Realization attack;
+    Attack attack;
     attack.trajectory.attacker_id = id;
     attack.trajectory.size = kCarSize;
     attack.trajectory.points = {{kNow, {-20.0, 0.0, 0.0}}};
     attack.report.manoeuvre = manoeuvre;
     return attack;
   };
-  const auto distinct = [&](const Realization& a, const Realization& b) {
+  const auto distinct = [&](const Attack& a, const Attack& b) {
     EXPECT_EQ(areDistinct(a, b, scene.moment.snapshot), areDistinct(b, a, scene.moment.snapshot));
     return areDistinct(a, b, scene.moment.snapshot);
   };
-  const Realization recorded = attack("a", Manoeuvre::kCutIn);
+  const Attack recorded = attack("a", Manoeuvre::kCutIn);
   EXPECT_FALSE(distinct(recorded, recorded));
   EXPECT_TRUE(distinct(recorded, attack("b", Manoeuvre::kCutIn)));
   EXPECT_TRUE(distinct(recorded, attack("a", Manoeuvre::kMerge)));
-  Realization added = attack("added-1", Manoeuvre::kCutIn);
+  Attack added = attack("added-1", Manoeuvre::kCutIn);
   added.trajectory.past = {{}};
   EXPECT_TRUE(distinct(recorded, added));
-  Realization other = added;
+  Attack other = added;
   other.trajectory.attacker_id = "added-2";
   EXPECT_FALSE(distinct(added, other));
   other.trajectory.points.front().pose = {0.0, 6.0, 0.0};

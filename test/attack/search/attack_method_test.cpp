@@ -14,8 +14,8 @@ class Told : public AttackMethod {
 
   std::vector<AgentState> past;
 
-  Realization answer(const Moment& moment, const CollisionRequest&) const override {
-    Realization answer;
+  Attack answer(const Moment& moment, const CollisionRequest&) const override {
+    Attack answer;
     answer.report = report_;
     answer.trajectory.attacker_id = moment.recorded ? "knows" : "guesses";
     answer.trajectory.past = past;
@@ -58,7 +58,7 @@ TEST(GenerateCollision, ReturnsVerifiedAttacksOnly) {
             StatusCode::kOk);
   CollisionReport late = verifiedReport();
   late.on_time = false;
-  const Realization refused = generateCollision(Told(late), moment(), request, options);
+  const Attack refused = generateCollision(Told(late), moment(), request, options);
   EXPECT_EQ(refused.status.code, StatusCode::kNoAttackWithinLimits);
   EXPECT_NE(refused.status.message.find("wrong time"), std::string::npos) << refused.status.message;
   EXPECT_TRUE(refused.trajectory.attacker_id.empty());
@@ -121,7 +121,7 @@ TEST(GenerateCollision, SaysWhyAnAttackIsNotBelievable) {
   CollisionReport report = verifiedReport();
   report.unbelievable = "drives against the lane direction for 9 % of its motion";
   CollisionRequest request = believableRequestFor(CollisionType::kRearEnd);
-  const Realization refused = generateCollision(Told(report), moment(), request, options);
+  const Attack refused = generateCollision(Told(report), moment(), request, options);
   EXPECT_EQ(refused.status.code, StatusCode::kNotBelievable);
   EXPECT_NE(refused.status.message.find("9 %"), std::string::npos) << refused.status.message;
   request.crash.believable = false;

@@ -129,7 +129,7 @@ TEST(SearchAttacks, ComeBestFirstWithTheScoresOfTheirMotions) {
       EXPECT_GT(attacks[i].score.share, 0.0);
       EXPECT_EQ(attacks[i].hits.size(), std::lround(score.share * 5.0));
       EXPECT_EQ(attacks[i].miss.distance,
-                (score.contact.position() - attacks[i].aim->attacker_offset.position()).norm());
+                (score.contact.position() - attacks[i].pattern->attacker_offset.position()).norm());
       if (i > 0) {
         EXPECT_LE(attacks[i].objective, attacks[i - 1].objective);
       }

@@ -21,7 +21,7 @@ Moment closingIn(double tta) {
 }
 
 TEST(Baselines, ConstantVelocityTakesTheCandidateThatTouches) {
-  const Realization answer =
+  const Attack answer =
       ConstantVelocityMethod(shippedOptions()).answer(closingIn(4.0), requestFor());
   ASSERT_EQ(answer.status.code, StatusCode::kOk);
   EXPECT_EQ(answer.trajectory.attacker_id, "closing");
@@ -34,7 +34,7 @@ TEST(Baselines, ReportsUseTheStrictLimitsWhateverTheRequestSays) {
   const auto drivable = believableRequestFor(CollisionType::kLaneChange);
   const auto strict = requestFor(CollisionType::kLaneChange);
   const Moment moment = closingIn(4.0);
-  const Realization answer = NominalMethod(shippedOptions()).answer(moment, drivable);
+  const Attack answer = NominalMethod(shippedOptions()).answer(moment, drivable);
   ASSERT_EQ(answer.status.code, StatusCode::kOk);
   const CollisionReport same = NominalMethod(shippedOptions()).answer(moment, strict).report;
   EXPECT_EQ(answer.report.limits_kept, same.limits_kept);
@@ -49,7 +49,7 @@ TEST(Baselines, ReportsUseTheStrictLimitsWhateverTheRequestSays) {
 TEST(Baselines, UseTheRequestedAttacker) {
   CollisionRequest request = requestFor();
   request.attacker = "standing";
-  for (const Realization& answer :
+  for (const Attack& answer :
        {ConstantVelocityMethod(shippedOptions()).answer(closingIn(4.0), request),
         NominalMethod(shippedOptions()).answer(closingIn(4.0), request)}) {
     EXPECT_EQ(answer.trajectory.attacker_id, "standing");
@@ -79,7 +79,7 @@ TEST(Baselines, OneQuinticEndsAtTheLikeliestPattern) {
   const auto predictor = std::make_shared<KinematicPatternPredictor>(kinematicPredictor(options));
   const Moment moment = closingIn(4.0);
   const CollisionRequest request = requestFor();
-  const Realization answer = PatternQuinticMethod(options, predictor).answer(moment, request);
+  const Attack answer = PatternQuinticMethod(options, predictor).answer(moment, request);
   const CollisionPattern pattern =
       predictor->predict(moment.snapshot, *moment.lanes, request, nullptr).patterns.front();
   const Pose2 wanted = compose(pattern.ego.center, pattern.attacker_offset);

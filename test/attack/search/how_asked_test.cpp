@@ -8,9 +8,9 @@ namespace forge {
 namespace {
 
 /// A follower drives straight into the rear of an ego that drives straight on.
-class HowAskedTest : public testing::Test {
+class RequestConstraintsTest : public testing::Test {
  protected:
-  HowAskedTest() {
+  RequestConstraintsTest() {
     request_.mode = Mode::kReplay;
     request_.tta = 3.0;
     const Track track = futureTrack(attacker_.id, kCarSize, {-18.0, 0.0, 0.0}, 14.5);
@@ -23,7 +23,7 @@ class HowAskedTest : public testing::Test {
     const std::vector<CollisionPattern> patterns;
     const LaneIndex lanes(map_);
     const SearchInput input{snapshot_, future_, egos_, patterns, request_, lanes};
-    HowAsked asked(input, options_);
+    RequestConstraints asked(input, options_);
     named_ = asked.isNamed();
     return asked.holds(attacker_, points_, 1);
   }
@@ -41,12 +41,12 @@ class HowAskedTest : public testing::Test {
   bool named_ = false;
 };
 
-TEST_F(HowAskedTest, WithoutConstraintsEverythingHolds) {
+TEST_F(RequestConstraintsTest, WithoutConstraintsEverythingHolds) {
   EXPECT_TRUE(holds());
   EXPECT_FALSE(named_);
 }
 
-TEST_F(HowAskedTest, JudgesTheCrashInTheGivenFuture) {
+TEST_F(RequestConstraintsTest, JudgesTheCrashInTheGivenFuture) {
   request_.ego_side = Side::kRear;
   EXPECT_TRUE(holds());
   EXPECT_TRUE(named_);

@@ -25,7 +25,7 @@ class ManoeuvreSearchTest : public testing::Test {
     recorded_.agents.clear();
   }
 
-  Realization ask(CollisionType type, double tta = 4.0) const {
+  Attack ask(CollisionType type, double tta = 4.0) const {
     CollisionRequest request = believableRequestFor(type, tta);
     request.mode = Mode::kReplay;
     const Moment moment{snapshot_, recorded_, std::make_shared<const LaneIndex>(map_)};
@@ -33,8 +33,8 @@ class ManoeuvreSearchTest : public testing::Test {
   }
 
   /// Requests an attack and checks the properties of every believable attack.
-  Realization expectAttack(CollisionType type, double tta = 4.0) const {
-    const Realization answer = ask(type, tta);
+  Attack expectAttack(CollisionType type, double tta = 4.0) const {
+    const Attack answer = ask(type, tta);
     EXPECT_EQ(answer.status.code, StatusCode::kOk)
         << toString(answer.status.code) << ": " << answer.status.message;
     if (answer.status.code != StatusCode::kOk) return answer;
@@ -54,14 +54,14 @@ class ManoeuvreSearchTest : public testing::Test {
 
 TEST_F(ManoeuvreSearchTest, ALeaderBrakesOrIsSlow) {
   scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 9.0, {pastTrack("lead", kCarSize, {18.0, 0.2, 0.0}, 9.0)});
-  const Realization answer = expectAttack(CollisionType::kRearEnd);
+  const Attack answer = expectAttack(CollisionType::kRearEnd);
   EXPECT_EQ(answer.report.ego_side, Side::kFront);
   EXPECT_LT(answer.trajectory.points[40].speed, 9.0);
 }
 
 TEST_F(ManoeuvreSearchTest, AFollowerCloses) {
   scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 7.0, {pastTrack("back", kCarSize, {-22.0, 0.0, 0.0}, 8.0)});
-  const Realization answer = expectAttack(CollisionType::kRearEnd);
+  const Attack answer = expectAttack(CollisionType::kRearEnd);
   EXPECT_EQ(answer.report.manoeuvre, Manoeuvre::kFollowerCloses);
 }
 
@@ -70,7 +70,7 @@ TEST_F(ManoeuvreSearchTest, ANeighbourCutsInLate) {
   map->lanes.push_back(straightLane("next", {-200.0, -3.5}, {200.0, -3.5}));
   map->drivable_area.push_back(rectangle(-200.0, -5.25, 200.0, -1.75));
   scene(map, {0.0, 0.0, 0.0}, 9.0, {pastTrack("next", kCarSize, {-4.0, -3.4, 0.0}, 9.5)});
-  const Realization answer = expectAttack(CollisionType::kLaneChange);
+  const Attack answer = expectAttack(CollisionType::kLaneChange);
   EXPECT_EQ(answer.report.manoeuvre, Manoeuvre::kCutIn);
   for (const TrajectoryPoint& point : answer.trajectory.points) {
     if (point.time > answer.report.manoeuvre_begin) break;
@@ -86,7 +86,7 @@ TEST_F(ManoeuvreSearchTest, ANeighbourCutsInAfterAnIslandNotOverIt) {
   map->drivable_area.push_back(rectangle(-200.0, -3.75, 20.0, -1.75));
   map->drivable_area.push_back(rectangle(kIslandEnd, -3.75, 200.0, -1.75));
   scene(map, {0.0, 0.0, 0.0}, 9.0, {pastTrack("next", kCarSize, {-4.0, -5.4, 0.0}, 9.5)});
-  const Realization answer = expectAttack(CollisionType::kLaneChange);
+  const Attack answer = expectAttack(CollisionType::kLaneChange);
   EXPECT_EQ(answer.report.road.on_island, 0.0);
 }
 
@@ -94,7 +94,7 @@ TEST_F(ManoeuvreSearchTest, AParkedCarPullsOut) {
   auto map = twoLaneRoad();
   map->drivable_area.push_back(rectangle(-200.0, -5.25, 200.0, -1.0));
   scene(map, {0.0, 0.0, 0.0}, 8.0, {pastTrack("parked", kCarSize, {33.0, -2.6, 0.0}, 0.0)});
-  const Realization answer = expectAttack(CollisionType::kLaneChange);
+  const Attack answer = expectAttack(CollisionType::kLaneChange);
   EXPECT_EQ(answer.report.ego_side, Side::kRight);
   EXPECT_EQ(answer.trajectory.points.front().speed, 0.0);
   EXPECT_LT(answer.trajectory.points[5].speed, 0.2) << "waits until the ego is near";
@@ -103,14 +103,14 @@ TEST_F(ManoeuvreSearchTest, AParkedCarPullsOut) {
 TEST_F(ManoeuvreSearchTest, AnOncomingCarCrossesTheCentreLine) {
   scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 8.0,
         {pastTrack("oncoming", kCarSize, {70.0, 3.5, M_PI}, 8.5)});
-  const Realization answer = expectAttack(CollisionType::kOppositeDirection);
+  const Attack answer = expectAttack(CollisionType::kOppositeDirection);
   EXPECT_EQ(answer.report.manoeuvre, Manoeuvre::kCentreLineCrossing);
 }
 
 TEST_F(ManoeuvreSearchTest, ACrossingCarDoesNotStop) {
   scene(fourWayJunction(), {-34.0, -1.75, 0.0}, 8.0,
         {pastTrack("cross", kCarSize, {-1.75, 36.0, -M_PI_2}, 8.0)});
-  const Realization answer = expectAttack(CollisionType::kJunctionCrossing);
+  const Attack answer = expectAttack(CollisionType::kJunctionCrossing);
   EXPECT_EQ(answer.report.manoeuvre, Manoeuvre::kStraightCrossing);
 }
 
@@ -124,7 +124,7 @@ TEST_F(ManoeuvreSearchTest, ABusDrivesAsABusCan) {
   Track bus = pastTrack("bus", {12.0, 2.9}, {-20.0, 0.0, 0.0}, 9.0);
   bus.agent_class = AgentClass::kBus;
   scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 6.0, {bus});
-  const Realization answer = expectAttack(CollisionType::kRearEnd);
+  const Attack answer = expectAttack(CollisionType::kRearEnd);
   const DriveLimits limits = driveLimitsOf(bus, options_.verification);
   EXPECT_FALSE(findBrokenDrive(answer.trajectory.points, driveStateNow(bus, options_.verification),
                                answer.report.contact_time, limits));

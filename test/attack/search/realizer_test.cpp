@@ -42,7 +42,7 @@ struct Case {
       future.ego_samples.push_back(futureTrack(kEgoId, kEgoSize, {}, speed));
     }
   }
-  Realization result() const {
+  Attack result() const {
     return realize({{pattern}, {snapshot, future, request, LaneIndex(map)}, exact}, options);
   }
   void expectRefusal(StatusCode code, const std::string& reason) const {
@@ -54,7 +54,7 @@ struct Case {
 
 TEST(Realize, ReturnsAVerifiedAttackThatHoldsWhenVerifiedAgain) {
   const Case attack;
-  const Realization result = attack.result();
+  const Attack result = attack.result();
   ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
   EXPECT_EQ(result.status.message, "");
   EXPECT_EQ(result.trajectory.attacker_id, "attacker");
@@ -69,13 +69,14 @@ TEST(Realize, ReturnsAVerifiedAttackThatHoldsWhenVerifiedAgain) {
 
 TEST(Realize, ReportsThePatternAndTheMissOfTheContact) {
   const Case attack;
-  const Realization result = attack.result();
+  const Attack result = attack.result();
   ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
-  EXPECT_EQ(result.aim.attacker_id, "attacker");
-  EXPECT_EQ(result.aim.time, attack.pattern.time);
-  EXPECT_EQ(result.aim.attacker_offset.x, attack.pattern.attacker_offset.x);
+  EXPECT_EQ(result.pattern.attacker_id, "attacker");
+  EXPECT_EQ(result.pattern.time, attack.pattern.time);
+  EXPECT_EQ(result.pattern.attacker_offset.x, attack.pattern.attacker_offset.x);
   const Pose2 met = relativeTo(result.report.ego_at_contact, result.report.attacker_at_contact);
-  EXPECT_NEAR(result.miss.distance, std::hypot(met.x - result.aim.attacker_offset.x, met.y), 1e-9);
+  EXPECT_NEAR(result.miss.distance, std::hypot(met.x - result.pattern.attacker_offset.x, met.y),
+              1e-9);
   EXPECT_NEAR(result.miss.heading, std::abs(met.yaw), 1e-9);
 }
 
@@ -84,7 +85,7 @@ TEST(Realize, HitsTheEgoAtThePattern) {
   for (const double slide : {-0.8, 0.0, 0.8}) {
     attack.pattern.attacker_offset =
         attackerOffset(kEgoSize, kCarSize, Side::kRear, 0.0, slide, 0.0);
-    const Realization result = attack.result();
+    const Attack result = attack.result();
     ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
     EXPECT_LT(result.miss.distance, 0.2) << slide;
     EXPECT_EQ(result.report.ego_side, Side::kRear);
@@ -95,7 +96,7 @@ TEST(Realize, ExactModeHitsTheRequestedPattern) {
   Case attack;
   attack.exact = true;
   attack.pattern.attacker_offset = attackerOffset(kEgoSize, kCarSize, Side::kRear, 0.1, 0.5, 0.0);
-  const Realization result = attack.result();
+  const Attack result = attack.result();
   ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
   EXPECT_LE(result.miss.distance, kExactDistance);
   EXPECT_LE(result.miss.heading, kExactHeading);
@@ -113,7 +114,7 @@ TEST(Realize, ExactModeRejectsAnUnreachablePattern) {
 }
 
 TEST(Realize, ConfidenceIsOneForAKnownEgo) {
-  const Realization result = Case().result();
+  const Attack result = Case().result();
   ASSERT_EQ(result.status.code, StatusCode::kOk);
   EXPECT_EQ(result.report.confidence, 1.0);
 }
@@ -123,12 +124,12 @@ TEST(Realize, ConfidenceIsTheShareOfHeldOutSamplesHit) {
   Case attack;
   attack.options.search.confidence_curve = {0.0, 1.0};
   attack.sampleEgo({10.0, 10.0, 10.0, 10.0, 10.0, 30.0, 10.0, 30.0});
-  const Realization half = attack.result();
+  const Attack half = attack.result();
   ASSERT_EQ(half.status.code, StatusCode::kOk) << half.status.message;
   EXPECT_EQ(half.report.confidence, 0.5);
   attack.future.ego_samples.clear();
   attack.sampleEgo({10.0, 10.0, 30.0, 10.0, 30.0, 10.0, 30.0, 10.0});
-  const Realization whole = attack.result();
+  const Attack whole = attack.result();
   ASSERT_EQ(whole.status.code, StatusCode::kOk) << whole.status.message;
   EXPECT_EQ(whole.report.confidence, 1.0);
 }
@@ -155,7 +156,7 @@ TEST(Realize, PrefersAnAttackOfHigherConfidence) {
   attack.sampleEgo({10.0, 14.0, 14.0, 14.0, 10.0, 14.0, 14.0, 14.0});
   attack.request.crash.min_confidence = 0.5;
   const LaneIndex lanes(attack.map);
-  const Realization result =
+  const Attack result =
       realize({{attack.pattern, other}, {attack.snapshot, attack.future, attack.request, lanes}},
               attack.options);
   ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
@@ -166,7 +167,7 @@ TEST(Realize, ReportsTheFutureUsedForVerification) {
   Case attack;
   attack.future.ego = futureTrack(kEgoId, kEgoSize, {}, 30.0);
   attack.sampleEgo({8.0, 8.0, 8.0, 8.0});
-  const Realization result = attack.result();
+  const Attack result = attack.result();
   ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
   EXPECT_NEAR(result.report.ego_at_contact.x, 8.0 * (result.report.contact_time - kNow), 1e-6);
 }
@@ -177,7 +178,7 @@ TEST(Realize, UsesAnotherAttackerIfTheFirstCannotReach) {
   CollisionPattern hopeless = attack.pattern;
   hopeless.attacker_id = "far";
   const LaneIndex lanes(attack.map);
-  const Realization result =
+  const Attack result =
       realize({{hopeless, attack.pattern}, {attack.snapshot, attack.future, attack.request, lanes}},
               attack.options);
   ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;

@@ -27,13 +27,13 @@ struct Case {
   CollisionRequest request = requestFor();
   std::optional<Future> recorded;
 
-  Realization result() const {
+  Attack result() const {
     const Moment moment{snapshot, recorded, std::make_shared<const LaneIndex>(map)};
     return generateCollision(searchMethod(options), moment, request, options.prediction);
   }
   /// The future used for verification: the recorded one, or the predicted one in which the ego is
   /// where the report has it.
-  Future futureOf(const Realization& answer) const {
+  Future futureOf(const Attack& answer) const {
     if (request.mode == Mode::kReplay) return *recorded;
     Future future =
         kinematicPredictor(options).predict(snapshot, LaneIndex(map), request, nullptr).future;
@@ -80,14 +80,14 @@ std::string bytesOf(const AttackerTrajectory& trajectory) {
 
 TEST(GenerateCollision, ReturnsAVerifiedAttack) {
   Case scene;
-  const Realization history = scene.result();
+  const Attack history = scene.result();
   EXPECT_EQ(history.status.code, StatusCode::kOk) << history.status.message;
   EXPECT_EQ(history.status.message, "");
   EXPECT_TRUE(history.report.verified());
   EXPECT_GT(history.report.confidence, 0.0);
   scene.request.mode = Mode::kReplay;
   scene.recorded = straightFuture();
-  const Realization replay = scene.result();
+  const Attack replay = scene.result();
   EXPECT_EQ(replay.status.code, StatusCode::kOk) << replay.status.message;
   EXPECT_EQ(replay.report.confidence, 1.0);
 }
@@ -106,7 +106,7 @@ TEST(GenerateCollision, UsesTheRequestedAttacker) {
   Case scene;
   scene.request.type = CollisionType::kOppositeDirection;
   scene.request.attacker = "oncoming";
-  const Realization result = scene.result();
+  const Attack result = scene.result();
   ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
   EXPECT_EQ(result.trajectory.attacker_id, "oncoming");
 }
@@ -121,8 +121,8 @@ TEST(GenerateCollision, SameSeedSameBytes) {
   for (const std::uint64_t seed : {0ull, 7ull, 18446744073709551615ull}) {
     Case scene;
     scene.request.seed = seed;
-    const Realization first = scene.result();
-    const Realization second = scene.result();
+    const Attack first = scene.result();
+    const Attack second = scene.result();
     ASSERT_EQ(first.status.code, StatusCode::kOk);
     EXPECT_EQ(bytesOf(first.trajectory), bytesOf(second.trajectory));
     EXPECT_EQ(first.report.contact_time, second.report.contact_time);
@@ -134,7 +134,7 @@ TEST(GenerateCollision, SameSeedSameBytes) {
 /// own separating axes and interpolation, limits from differences of positions.
 class BruteForce {
  public:
-  BruteForce(const Realization& answer, const Future& future) : answer_(answer), future_(future) {
+  BruteForce(const Attack& answer, const Future& future) : answer_(answer), future_(future) {
     for (const TrajectoryPoint& point : answer.trajectory.points) {
       path_.push_back({point.time, point.pose.x, point.pose.y, point.pose.yaw});
     }
@@ -295,7 +295,7 @@ class BruteForce {
     }
   }
 
-  const Realization& answer_;
+  const Attack& answer_;
   const Future& future_;
   std::vector<Sample> path_;
 };
@@ -355,7 +355,7 @@ TEST(GenerateCollision, EveryAttackPassesABruteForceCheck) {
   for (std::uint32_t seed = 0; seed < 500; ++seed) {
     const RandomScene random(seed);
     const Case& scene = random.scene();
-    const Realization answer = scene.result();
+    const Attack answer = scene.result();
     if (answer.status.code != StatusCode::kOk) continue;
     SCOPED_TRACE("seed " + std::to_string(seed) + ", " + toString(scene.request.type) + ", tta " +
                  std::to_string(scene.request.tta) + ", " + toString(scene.request.mode));
@@ -376,14 +376,14 @@ TEST(SearchMethod, UsesAnyBelievableMotionIfNoRouteLeadsToAnAttack) {
   Case scene;
   scene.request = believableRequestFor(CollisionType::kRearEnd);
   scene.request.choice = AttackerChoice::kExisting;
-  const Realization along = scene.result();
+  const Attack along = scene.result();
   ASSERT_EQ(along.status.code, StatusCode::kOk) << along.status.message;
   scene.options.route.ways = 0;  // so that no route leads to the ego
   for (const auto& choice : {AttackerChoice::kExisting, AttackerChoice::kAny}) {
     scene.request.choice = choice;
-    const Realization answer = scene.result();
+    const Attack answer = scene.result();
     ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
-    EXPECT_TRUE(isAsAsked(answer.report, scene.request));
+    EXPECT_TRUE(meetsRequest(answer.report, scene.request));
     EXPECT_TRUE(answer.report.believable()) << answer.report.unbelievable;
   }
 }

@@ -30,8 +30,8 @@ AttackerTrajectory straight(double speed, double yaw, AgentClass agent_class, Bo
   return trajectory;
 }
 
-TEST(BrakingSlide, DeceleratesConstantlyUntilItStands) {
-  const BrakingSlide slide{10.0, {0.0, 6.0}, 4.0};  // stands after 1.5 s and 6 * 1.5 / 2 m
+TEST(StraightBraking, DeceleratesConstantlyUntilItStands) {
+  const StraightBraking slide{10.0, {0.0, 6.0}, 4.0};  // stands after 1.5 s and 6 * 1.5 / 2 m
   const Pose2 start{1.0, 2.0, 0.3};
   EXPECT_EQ(slide.stateFrom(start, 10.0).pose.y, 2.0);
   EXPECT_EQ(slide.stateFrom(start, 10.0).velocity, Vector2(0.0, 6.0));
@@ -56,16 +56,17 @@ TEST(BrakingSlide, DeceleratesConstantlyUntilItStands) {
   EXPECT_DOUBLE_EQ(slide.standTime(), 11.5);
 }
 
-TEST(BrakingSlide, StandingVehicleStays) {
-  const AgentState state = BrakingSlide{10.0, {0.0, 0.0}, 4.0}.stateFrom({1.0, 2.0, 0.3}, 20.0);
+TEST(StraightBraking, StandingVehicleStays) {
+  const AgentState state = StraightBraking{10.0, {0.0, 0.0}, 4.0}.stateFrom({1.0, 2.0, 0.3}, 20.0);
   EXPECT_EQ(state.pose.position(), Vector2(1.0, 2.0));
   EXPECT_EQ(state.velocity, Vector2(0.0, 0.0));
-  EXPECT_EQ((BrakingSlide{10.0, {0.0, 0.0}, 4.0}.standTime()), 10.0);
+  EXPECT_EQ((StraightBraking{10.0, {0.0, 0.0}, 4.0}.standTime()), 10.0);
 }
 
 TEST(SlideFromEnd, IsStraightOnAsHardAsTheClassBrakes) {
   const BoxSize bus{12.0, 2.9};
-  const BrakingSlide slide = slideFromEnd(straight(8.0, M_PI / 2, AgentClass::kBus, bus), limits());
+  const StraightBraking slide =
+      brakingFromEnd(straight(8.0, M_PI / 2, AgentClass::kBus, bus), limits());
   EXPECT_DOUBLE_EQ(slide.begin, kNow + 2.0);
   EXPECT_NEAR((slide.velocity - Vector2(0.0, 8.0)).norm(), 0.0, 1e-9);
   EXPECT_EQ(slide.braking, brakingOf(AgentClass::kBus, bus));

@@ -117,7 +117,7 @@ TEST(Strict, BelievabilityCountsIfTheRequestRequiresIt) {
 }
 
 TEST(Strict, AngleRulesChangeOnlyTheRules) {
-  const CrashDefinition angle = rulesOfClips(shippedCrash());
+  const CrashDefinition angle = withClipRules(shippedCrash());
   EXPECT_EQ(angle.rules, TypeRules::kAngle);
   EXPECT_EQ(angle.time_tolerance, shippedCrash().time_tolerance);
   EXPECT_EQ(shippedCrash().rules, TypeRules::kFull);

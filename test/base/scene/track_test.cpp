@@ -71,12 +71,12 @@ TEST(StateAt, IsEmptyWithinALongGapButNotAtItsEnds) {
 
 TEST(NewestAt, HoldsToAMicrosecond) {
   const Track track = trackOf({{1.0, {}}, {1.5, {}}});
-  EXPECT_TRUE(newestAt(track, 1.5));
-  EXPECT_TRUE(newestAt(track, 1.5 + 5e-7));
-  EXPECT_TRUE(newestAt(track, 1.5 - 5e-7));
-  EXPECT_FALSE(newestAt(track, 1.5 + 2e-6));
-  EXPECT_FALSE(newestAt(track, 1.0));
-  EXPECT_FALSE(newestAt(Track{}, 0.0));
+  EXPECT_TRUE(endsAt(track, 1.5));
+  EXPECT_TRUE(endsAt(track, 1.5 + 5e-7));
+  EXPECT_TRUE(endsAt(track, 1.5 - 5e-7));
+  EXPECT_FALSE(endsAt(track, 1.5 + 2e-6));
+  EXPECT_FALSE(endsAt(track, 1.0));
+  EXPECT_FALSE(endsAt(Track{}, 0.0));
 }
 
 TEST(DeriveVelocities, UsesCentralDifferencesAndOneSidedOnesAtTheEnds) {

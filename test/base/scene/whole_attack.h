@@ -98,7 +98,7 @@ inline void addFields(const CollisionReport& report, AttackFields& fields) {
 }
 
 /// Compares all fields except the alternatives.
-inline AttackFields fieldsOf(const Realization& attack) {
+inline AttackFields fieldsOf(const Attack& attack) {
   const auto& [status, aim, miss, trajectory, report, effort, alternatives] = attack;
   const auto& [code, message] = status;
   const auto& [distance, heading] = miss;
@@ -117,10 +117,10 @@ inline AttackFields fieldsOf(const Realization& attack) {
 /// An attack whose fields all differ from the defaults and whose numbers all differ from each
 /// other. The attacker is an added vehicle with velocity along its heading; there are no
 /// alternatives.
-inline Realization wholeAttack(double now) {
-  Realization attack;
-  attack.aim = {CollisionType::kLaneChange, "a1", now + 4.0, {{40.0, 1.0, 0.5}, {4.084, 1.73}},
-                {-4.3, 0.25, 0.125},        12.5, 1.75};
+inline Attack wholeAttack(double now) {
+  Attack attack;
+  attack.pattern = {CollisionType::kLaneChange, "a1", now + 4.0, {{40.0, 1.0, 0.5}, {4.084, 1.73}},
+                    {-4.3, 0.25, 0.125},        12.5, 1.75};
   attack.miss = {0.28, 0.0625};
   const Pose2 before{-8.0, 2.0, 0.3};
   const Pose2 start{1.5, 2.5, 0.26};
@@ -154,7 +154,7 @@ inline Realization wholeAttack(double now) {
 }
 
 /// Compares numbers to 1e-6 m and 1e-6 s.
-inline void expectSame(const Realization& found, const Realization& expected) {
+inline void expectSame(const Attack& found, const Attack& expected) {
   const AttackFields fields = fieldsOf(found);
   const AttackFields wanted = fieldsOf(expected);
   ASSERT_EQ(fields.size(), wanted.size());

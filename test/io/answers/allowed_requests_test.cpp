@@ -26,7 +26,7 @@ bool isAllowed(CollisionType type, const IndexedScene& recording) {
   SceneRequest asked{"scene", kNow, {}};
   asked.request.type = type;
   asked.request.tta = 4.0;
-  return roadAllowsAsked(asked, recording, config);
+  return roadAllowsRequest(asked, recording, config);
 }
 
 TEST(AllowedRequests, RequireALaneOfTheTypesDirection) {

@@ -26,7 +26,7 @@ class RequestAnswererTest : public testing::Test {
   const Config config_ = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   SceneSource scenes_{{kDataroot, "v1.0-embedded"}, {"scene-0001"}, config_, 1};
   const MethodMaker method_ = loadMethod("", config_, config_.attack);
-  RequestAnswerer answerer_{scenes_, method_, config_.crash, config_.ego_vehicle, config_.adaptive};
+  RequestSolver answerer_{scenes_, method_, config_.crash, config_.ego_vehicle, config_.adaptive};
 };
 
 TEST_F(RequestAnswererTest, AgreesWithGenerateCollision) {

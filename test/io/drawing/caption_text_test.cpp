@@ -58,7 +58,7 @@ TEST(CaptionText, AnAvoidedHitHasNoContactAndIsWanted) {
   ScenarioView view = sampleView();
   view.planner = "pdm";
   view.report.contact = false;
-  view.escaped_hit = view.snapshot.now + 3.25;
+  view.avoided_hit = view.snapshot.now + 3.25;
   EXPECT_EQ(verdictText(view), "avoids the hit");
   EXPECT_EQ(verdictOf(view), Verdict::kWanted);
   EXPECT_EQ(rowOf(view, "Contact").value, "none (hit: +3.25 s)");

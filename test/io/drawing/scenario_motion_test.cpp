@@ -72,7 +72,7 @@ TEST(ScenarioMotion, KeyTimeOfAnAvoidedHitIsTheHit) {
   ScenarioView view = sampleView();
   view.report.contact = false;
   EXPECT_DOUBLE_EQ(ScenarioMotion(view).keyTime(), view.pattern.time);
-  view.escaped_hit = view.pattern.time + 1.5;
+  view.avoided_hit = view.pattern.time + 1.5;
   const ScenarioMotion motion(view);
   EXPECT_DOUBLE_EQ(motion.keyTime(), view.pattern.time + 1.5);
   const double ego = motion.egoAt(motion.keyTime())->center.x;

@@ -30,9 +30,9 @@ Scenario attack() {
   request.attacker_class = AgentClass::kTruck;
   request.ego_side = Side::kRear;
   scenario.ego = {{4.084, 1.73}, 1.385};
-  Realization& answer = scenario.answer;
-  answer.aim = {CollisionType::kRearEnd, "a1", kNow + 4.0, {{40.0, 1.0, 0.5}, {4.084, 1.73}},
-                {-4.3, 0.25, 0.125},     12.5, 1.5};
+  Attack& answer = scenario.answer;
+  answer.pattern = {CollisionType::kRearEnd, "a1", kNow + 4.0, {{40.0, 1.0, 0.5}, {4.084, 1.73}},
+                    {-4.3, 0.25, 0.125},     12.5, 1.5};
   answer.miss = {0.25, 0.0625};
   answer.trajectory = {"a1", AgentClass::kTruck, {4.6, 1.9}, {}};
   answer.trajectory.points = {{kNow, {1.0, 2.0, 0.25}, 9.0, 0.5, 0.01},
@@ -153,11 +153,11 @@ TEST(ScenarioFile, RoundTripsAWholeAttack) {
   scenario.asked.request.type = CollisionType::kLaneChange;
   scenario.answer = wholeAttack(kNow);
   scenario.answer.status.message = "a word on it";
-  Realization another = wholeAttack(kNow);
-  another.aim.tolerance = 2.25;
+  Attack another = wholeAttack(kNow);
+  another.pattern.tolerance = 2.25;
   another.effort = 0.0625;
   scenario.answer.alternatives = {another};
-  const Realization read = readScenarioLine("", scenarioLine(scenario), shippedLimits()).answer;
+  const Attack read = readScenarioLine("", scenarioLine(scenario), shippedLimits()).answer;
   expectSame(read, scenario.answer);
   ASSERT_EQ(read.alternatives.size(), 1u);
   expectSame(read.alternatives.front(), another);
@@ -165,7 +165,7 @@ TEST(ScenarioFile, RoundTripsAWholeAttack) {
 
 TEST(ScenarioFile, EveryFieldOfAWholeAttackIsFilled) {
   const AttackFields filled = fieldsOf(wholeAttack(kNow));
-  for (const auto& [name, value] : fieldsOf(Realization())) {
+  for (const auto& [name, value] : fieldsOf(Attack())) {
     if (name.rfind("status.", 0) == 0) continue;
     EXPECT_NE(filled.at(name), value) << name;
   }
@@ -182,9 +182,9 @@ std::string asOfVersion5(std::string line) {
 }
 
 TEST(ScenarioFile, AFileOfVersion5IsReadWithTheToleranceOfItsSearch) {
-  const Realization read = readScenarioLine("", asOfVersion5(kAttackLine), shippedLimits()).answer;
-  Realization expected = attack().answer;
-  expected.aim.tolerance = 4.0;
+  const Attack read = readScenarioLine("", asOfVersion5(kAttackLine), shippedLimits()).answer;
+  Attack expected = attack().answer;
+  expected.pattern.tolerance = 4.0;
   expected.effort = 0.0;
   expected.report.road.off_road = 0.0;
   expectSame(read, expected);
@@ -207,11 +207,11 @@ TEST(ScenarioFile, TimesAreReadOnTheScenesClock) {
   const Scenario read = readScenarioLine("", kAttackLine, shippedLimits());
   constexpr double kRounding = 5e-7;  // s
   EXPECT_NEAR(read.answer.trajectory.points[1].time, kNow + 0.1, kRounding);
-  EXPECT_NEAR(read.answer.aim.time, kNow + 4.0, kRounding);
+  EXPECT_NEAR(read.answer.pattern.time, kNow + 4.0, kRounding);
   EXPECT_NEAR(read.answer.report.contact_time, kNow + 3.875, kRounding);
-  EXPECT_EQ(read.answer.aim.ego.size.length, 4.084);
-  EXPECT_EQ(read.answer.aim.attacker_id, "a1");
-  EXPECT_EQ(read.answer.aim.type, CollisionType::kRearEnd);
+  EXPECT_EQ(read.answer.pattern.ego.size.length, 4.084);
+  EXPECT_EQ(read.answer.pattern.attacker_id, "a1");
+  EXPECT_EQ(read.answer.pattern.type, CollisionType::kRearEnd);
   EXPECT_EQ(read.answer.miss.distance, 0.25);
   EXPECT_EQ(read.answer.miss.heading, 0.0625);
   EXPECT_EQ(read.answer.report.confidence, 0.6);

@@ -31,13 +31,13 @@ inline Scenario rearEnd() {
   scenario.asked.now = kNow;
   scenario.asked.request.tta = 2.0;
   scenario.ego = {{4.0, 1.7}, 0.0};
-  Realization& answer = scenario.answer;
+  Attack& answer = scenario.answer;
   answer.trajectory.attacker_id = "a";
   answer.trajectory.size = {4.5, 1.8};
   for (int i = 0; i <= 40; ++i) {
     answer.trajectory.points.push_back({kNow + 0.1 * i, {30.0 + 0.1 * i, 0.0, 0.0}, 1.0, 0.0, 0.0});
   }
-  answer.aim.ego = {{20.0, 0.0, 0.0}, {4.0, 1.7}};
+  answer.pattern.ego = {{20.0, 0.0, 0.0}, {4.0, 1.7}};
   answer.report.contact = answer.report.type_kept = answer.report.on_time = true;
   answer.report.limits_kept = true;
   answer.report.contact_time = kNow + 2.0;

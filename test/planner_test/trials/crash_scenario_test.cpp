@@ -60,7 +60,7 @@ TEST(CrashScenario, AnAddedAttackerWasSeenBeforeNowToo) {
   EXPECT_EQ(added.id, "added");
   EXPECT_EQ(added.agent_class, AgentClass::kBus);
   EXPECT_EQ(added.states.size(), 2u);
-  EXPECT_TRUE(newestAt(added, scenario.snapshot.now));
+  EXPECT_TRUE(endsAt(added, scenario.snapshot.now));
   EXPECT_EQ(attackerTrack(scenario).agent_class, AgentClass::kBus);
 }
 

@@ -39,9 +39,9 @@ std::vector<PlannerTestResult> results() {
       result("c", true, {row("idm", 6.0, false)}), result("d", true, {row("idm", {})}),
       result("e", true, {row("idm", {})})};
   found[4].rows[0].outcome.failure = PlannerFailure::kEmpty;
-  PlannerTestResult declined = result("f", false, {});
-  declined.status = "NO_CANDIDATE";
-  found.push_back(declined);
+  PlannerTestResult rejection = result("f", false, {});
+  rejection.status = "NO_CANDIDATE";
+  found.push_back(rejection);
   return found;
 }
 

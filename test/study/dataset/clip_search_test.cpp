@@ -50,12 +50,12 @@ class ClipSearch : public testing::Test {
     return request;
   }
 
-  Realization found(const SceneRequest& request) const {
+  Attack found(const SceneRequest& request) const {
     return findClip(request, indexed_, config_, config_.dataset);
   }
 
   void expectRefusal(StatusCode code, const std::string& part) const {
-    const Realization answer = found(asked());
+    const Attack answer = found(asked());
     EXPECT_EQ(toString(answer.status.code), std::string(toString(code)));
     EXPECT_THAT(answer.status.message, HasSubstr(part));
     EXPECT_TRUE(answer.trajectory.points.empty());
@@ -68,7 +68,7 @@ class ClipSearch : public testing::Test {
 TEST_F(ClipSearch, AClipHasContactAtTheTargetTimeAndDrawnHeading) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const SceneRequest request = asked(CollisionType::kRearEnd, seed);
-    const Realization answer = found(request);
+    const Attack answer = found(request);
     ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
     EXPECT_EQ(answer.trajectory.attacker_id, "behind");
     EXPECT_TRUE(answer.report.verified());
@@ -83,7 +83,7 @@ TEST_F(ClipSearch, AClipHasContactAtTheTargetTimeAndDrawnHeading) {
 TEST_F(ClipSearch, AnAddedVehicleMakesAClipWithoutCandidates) {
   config_.dataset.choice = AttackerChoice::kAny;
   indexed_.scene.agents.clear();
-  const Realization answer = found(asked());
+  const Attack answer = found(asked());
   ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
   EXPECT_TRUE(answer.trajectory.isAdded());
   EXPECT_TRUE(answer.report.believable());
@@ -100,7 +100,7 @@ TEST_F(ClipSearch, TheHeadingStaysWithinTheSpread) {
   std::set<int> degrees;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const SceneRequest request = asked(CollisionType::kLaneChange, seed);
-    const Realization answer = found(request);
+    const Attack answer = found(request);
     if (answer.status.code != StatusCode::kOk) continue;
     const double drawn = std::clamp(drawnHeading(request.request, type), type.min_heading + 0.02,
                                     type.max_heading - 0.02);
@@ -111,7 +111,7 @@ TEST_F(ClipSearch, TheHeadingStaysWithinTheSpread) {
 }
 
 TEST_F(ClipSearch, TheTrajectoryContinuesTheRecordedState) {
-  const Realization answer = found(asked());
+  const Attack answer = found(asked());
   ASSERT_EQ(answer.status.code, StatusCode::kOk);
   const TrajectoryPoint& start = answer.trajectory.points.front();
   EXPECT_NEAR(start.time, kNow, 1e-9);

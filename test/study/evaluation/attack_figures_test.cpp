@@ -29,7 +29,7 @@ Track drive(const std::string& id, const Pose2& now, double speed, int first = -
 /// "attacker" at 10 m/s along x with a contact after 4 s, "beside" 5 m to its left.
 struct Case {
   Scene recording;
-  Realization answer;
+  Attack answer;
 
   Case() {
     recording.name = "scene";

@@ -20,7 +20,7 @@ struct Evaluation {
   std::shared_ptr<const LaneIndex> lanes =
       std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>());
   EvaluationPlan plan;
-  Foresight foresight;  // without models
+  PredictionModels foresight;  // without models
 
   std::vector<ResultRow> rows(const CollideClip& clip) const {
     return evaluateClip(clip, lanes, {builtInMethods(), foresight, config}, plan);
@@ -204,7 +204,7 @@ TEST(ClipEvaluation, LimitsAreStrictForAnyConfiguration) {
   evaluation.config.crash.limits = LimitSet::kDrivable;
   evaluation.config.crash.believable = true;
   const std::vector<std::string> drivable = lines();
-  evaluation.config.crash = rulesOfClips(evaluation.config.crash);
+  evaluation.config.crash = withClipRules(evaluation.config.crash);
   EXPECT_EQ(evaluation.config.crash.limits, LimitSet::kStrict);
   EXPECT_EQ(lines(), drivable);
   // The recorded attacker is judged by them too: it violates limits that allow no motion.

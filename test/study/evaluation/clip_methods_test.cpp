@@ -14,12 +14,12 @@ class FixedPattern : public AttackMethod {
  public:
   explicit FixedPattern(StatusCode code) : code_(code) {}
 
-  Realization answer(const Moment&, const CollisionRequest&) const override {
-    Realization answer;
+  Attack answer(const Moment&, const CollisionRequest&) const override {
+    Attack answer;
     answer.status.code = code_;
-    answer.aim.attacker_id = "attacker";
-    answer.aim.ego.center = {10.0, 0.0, 0.0};
-    answer.aim.attacker_offset = {-4.0, 0.0, 0.0};
+    answer.pattern.attacker_id = "attacker";
+    answer.pattern.ego.center = {10.0, 0.0, 0.0};
+    answer.pattern.attacker_offset = {-4.0, 0.0, 0.0};
     return answer;
   }
 
@@ -37,7 +37,7 @@ struct Lookahead {
     registry = clipMethods(methods, &clip, config.evaluation);
   }
 
-  Realization answer() const {
+  Attack answer() const {
     const Scene scene = toScene(clip, config.evaluation.collide, nullptr);
     const Moment moment{snapshotAt(scene, clip.now(), 8), std::nullopt, nullptr};
     CollisionRequest request;
@@ -54,7 +54,7 @@ struct Lookahead {
 
 TEST(ClipMethods, LookaheadArrivesWithTheMotionOfTheRecordedAttacker) {
   const Lookahead lookahead;
-  const Realization answer = lookahead.answer();
+  const Attack answer = lookahead.answer();
   ASSERT_EQ(answer.status.code, StatusCode::kOk);
   const Pose2 reached = poseAt(answer.trajectory, lookahead.clip.now() + 2.0);
   EXPECT_NEAR(reached.x, 6.0, 1e-6);

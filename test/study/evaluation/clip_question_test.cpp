@@ -40,7 +40,7 @@ TEST(ClipQuestion, RequestsTheClipAtAnyConfidence) {
 /// Records its arguments.
 class Listener : public AttackMethod {
  public:
-  Realization answer(const Moment& moment, const CollisionRequest& request) const override {
+  Attack answer(const Moment& moment, const CollisionRequest& request) const override {
     ++calls;
     is_shown_what_came = moment.recorded.has_value();
     seed = request.seed;
@@ -82,7 +82,7 @@ TEST(ClipQuestion, InvalidRequestsAreRejectedOnlyForSeededMethods) {
 
 TEST(ClipMethod, UsesModelsOfTheSceneOnlyWithSeenScenes) {
   const StudyConfig config = someConfig();
-  const Foresight foresight = loadForesight(config);
+  const PredictionModels foresight = loadForesight(config);
   const MethodRegistry methods = builtInMethods();
   const ClipEvaluationSetup setup{methods, foresight, config};
   CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, 15, 8.0, {-20.0, 0.3, 0.0}, 10.0);

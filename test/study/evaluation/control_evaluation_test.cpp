@@ -47,7 +47,7 @@ TEST_F(ControlEvaluatorTest, AnAttackViolatesAControlWithAnotherValue) {
   const SceneRequest& plain = questions.front().asked;
   const Moment moment = std::get<Moment>(momentAt(*scene, plain.now, 8));
   const auto method = loadMethod("search", config_, config_.attack).make();
-  const Realization attack =
+  const Attack attack =
       generateCollision(*method, moment, plain.request, config_.attack.prediction);
   ASSERT_EQ(attack.status.code, StatusCode::kOk) << attack.status.message;
   std::map<std::string, int> kept;

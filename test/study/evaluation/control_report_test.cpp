@@ -40,7 +40,7 @@ TEST(ControlRates, CountSolvedRequestsAndMetControls) {
   const ControlRates& overlap = rates[2];
   EXPECT_EQ(overlap.control, "overlap");
   EXPECT_EQ(overlap.asked, 4);
-  EXPECT_EQ(overlap.declined, 1);
+  EXPECT_EQ(overlap.rejection, 1);
   EXPECT_EQ(overlap.answered.trials, 3);
   EXPECT_DOUBLE_EQ(overlap.answered.value, 2.0 / 3.0);
   EXPECT_EQ(overlap.kept.trials, 2);

@@ -36,7 +36,7 @@ TEST(OutcomeRow, WithoutContactHasNoFigures) {
 
 TEST(OutcomeRow, NotesTheReasonOfImplausibility) {
   StrictOutcome outcome;
-  outcome.is_believed = false;
+  outcome.is_plausible = false;
   outcome.report.unbelievable = "drives across the road";
   ResultRow row;
   describeOutcome(outcome, kNow, row);

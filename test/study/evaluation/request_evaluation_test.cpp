@@ -146,9 +146,9 @@ TEST_F(RequestEvaluationTest, SearchesEqualTheRequestAnswererWithTheRulesOfTheCo
         crash.min_confidence = 0.0;
         SceneRequest in_mode = request;
         in_mode.request.mode = mode;
-        const Realization answer =
-            RequestAnswerer(scenes_, {"search", builtInMethods(), config_.attack, {}}, crash,
-                            config_.ego_vehicle, config_.adaptive)
+        const Attack answer =
+            RequestSolver(scenes_, {"search", builtInMethods(), config_.attack, {}}, crash,
+                          config_.ego_vehicle, config_.adaptive)
                 .answer(in_mode)
                 .answer;
         const ResultRow& row = rowOf(evaluated, std::string(name) + column);

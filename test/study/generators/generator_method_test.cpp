@@ -53,7 +53,7 @@ GeneratorMethod methodOf(std::shared_ptr<const TrafficGenerator> generator) {
 
 TEST(GeneratorMethod, ChoosesTheCandidateWithContact) {
   const GeneratorMethod method = methodOf(std::make_shared<StraightGenerator>());
-  const Realization answer = method.answer(closingIn(), requestFor());
+  const Attack answer = method.answer(closingIn(), requestFor());
   ASSERT_EQ(answer.status.code, StatusCode::kOk);
   EXPECT_EQ(answer.trajectory.attacker_id, "closing");
   EXPECT_TRUE(answer.report.contact);
@@ -67,7 +67,7 @@ TEST(GeneratorMethod, ContinuesAfterTheRequestedTime) {
   CollisionRequest request = requestFor();
   request.attacker = "closing";
   request.tta = 5.5;  // 11 frames: three iterations, the last one is used partly
-  const Realization answer = method.answer(closingIn(), request);
+  const Attack answer = method.answer(closingIn(), request);
   EXPECT_NEAR(answer.trajectory.points.back().time, kNow + 5.5 + shippedOptions().search.tail,
               1e-9);
 }

@@ -99,8 +99,7 @@ Moment crashMoment(const Pose2& origin = {}) {
           std::nullopt, std::make_shared<const LaneIndex>(map)};
 }
 
-Realization answerOf(const TrafficModel& model, const Moment& moment,
-                     const CollisionRequest& request) {
+Attack answerOf(const TrafficModel& model, const Moment& moment, const CollisionRequest& request) {
   const auto method = model.method("published_network", shippedOptions());
   return method->answer(moment, request);
 }
@@ -162,20 +161,20 @@ TEST(PublishedNetwork, DrivesTheSelectedAttackerToThePatternOfTheType) {
     SCOPED_TRACE(static_cast<int>(head));
     const Moment moment = crashMoment();
     const auto model = trained(head);
-    const Realization rear = answerOf(*model, moment, requestFor(CollisionType::kRearEnd, 2.5));
+    const Attack rear = answerOf(*model, moment, requestFor(CollisionType::kRearEnd, 2.5));
     ASSERT_EQ(rear.status.code, StatusCode::kOk);
     EXPECT_EQ(rear.trajectory.attacker_id, "behind");
-    EXPECT_NEAR(rear.aim.ego.center.x, 15.0, 1.01);
-    EXPECT_NEAR(rear.aim.attacker_offset.x, -4.0, 0.5);
+    EXPECT_NEAR(rear.pattern.ego.center.x, 15.0, 1.01);
+    EXPECT_NEAR(rear.pattern.attacker_offset.x, -4.0, 0.5);
     const Pose2 there = poseAt(rear.trajectory, kNow + 2.5);
-    const Pose2 target = compose(rear.aim.ego.center, rear.aim.attacker_offset);
+    const Pose2 target = compose(rear.pattern.ego.center, rear.pattern.attacker_offset);
     EXPECT_LT((there.position() - target.position()).norm(), 0.01);
     EXPECT_TRUE(rear.report.contact);
-    const Realization opposite =
+    const Attack opposite =
         answerOf(*model, moment, requestFor(CollisionType::kOppositeDirection, 2.5));
     EXPECT_EQ(opposite.trajectory.attacker_id, "ahead");
-    EXPECT_NEAR(opposite.aim.attacker_offset.x, 4.0, 0.5);
-    EXPECT_NEAR(std::abs(opposite.aim.attacker_offset.yaw), M_PI, 0.1);
+    EXPECT_NEAR(opposite.pattern.attacker_offset.x, 4.0, 0.5);
+    EXPECT_NEAR(std::abs(opposite.pattern.attacker_offset.yaw), M_PI, 0.1);
   }
 }
 
@@ -183,12 +182,12 @@ TEST(PublishedNetwork, IsInvariantToTheOrderOfAgents) {
   const auto model = trained(PublishedHead::kRegionProposal);
   Moment moment = crashMoment();
   const CollisionRequest request = requestFor(CollisionType::kRearEnd, 2.5);
-  const Realization one = answerOf(*model, moment, request);
+  const Attack one = answerOf(*model, moment, request);
   std::reverse(moment.snapshot.agents.begin(), moment.snapshot.agents.end());
-  const Realization other = answerOf(*model, moment, request);
+  const Attack other = answerOf(*model, moment, request);
   EXPECT_EQ(one.trajectory.attacker_id, other.trajectory.attacker_id);
-  EXPECT_NEAR(one.aim.ego.center.x, other.aim.ego.center.x, 1e-4);
-  EXPECT_NEAR(one.aim.attacker_offset.x, other.aim.attacker_offset.x, 1e-4);
+  EXPECT_NEAR(one.pattern.ego.center.x, other.pattern.ego.center.x, 1e-4);
+  EXPECT_NEAR(one.pattern.attacker_offset.x, other.pattern.attacker_offset.x, 1e-4);
 }
 
 TEST(PublishedNetwork, TheInputDoesNotRevealTheAttacker) {
@@ -205,12 +204,12 @@ TEST(PublishedNetwork, TheInputDoesNotRevealTheAttacker) {
 TEST(PublishedNetwork, DrivesTheRequestedAttacker) {
   const auto model = trained(PublishedHead::kRegionProposal);
   CollisionRequest request = requestFor(CollisionType::kRearEnd, 2.5);
-  const Realization free = answerOf(*model, crashMoment(), request);
+  const Attack free = answerOf(*model, crashMoment(), request);
   request.attacker = "bystander";
-  const Realization named = answerOf(*model, crashMoment(), request);
+  const Attack named = answerOf(*model, crashMoment(), request);
   EXPECT_EQ(named.trajectory.attacker_id, "bystander");
-  EXPECT_NEAR(named.aim.attacker_offset.x, free.aim.attacker_offset.x, 1e-4);
-  EXPECT_NEAR(named.aim.ego.center.x, free.aim.ego.center.x, 1e-4);
+  EXPECT_NEAR(named.pattern.attacker_offset.x, free.pattern.attacker_offset.x, 1e-4);
+  EXPECT_NEAR(named.pattern.ego.center.x, free.pattern.ego.center.x, 1e-4);
 }
 
 TEST(PublishedNetwork, TheAttackMovesWithTheScene) {
@@ -218,12 +217,12 @@ TEST(PublishedNetwork, TheAttackMovesWithTheScene) {
   for (const PublishedHead head : kHeads) {
     SCOPED_TRACE(static_cast<int>(head));
     const CollisionRequest request = requestFor(CollisionType::kRearEnd, 2.5);
-    const Realization here = answerOf(*trained(head), crashMoment(), request);
-    const Realization there = answerOf(*trained(head), crashMoment(origin), request);
-    const Pose2 moved = compose(origin, here.aim.ego.center);
-    EXPECT_NEAR(there.aim.ego.center.x, moved.x, 0.01);
-    EXPECT_NEAR(there.aim.ego.center.y, moved.y, 0.01);
-    EXPECT_NEAR(angleBetween(there.aim.ego.center.yaw, moved.yaw), 0.0, 1e-3);
+    const Attack here = answerOf(*trained(head), crashMoment(), request);
+    const Attack there = answerOf(*trained(head), crashMoment(origin), request);
+    const Pose2 moved = compose(origin, here.pattern.ego.center);
+    EXPECT_NEAR(there.pattern.ego.center.x, moved.x, 0.01);
+    EXPECT_NEAR(there.pattern.ego.center.y, moved.y, 0.01);
+    EXPECT_NEAR(angleBetween(there.pattern.ego.center.yaw, moved.yaw), 0.0, 1e-3);
     const Pose2 driven = compose(origin, poseAt(here.trajectory, kNow + 2.5));
     EXPECT_LT((poseAt(there.trajectory, kNow + 2.5).position() - driven.position()).norm(), 0.02);
   }
@@ -235,7 +234,7 @@ TEST(PublishedNetwork, WithoutLanesHeadsWithAnchorsReportTheReason) {
   moment.lanes = std::make_shared<const LaneIndex>(emptyMap());
   const CollisionRequest request = requestFor(CollisionType::kRearEnd, 2.5);
   for (const PublishedHead head : {PublishedHead::kRegionProposal, PublishedHead::kTargetPoints}) {
-    const Realization answer = answerOf(*trained(head), moment, request);
+    const Attack answer = answerOf(*trained(head), moment, request);
     EXPECT_EQ(answer.status.code, StatusCode::kRoadDoesNotAllow);
     EXPECT_NE(answer.status.message.find("no lane within 53"), std::string::npos)
         << answer.status.message;

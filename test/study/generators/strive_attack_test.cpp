@@ -35,7 +35,7 @@ class StriveAttacks : public testing::Test {
   }
   static void TearDownTestSuite() { model_.reset(); }
 
-  static Realization answer(const std::string& method, const Moment& moment) {
+  static Attack answer(const std::string& method, const Moment& moment) {
     CollisionRequest request = requestFor();
     request.attacker = "follower";
     return model_->method(method, shippedOptions())->answer(moment, request);
@@ -49,7 +49,7 @@ TEST_F(StriveAttacks, FindsACrashThatTheModelAloneDoesNotPredict) {
   Moment moment = farBehind();
   moment.recorded = predictFuture(moment.snapshot, *moment.lanes, 8.0);
   EXPECT_FALSE(answer("c_strive", moment).report.contact);
-  const Realization found = answer("strive_optimised", moment);
+  const Attack found = answer("strive_optimised", moment);
   ASSERT_EQ(found.status.code, StatusCode::kOk);
   EXPECT_TRUE(found.report.contact);
   EXPECT_NEAR(found.report.contact_time, kNow + 4.0, 0.6);

@@ -44,7 +44,7 @@ PatternFeatureOptions optionsOf(EgoHead head) {
 AnchorFeatures anchorsOf(const Snapshot& snapshot, EgoHead head) {
   const PatternFeatureOptions options = optionsOf(head);
   const LaneIndex lanes = lanesOf(snapshot);
-  const EgoWays ways = egoWays(observedSnapshot(snapshot, {}), lanes, 9.0, options.max_ways);
+  const EgoPathSet ways = egoPathSet(observedSnapshot(snapshot, {}), lanes, 9.0, options.max_ways);
   return anchorFeatures(ways, lanes, kTta, options);
 }
 

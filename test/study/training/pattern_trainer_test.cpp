@@ -43,7 +43,7 @@ std::vector<TrainingSample> samplesOf(const PatternFeatureOptions& options, int 
     snapshot.ego = pastTrack(kEgoId, kEgoSize, {-40.0, -1.75, 0.0}, speed);
     const Snapshot observed = observedSnapshot(snapshot, {});
     const LaneIndex lanes = lanesOf(snapshot);
-    const EgoWays ways = egoWays(observed, lanes, 9.0, options.max_ways);
+    const EgoPathSet ways = egoPathSet(observed, lanes, 9.0, options.max_ways);
     TrainingSample sample;
     sample.scene = "scene-" + std::to_string(i);
     sample.features = sceneFeatures(observed, lanes, options);

@@ -349,7 +349,7 @@ std::optional<Lead> leadOn(const std::vector<Pose2>& poses, const Track& agent, 
 WayAhead wayAhead(const EgoPath& path, const EgoNow& ego, const Snapshot& snapshot) {
   Lead lead;
   for (const Track& agent : snapshot.agents) {
-    if (!isVehicle(agent.agent_class) || !newestAt(agent, snapshot.now)) continue;
+    if (!isVehicle(agent.agent_class) || !endsAt(agent, snapshot.now)) continue;
     const auto found = leadOn(path.line.poses(), agent, ego, snapshot.ego.size);
     if (found && found->gap < lead.gap) lead = *found;
   }

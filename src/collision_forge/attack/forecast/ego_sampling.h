@@ -14,7 +14,7 @@ namespace forge {
 
 inline constexpr double kKeptOffset = 0.3;  ///< share of an offset from the path that stays
 
-// What samplers of the ego's futures are made of.
+// Parts of the samplers of the ego's futures.
 
 /// Stratified random numbers in (0, 1): equally spaced, with one random shift.
 class EvenDraws {

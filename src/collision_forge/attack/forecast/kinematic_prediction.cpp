@@ -65,7 +65,7 @@ Future predictFuture(const Snapshot& snapshot, const LaneIndex& lanes, double ho
   Future future;
   future.ego = predictTrack(snapshot.ego, snapshot, lanes, horizon);
   for (const Track& agent : snapshot.agents) {
-    if (!newestAt(agent, snapshot.now)) continue;
+    if (!endsAt(agent, snapshot.now)) continue;
     future.agents.push_back(predictTrack(agent, snapshot, lanes, horizon));
   }
   return future;

@@ -21,7 +21,7 @@ std::vector<Vector2> positionsAfter(const Track& ego, double now) {
 }
 
 /// Returns the ego's past states for egoNow().
-Track pastOf(const Track& ego, double now) {
+Track completePast(const Track& ego, double now) {
   Track past{ego.id, ego.agent_class, ego.size, {}};
   for (double before = 2.5; before > -0.25; before -= kProfileStep) {
     const auto state = stateAt(ego, now - before);
@@ -39,7 +39,7 @@ std::vector<SpeedProfileRow> collectSpeedProfiles(const Scene& scene, const Lane
     const double now = scene.frame_times[i];
     const double step = now - scene.frame_times[i - 1];
     frame += std::abs(step - kProfileStep) <= kStepTolerance ? 1 : 2;
-    const Track past = pastOf(scene.ego, now);
+    const Track past = completePast(scene.ego, now);
     if (past.states.size() < 2) continue;
     const EgoNow ego = egoNow(past);
     const std::vector<EgoPath> paths = egoPaths(ego, lanes, kFollowedSeconds);

@@ -71,7 +71,7 @@ double bendDemand(const EgoPath& path, double start, double driven, double speed
   return speed * speed * std::abs(turned) / driven / comfortable;
 }
 
-void fillAnchor(const EgoWays& ways, std::size_t way, double driven, double place, double tta,
+void fillAnchor(const EgoPathSet& ways, std::size_t way, double driven, double place, double tta,
                 Eigen::Index row, AnchorFeatures& features) {
   const EgoPath& path = ways.paths[way];
   const double speed = ways.ego.past_speeds[0];
@@ -115,7 +115,8 @@ AnchorFeatures emptyAnchors(int groups, int group_size, double tta,
 }
 
 /// Places anchors along the candidate paths: one standing, then evenly around constant speed.
-AnchorFeatures wayAnchors(const EgoWays& ways, double tta, const PatternFeatureOptions& options) {
+AnchorFeatures wayAnchors(const EgoPathSet& ways, double tta,
+                          const PatternFeatureOptions& options) {
   AnchorFeatures features = emptyAnchors(options.max_ways, options.way_anchors + 1, tta, options);
   features.arc_lengths = Eigen::VectorXf::Zero(features.prior.size());
   const double reached = ways.ego.past_speeds[0] * tta;
@@ -154,7 +155,7 @@ void fillFreely(const EgoNow& ego, double tta, Eigen::Index row, AnchorFeatures&
 }
 
 /// Places anchors along the centrelines nearest to the ego's reachable position.
-AnchorFeatures targetPoints(const EgoWays& ways, const LaneIndex& lanes, double tta,
+AnchorFeatures targetPoints(const EgoPathSet& ways, const LaneIndex& lanes, double tta,
                             const PatternFeatureOptions& options) {
   AnchorFeatures features = emptyAnchors(options.target_lanes, options.target_points, tta, options);
   const Pose2& ego = ways.ego.state.pose;
@@ -184,7 +185,8 @@ AnchorFeatures targetPoints(const EgoWays& ways, const LaneIndex& lanes, double 
   return features;
 }
 
-AnchorFeatures straightOn(const EgoWays& ways, double tta, const PatternFeatureOptions& options) {
+AnchorFeatures straightOn(const EgoPathSet& ways, double tta,
+                          const PatternFeatureOptions& options) {
   AnchorFeatures features = emptyAnchors(1, 1, tta, options);
   const double reached = ways.ego.past_speeds[0] * tta;
   placeAnchor(ways.ego.state.pose, compose(ways.ego.state.pose, {reached, 0.0, 0.0}), 0, features);
@@ -196,8 +198,9 @@ AnchorFeatures straightOn(const EgoWays& ways, double tta, const PatternFeatureO
 
 }  // namespace
 
-EgoWays egoWays(const Snapshot& observed, const LaneIndex& lanes, double horizon, int max_ways) {
-  EgoWays ways{egoNow(observed.ego), {}, {}};
+EgoPathSet egoPathSet(const Snapshot& observed, const LaneIndex& lanes, double horizon,
+                      int max_ways) {
+  EgoPathSet ways{egoNow(observed.ego), {}, {}};
   ways.paths = egoPaths(ways.ego, lanes, horizon);
   std::stable_sort(ways.paths.begin(), ways.paths.end(),
                    [](const EgoPath& a, const EgoPath& b) { return a.weight > b.weight; });
@@ -212,7 +215,7 @@ EgoWays egoWays(const Snapshot& observed, const LaneIndex& lanes, double horizon
   return ways;
 }
 
-AnchorFeatures anchorFeatures(const EgoWays& ways, const LaneIndex& lanes, double tta,
+AnchorFeatures anchorFeatures(const EgoPathSet& ways, const LaneIndex& lanes, double tta,
                               const PatternFeatureOptions& options) {
   if (!(tta > 0.0 && std::isfinite(tta))) {
     throw std::invalid_argument("tta = " + numberText(tta) + " s: it must be positive and finite");

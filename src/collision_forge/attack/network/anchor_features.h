@@ -31,17 +31,18 @@ struct AnchorFeatures {
 inline constexpr float kAbsent = -1e4F;  ///< prior of a missing anchor
 
 /// The ego's candidate paths, most probable first.
-struct EgoWays {
+struct EgoPathSet {
   EgoNow ego;
   std::vector<EgoPath> paths;
   std::vector<WayAhead> ahead;  ///< one per path, with the vehicle ahead
 };
 /// Returns the ego's most probable candidate paths, at most `max_ways`, for `horizon` s.
-EgoWays egoWays(const Snapshot& observed, const LaneIndex& lanes, double horizon, int max_ways);
+EgoPathSet egoPathSet(const Snapshot& observed, const LaneIndex& lanes, double horizon,
+                      int max_ways);
 
 /// Returns the anchors of the ego `tta` s after t0 for options.head. Throws std::invalid_argument
 /// if `tta` is not positive and finite.
-AnchorFeatures anchorFeatures(const EgoWays& ways, const LaneIndex& lanes, double tta,
+AnchorFeatures anchorFeatures(const EgoPathSet& ways, const LaneIndex& lanes, double tta,
                               const PatternFeatureOptions& options);
 
 }  // namespace forge

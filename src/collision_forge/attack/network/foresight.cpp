@@ -2,7 +2,7 @@
 
 namespace forge {
 
-Foresight Foresight::withoutScene(const std::string& scene) const {
+PredictionModels PredictionModels::withoutScene(const std::string& scene) const {
   return {forge::withoutScene(speeds, scene), forge::withoutScene(network, scene), known_type,
           scene};
 }

@@ -12,7 +12,7 @@ namespace forge {
 
 /// Trained models that predict ego futures and collision patterns. Cheap to copy; usable from many
 /// threads at once.
-struct Foresight {
+struct PredictionModels {
   std::shared_ptr<const SpeedForecaster> speeds;  ///< null: the acceleration at t0 decays
   std::shared_ptr<const PatternNetwork> network;  ///< null: kinematic prediction only
   /// The requested type. Set only if the scene was in the network's training set; in unseen scenes,
@@ -20,10 +20,10 @@ struct Foresight {
   std::optional<CollisionType> known_type;
   std::string unseen_scene = {};  ///< test scene that models must not know; empty: none
 
-  Foresight withoutNetwork() const { return {speeds, nullptr, std::nullopt, unseen_scene}; }
+  PredictionModels withoutNetwork() const { return {speeds, nullptr, std::nullopt, unseen_scene}; }
   /// Returns the models fitted without `scene`, for tests on it; models without such a fold are
   /// kept.
-  Foresight withoutScene(const std::string& scene) const;
+  PredictionModels withoutScene(const std::string& scene) const;
 };
 
 }  // namespace forge

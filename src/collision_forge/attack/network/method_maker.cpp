@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-MethodForesight foresightOf(const AttackOptions& options, const Foresight& foresight) {
+MethodPredictors predictorsOf(const AttackOptions& options, const PredictionModels& foresight) {
   return {std::make_shared<NetworkEgoFutures>(options.ego_futures, foresight),
           std::make_unique<NetworkPatternPredictor>(options, foresight)};
 }
@@ -16,7 +16,7 @@ MethodForesight foresightOf(const AttackOptions& options, const Foresight& fores
 }  // namespace
 
 MethodMaker::MethodMaker(const std::string& name, const MethodRegistry& methods,
-                         const AttackOptions& options, Foresight foresight)
+                         const AttackOptions& options, PredictionModels foresight)
     : options_(options),
       foresight_(std::move(foresight)),
       entry_(methods.at(name.empty() ? defaultMethod(foresight_.network != nullptr) : name)) {
@@ -27,10 +27,10 @@ MethodMaker::MethodMaker(const std::string& name, const MethodRegistry& methods,
   }
 }
 
-std::unique_ptr<const AttackMethod> MethodMaker::makeOf(const Foresight& foresight) const {
+std::unique_ptr<const AttackMethod> MethodMaker::makeOf(const PredictionModels& foresight) const {
   MethodSetup setup{
-      options_, foresightOf(options_, foresight.withoutNetwork()), {}, foresight.unseen_scene};
-  if (foresight.network) setup.networks = foresightOf(options_, foresight);
+      options_, predictorsOf(options_, foresight.withoutNetwork()), {}, foresight.unseen_scene};
+  if (foresight.network) setup.networks = predictorsOf(options_, foresight);
   return entry_.make(setup);
 }
 

@@ -16,7 +16,7 @@ class MethodMaker {
   /// An empty `name` selects defaultMethod(). Throws std::invalid_argument if `methods` has no such
   /// name or the method lacks a required input, such as a network.
   MethodMaker(const std::string& name, const MethodRegistry& methods, const AttackOptions& options,
-              Foresight foresight);
+              PredictionModels foresight);
 
   const std::string& name() const { return entry_.name; }
   bool isSeeded() const { return entry_.is_seeded; }
@@ -38,10 +38,10 @@ class MethodMaker {
   }
 
  private:
-  std::unique_ptr<const AttackMethod> makeOf(const Foresight& foresight) const;
+  std::unique_ptr<const AttackMethod> makeOf(const PredictionModels& foresight) const;
 
   AttackOptions options_;
-  Foresight foresight_;
+  PredictionModels foresight_;
   MethodRegistry::Entry entry_;
 };
 

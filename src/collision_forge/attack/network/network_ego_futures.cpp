@@ -178,7 +178,7 @@ class StretchedForecast {
 
 }  // namespace
 
-NetworkEgoFutures::NetworkEgoFutures(const EgoFutureOptions& options, Foresight foresight)
+NetworkEgoFutures::NetworkEgoFutures(const EgoFutureOptions& options, PredictionModels foresight)
     : options_(options), foresight_(std::move(foresight)), kinematic_(options, foresight_.speeds) {}
 
 std::vector<Track> NetworkEgoFutures::sample(const Snapshot& snapshot, const LaneIndex& lanes,

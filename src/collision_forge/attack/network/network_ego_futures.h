@@ -11,14 +11,14 @@ namespace forge {
 /// a network, or with one whose anchors lie on no paths, samples as KinematicEgoFutures.
 class NetworkEgoFutures : public EgoFutureSampler {
  public:
-  NetworkEgoFutures(const EgoFutureOptions& options, Foresight foresight);
+  NetworkEgoFutures(const EgoFutureOptions& options, PredictionModels foresight);
 
   std::vector<Track> sample(const Snapshot& snapshot, const LaneIndex& lanes, double horizon,
                             int count, std::uint64_t seed) const override;
 
  private:
   EgoFutureOptions options_;
-  Foresight foresight_;
+  PredictionModels foresight_;
   KinematicEgoFutures kinematic_;
 };
 

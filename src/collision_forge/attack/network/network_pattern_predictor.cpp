@@ -28,7 +28,7 @@ std::vector<const Track*> attackersOf(const std::vector<CollisionPattern>& patte
 }
 
 /// Returns the indices of the candidates, most probable attacker first.
-std::vector<std::size_t> ranked(const std::vector<CandidateAnswer>& answers) {
+std::vector<std::size_t> ranked(const std::vector<CandidatePrediction>& answers) {
   std::vector<std::size_t> order(answers.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -60,7 +60,8 @@ Pose2 egoAtImpact(const PredictedScene& scene, const CollisionRequest& request,
 
 }  // namespace
 
-NetworkPatternPredictor::NetworkPatternPredictor(const AttackOptions& options, Foresight foresight)
+NetworkPatternPredictor::NetworkPatternPredictor(const AttackOptions& options,
+                                                 PredictionModels foresight)
     : options_(options),
       foresight_(std::move(foresight)),
       kinematic_(options, std::make_shared<NetworkEgoFutures>(options.ego_futures, foresight_)) {}
@@ -73,7 +74,7 @@ PatternPrediction NetworkPatternPredictor::predict(const Snapshot& snapshot, con
   const PredictedScene scene(*foresight_.network, snapshot, lanes, request.tta);
   const Pose2 ego = egoAtImpact(scene, request, recorded, snapshot.now, foresight_.known_type);
   const std::vector<const Track*> attackers = attackersOf(prediction.patterns, snapshot);
-  const std::vector<CandidateAnswer> answers =
+  const std::vector<CandidatePrediction> answers =
       scene.judge(attackers, ego, request.tta, request.type);
   std::vector<CollisionPattern> patterns;
   for (const std::size_t i : ranked(answers)) {

@@ -13,15 +13,15 @@ namespace forge {
 class NetworkPatternPredictor : public PatternPredictor {
  public:
   /// Without a network it predicts as KinematicPatternPredictor. The ego pose is predicted without
-  /// the requested type unless Foresight::known_type is set.
-  NetworkPatternPredictor(const AttackOptions& options, Foresight foresight);
+  /// the requested type unless PredictionModels::known_type is set.
+  NetworkPatternPredictor(const AttackOptions& options, PredictionModels foresight);
 
   PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
                             const CollisionRequest& request, const Future* recorded) const override;
 
  private:
   AttackOptions options_;
-  Foresight foresight_;
+  PredictionModels foresight_;
   KinematicPatternPredictor kinematic_;
 };
 

@@ -269,8 +269,8 @@ std::vector<EgoComponent> PatternNetwork::ego(const Eigen::VectorXf& with_reques
   return components;
 }
 
-std::vector<CandidateAnswer> PatternNetwork::candidates(const Eigen::VectorXf& with_request,
-                                                        const RowMatrix& features) const {
+std::vector<CandidatePrediction> PatternNetwork::candidates(const Eigen::VectorXf& with_request,
+                                                            const RowMatrix& features) const {
   const auto& layers = weights_.layers;
   const LinearWeights& first = layers.at("candidate_first");
   const Eigen::VectorXf shared =
@@ -282,7 +282,7 @@ std::vector<CandidateAnswer> PatternNetwork::candidates(const Eigen::VectorXf& w
   relu(second);
   const RowMatrix out = apply(layers.at("candidate_last"), second);
   checkOutputs(out);
-  std::vector<CandidateAnswer> answers;
+  std::vector<CandidatePrediction> answers;
   for (Eigen::Index i = 0; i < out.rows(); ++i) {
     answers.push_back(
         {out(i, 0),

@@ -23,7 +23,7 @@ struct EgoComponent {
 };
 
 /// The network's prediction for one candidate attacker.
-struct CandidateAnswer {
+struct CandidatePrediction {
   double score = 0.0;  ///< log probability that it is the attacker, plus a constant
   Pose2 offset;        ///< box centre and yaw in the ego box's frame at impact
 };
@@ -57,8 +57,8 @@ class PatternNetwork {
                                 const AnchorFeatures& anchors) const;
   /// Returns one prediction per row of `features` ([candidates, kCandidateFeatures]). Throws
   /// std::runtime_error as ego().
-  std::vector<CandidateAnswer> candidates(const Eigen::VectorXf& with_request,
-                                          const RowMatrix& features) const;
+  std::vector<CandidatePrediction> candidates(const Eigen::VectorXf& with_request,
+                                              const RowMatrix& features) const;
 
  private:
   PatternWeights weights_;

@@ -12,7 +12,7 @@ PredictedScene::PredictedScene(const PatternNetwork& network, const Snapshot& sn
     : network_(network),
       lanes_(lanes),
       observed_(observedSnapshot(snapshot, {})),
-      ways_(egoWays(observed_, lanes, horizon, network.weights().features.max_ways)),
+      ways_(egoPathSet(observed_, lanes, horizon, network.weights().features.max_ways)),
       scene_(network.encode(sceneFeatures(observed_, lanes, network.weights().features))) {}
 
 std::vector<EgoComponent> PredictedScene::egoAfter(double tta,
@@ -21,9 +21,9 @@ std::vector<EgoComponent> PredictedScene::egoAfter(double tta,
   return network_.ego(network_.withRequest(scene_, requestFeatures(type, tta)), anchors);
 }
 
-std::vector<CandidateAnswer> PredictedScene::judge(const std::vector<const Track*>& vehicles,
-                                                   const Pose2& ego_at_impact, double tta,
-                                                   CollisionType type) const {
+std::vector<CandidatePrediction> PredictedScene::judge(const std::vector<const Track*>& vehicles,
+                                                       const Pose2& ego_at_impact, double tta,
+                                                       CollisionType type) const {
   RowMatrix features(static_cast<Eigen::Index>(vehicles.size()), kCandidateFeatures);
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
     const Track* known = findTrack(observed_.agents, vehicles[i]->id);

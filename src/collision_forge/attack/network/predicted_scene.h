@@ -15,7 +15,7 @@ class PredictedScene {
   PredictedScene(const PatternNetwork& network, const Snapshot& snapshot, const LaneIndex& lanes,
                  double horizon);
 
-  const EgoWays& ways() const { return ways_; }
+  const EgoPathSet& ways() const { return ways_; }
   /// The snapshot without information from later frames, see observedSnapshot().
   const Snapshot& observed() const { return observed_; }
 
@@ -26,15 +26,15 @@ class PredictedScene {
 
   /// Returns the network's prediction for each vehicle, given the ego's pose at impact (ego frame
   /// at t0). Throws std::invalid_argument if a vehicle is not in the snapshot.
-  std::vector<CandidateAnswer> judge(const std::vector<const Track*>& vehicles,
-                                     const Pose2& ego_at_impact, double tta,
-                                     CollisionType type) const;
+  std::vector<CandidatePrediction> judge(const std::vector<const Track*>& vehicles,
+                                         const Pose2& ego_at_impact, double tta,
+                                         CollisionType type) const;
 
  private:
   const PatternNetwork& network_;
   const LaneIndex& lanes_;
   Snapshot observed_;
-  EgoWays ways_;
+  EgoPathSet ways_;
   Eigen::VectorXf scene_;
 };
 

@@ -105,7 +105,7 @@ void encodeLanes(const Snapshot& snapshot, const LaneIndex& lanes, const Encodin
 
 SceneEncoding encodeScene(const Snapshot& snapshot, const LaneIndex& lanes, int frames,
                           const EncodingOptions& options) {
-  if (!newestAt(snapshot.ego, snapshot.now)) {
+  if (!endsAt(snapshot.ego, snapshot.now)) {
     throw std::invalid_argument("the snapshot has no ego state at its time");
   }
   SceneEncoding encoding;

@@ -32,7 +32,7 @@ std::vector<std::size_t> nearestAgents(const Snapshot& observed, int count) {
   std::vector<std::pair<double, std::size_t>> near;
   for (std::size_t i = 0; i < observed.agents.size(); ++i) {
     const Track& agent = observed.agents[i];
-    if (!newestAt(agent, observed.now)) continue;
+    if (!endsAt(agent, observed.now)) continue;
     near.emplace_back((agent.states.back().pose.position() - ego).norm(), i + 1);
   }
   std::stable_sort(near.begin(), near.end(),

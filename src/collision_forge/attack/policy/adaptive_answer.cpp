@@ -8,26 +8,26 @@
 
 namespace forge {
 
-AdaptiveAnswer answerAdaptively(const AttackMethod& method, const Moment& moment,
+AdaptiveDrive requestAdaptively(const AttackMethod& method, const Moment& moment,
                                 const Scene& recording, const EgoVehicle& ego,
                                 const CollisionRequest& request, const AttackerSetup& setup) {
   CollisionRequest likely_or_not = request;
   likely_or_not.crash.min_confidence = 0.0;
-  Realization first = generateCollision(method, moment, likely_or_not, setup.attack.prediction);
+  Attack first = generateCollision(method, moment, likely_or_not, setup.attack.prediction);
   if (first.status.code != StatusCode::kOk) return {std::move(first), {}, {}};
   return driveAdaptively(std::move(first), moment, recording, ego, request, setup);
 }
 
-AdaptiveAnswer driveAdaptively(Realization first, const Moment& moment, const Scene& recording,
-                               const EgoVehicle& ego, const CollisionRequest& request,
-                               const AttackerSetup& setup) {
-  AdaptiveAnswer answer{std::move(first), {}, {}};
-  AdaptiveAttacker attacker({moment.snapshot, moment.lanes, ego, request, answer.attack.aim,
+AdaptiveDrive driveAdaptively(Attack first, const Moment& moment, const Scene& recording,
+                              const EgoVehicle& ego, const CollisionRequest& request,
+                              const AttackerSetup& setup) {
+  AdaptiveDrive answer{std::move(first), {}, {}};
+  AdaptiveAttacker attacker({moment.snapshot, moment.lanes, ego, request, answer.attack.pattern,
                              answer.attack.trajectory, answer.attack.effort},
                             setup);
   answer.milliseconds = driveOverRecording(attacker, recording, moment.snapshot.now);
   answer.plans = attacker.plans();
-  Realization& driven = answer.attack;
+  Attack& driven = answer.attack;
   driven.trajectory = attacker.trajectory();
   const double confidence = driven.report.confidence;
   driven.report =
@@ -36,19 +36,19 @@ AdaptiveAnswer driveAdaptively(Realization first, const Moment& moment, const Sc
   driven.report.confidence = confidence;
   if (driven.report.contact) {
     driven.miss =
-        missBetween(driven.aim.attacker_offset,
+        missBetween(driven.pattern.attacker_offset,
                     relativeTo(driven.report.ego_at_contact, driven.report.attacker_at_contact));
   }
   return answer;
 }
 
-AdaptiveAnswer withoutMisses(AdaptiveAnswer answer, const CollisionRequest& request) {
+AdaptiveDrive rejectMisses(AdaptiveDrive answer, const CollisionRequest& request) {
   if (answer.attack.status.code != StatusCode::kOk) return answer;
   const std::string shortcoming = shortcomingOf(answer.attack.report, request);
   if (shortcoming.empty()) return answer;
-  return {declined({StatusCode::kNoAttackWithinLimits,
-                    "the attacker " + shortcoming +
-                        "; its last decision: " + answer.plans.back().reason}),
+  return {rejection({StatusCode::kNoAttackWithinLimits,
+                     "the attacker " + shortcoming +
+                         "; its last decision: " + answer.plans.back().reason}),
           {},
           {}};
 }

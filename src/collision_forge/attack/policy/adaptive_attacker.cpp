@@ -17,13 +17,13 @@
 namespace forge {
 namespace {
 
-// The budget of a new plan in one update step, in place of that of RouteDriverOptions:
+// The budget of a new plan in one update step:
 constexpr int kWays = 3;  // the path of the present plan first
 constexpr int kRounds = 2;
 constexpr int kPerturbations = 12;
-constexpr double kMinGain = 0.05;  // of the search's objective: a new plan must be better by this
-constexpr double kMinHope = 0.02;  // closeness (0 to 1) of a plan that hits no future; with less
-                                   // the attack is aborted
+constexpr double kMinGain = 0.05;    // of the search's objective: a new plan must be better by this
+constexpr double kMinHope = 0.02;    // closeness (0 to 1) of a plan that hits no future; with less
+                                     // the attack is aborted
 constexpr double kOwnSpacing = 1.0;  // m between the points of the planned path
 constexpr double kOwnBeyond = 40.0;  // m by which the planned path continues straight
 
@@ -154,8 +154,8 @@ Future AdaptiveAttacker::foresee(const Snapshot& snapshot) const {
   const double end = task_.plan.points.back().time - snapshot.now;
   // The plan may end less than a step from now.
   const double central = std::min(std::max(impact_ - snapshot.now, kPredictionStep), end);
-  return foreseenFuture(snapshot, *task_.lanes, *setup_.ego_futures, end, central,
-                        setup_.adaptive.ego_samples, task_.request.seed, prediction);
+  return predictWithEgoSamples(snapshot, *task_.lanes, *setup_.ego_futures, end, central,
+                               setup_.adaptive.ego_samples, task_.request.seed, prediction);
 }
 
 /// Returns the snapshot with the attacker at point `from` of its plan, whose time becomes t0.
@@ -216,7 +216,7 @@ void AdaptiveAttacker::replan(const Frame& seen, std::size_t from) {
   const Snapshot snapshot = asOf(from, known);
   CollisionRequest request = task_.request;
   request.tta = impact_ - snapshot.now;
-  CollisionPattern pattern = task_.aim;
+  CollisionPattern pattern = task_.pattern;
   pattern.time = impact_;
   pattern.ego = {stateAt(future.ego, impact_).value_or(future.ego.states.back()).pose,
                  task_.ego.size};
@@ -255,7 +255,7 @@ bool AdaptiveAttacker::isBelievable(std::size_t from, const std::vector<Trajecto
                                      task_.plan.points.begin() + static_cast<std::ptrdiff_t>(from));
   whole.insert(whole.end(), points.begin(), points.end());
   const RoadUse road = roadUseOfAttack(whole, vehicle_.size, contact, lanes, options);
-  return whyUnbelievable(road, whole, vehicle_.size, lanes, options).empty();
+  return implausibilityOf(road, whole, vehicle_.size, lanes, options).empty();
 }
 
 /// Returns true if the plan hits another agent within options.evade_time from point `from` on.

@@ -19,9 +19,9 @@ struct AttackerTask {
   std::shared_ptr<const LaneIndex> lanes;
   EgoVehicle ego;
   CollisionRequest request;  ///< with the crash definition filled in
-  CollisionPattern aim;      ///< pattern from which `plan` was made
+  CollisionPattern pattern;  ///< pattern from which `plan` was made
   AttackerTrajectory plan;   ///< first plan, from t0; at least two points
-  double effort = 0.0;       ///< of `plan`, see Realization::effort
+  double effort = 0.0;       ///< of `plan`, see Attack::effort
 };
 
 /// Models and options of adaptive attackers.

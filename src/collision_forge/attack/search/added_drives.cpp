@@ -25,17 +25,17 @@ constexpr double kGettingGoing = 0.4;  // s until a starting vehicle has its acc
 constexpr double kOwnLane = 1.5;       // m from the path's middle: the path is the ego's own
 constexpr double kHeadway = 1.2;       // s between two vehicles on the same path
 
-std::vector<AddedManner> followsOf(const AddedMeeting& meeting) {
-  std::vector<AddedManner> follows;
+std::vector<ApproachManner> followsOf(const AddedMeeting& meeting) {
+  std::vector<ApproachManner> follows;
   for (std::size_t i = 0; i < meeting.way->flows.size(); ++i) {
-    follows.push_back({AddedManner::kFollow, static_cast<double>(i)});
+    follows.push_back({ApproachManner::kFollow, static_cast<double>(i)});
   }
   return follows;
 }
 
-std::vector<AddedManner> joined(std::initializer_list<std::vector<AddedManner>> lists) {
-  std::vector<AddedManner> all;
-  for (const std::vector<AddedManner>& list : lists)
+std::vector<ApproachManner> joined(std::initializer_list<std::vector<ApproachManner>> lists) {
+  std::vector<ApproachManner> all;
+  for (const std::vector<ApproachManner>& list : lists)
     all.insert(all.end(), list.begin(), list.end());
   return all;
 }
@@ -60,7 +60,7 @@ double besideEgo(const AddedMeeting& meeting, const PathPose& place, double gap)
 
 }  // namespace
 
-bool AddedMeeting::isEgosOwn() const {
+bool AddedMeeting::isEgosPath() const {
   const Pose2 place = way->path.at(way->path.project(ego.center.position())).pose;
   return std::abs(relativeTo(place, ego.center).y) < kOwnLane;
 }
@@ -89,7 +89,7 @@ Pose2 AddedDrive::poseAt(const ReferencePath& path, int steps) const {
 AddedDrives::AddedDrives(const AddedVehicleInput& input, const AttackOptions& options)
     : input_(input), added_(options.added), past_(input.known()), steps_back_(stepsBack(past_)) {}
 
-std::vector<AddedManner> AddedDrives::mannersOf(const AddedMeeting& meeting) const {
+std::vector<ApproachManner> AddedDrives::mannersFor(const AddedMeeting& meeting) const {
   switch (input_.request.type) {
     case CollisionType::kRearEnd:
       return mannersInLane(meeting);
@@ -104,9 +104,9 @@ std::vector<AddedManner> AddedDrives::mannersOf(const AddedMeeting& meeting) con
   return mannersCrossing(meeting);
 }
 
-std::vector<AddedManner> AddedDrives::mannersInLane(const AddedMeeting& meeting) const {
-  std::vector<AddedManner> trains = trainsOf(meeting);
-  std::vector<AddedManner> cruises;
+std::vector<ApproachManner> AddedDrives::mannersInLane(const AddedMeeting& meeting) const {
+  std::vector<ApproachManner> trains = trainsOf(meeting);
+  std::vector<ApproachManner> cruises;
   std::vector<double> speeds = speedsOf(meeting);
   if (!input_.isFutureKnown()) {
     // The greater the closing speed, the less the uncertainty of the ego's position matters.
@@ -114,56 +114,56 @@ std::vector<AddedManner> AddedDrives::mannersInLane(const AddedMeeting& meeting)
     std::sort(speeds.begin(), speeds.end(),
               [&](double a, double b) { return std::abs(a - own) > std::abs(b - own); });
   }
-  for (const double speed : speeds) cruises.push_back({AddedManner::kCruise, speed});
-  std::vector<AddedManner> stands;
-  if (meeting.side == Side::kFront) stands.push_back({AddedManner::kStand});
+  for (const double speed : speeds) cruises.push_back({ApproachManner::kCruise, speed});
+  std::vector<ApproachManner> stands;
+  if (meeting.side == Side::kFront) stands.push_back({ApproachManner::kStand});
   const bool stands_first =
       !input_.isFutureKnown() || input_.request.manoeuvre == Manoeuvre::kLeadStopped;
   return stands_first ? joined({stands, cruises, trains}) : joined({trains, cruises, stands});
 }
 
-std::vector<AddedManner> AddedDrives::mannersBeside(const AddedMeeting& meeting) const {
-  std::vector<AddedManner> parks;
-  for (const double before : kParked) parks.push_back({AddedManner::kPark, before});
-  std::vector<AddedManner> cruises;
-  for (const double speed : speedsOf(meeting)) cruises.push_back({AddedManner::kCruise, speed});
+std::vector<ApproachManner> AddedDrives::mannersBeside(const AddedMeeting& meeting) const {
+  std::vector<ApproachManner> parks;
+  for (const double before : kParked) parks.push_back({ApproachManner::kPark, before});
+  std::vector<ApproachManner> cruises;
+  for (const double speed : speedsOf(meeting)) cruises.push_back({ApproachManner::kCruise, speed});
   const std::optional<Manoeuvre>& asked = input_.request.manoeuvre;
   if (asked == Manoeuvre::kPullOut) return parks;
   if (asked) parks.clear();
-  std::vector<AddedManner> drives = joined({trainsOf(meeting), cruises});
-  if (!meeting.isEgosOwn()) return joined({drives, parks});
+  std::vector<ApproachManner> drives = joined({trainsOf(meeting), cruises});
+  if (!meeting.isEgosPath()) return joined({drives, parks});
   const AddedWay& way = *meeting.way;
   const bool is_ego_there = !way.ego.empty() && std::abs(way.ego_across) < kOwnLane;
   // Another lane leads into the ego's.
   if (!is_ego_there) return joined({parks, drives});
   // Only a motorcycle fits beside the ego in its lane.
-  for (AddedManner& manner : drives) manner.rides = true;
+  for (ApproachManner& manner : drives) manner.rides = true;
   return joined({parks, drives});
 }
 
-std::vector<AddedManner> AddedDrives::mannersOncoming(const AddedMeeting& meeting) const {
-  std::vector<AddedManner> manners;
+std::vector<ApproachManner> AddedDrives::mannersOncoming(const AddedMeeting& meeting) const {
+  std::vector<ApproachManner> manners;
   // A slow vehicle cannot cross the centre line in time.
   for (const double speed : speedsOf(meeting)) {
-    if (speed >= kLeastCrossingSpeed) manners.push_back({AddedManner::kCruise, speed});
+    if (speed >= kLeastCrossingSpeed) manners.push_back({ApproachManner::kCruise, speed});
   }
   manners = joined({manners, followsOf(meeting)});
-  for (const double start : kStarts) manners.push_back({AddedManner::kStart, start, false});
-  std::vector<AddedManner> nearer = manners;
-  for (AddedManner& manner : nearer) manner.aside = std::copysign(kAside, meeting.across);
+  for (const double start : kStarts) manners.push_back({ApproachManner::kStart, start, false});
+  std::vector<ApproachManner> nearer = manners;
+  for (ApproachManner& manner : nearer) manner.aside = std::copysign(kAside, meeting.across);
   return joined({manners, nearer});
 }
 
-std::vector<AddedManner> AddedDrives::mannersCrossing(const AddedMeeting& meeting) const {
+std::vector<ApproachManner> AddedDrives::mannersCrossing(const AddedMeeting& meeting) const {
   const std::vector<double> speeds = speedsOf(meeting);
-  std::vector<AddedManner> manners;
+  std::vector<ApproachManner> manners;
   for (std::size_t i = 0; i < std::max(speeds.size(), std::size(kStarts)); ++i) {
-    if (i < speeds.size()) manners.push_back({AddedManner::kCruise, speeds[i]});
+    if (i < speeds.size()) manners.push_back({ApproachManner::kCruise, speeds[i]});
     if (i >= std::size(kStarts)) continue;
-    manners.push_back({AddedManner::kStart, kStarts[i], false});
-    manners.push_back({AddedManner::kStart, kStarts[i], true});
+    manners.push_back({ApproachManner::kStart, kStarts[i], false});
+    manners.push_back({ApproachManner::kStart, kStarts[i], true});
   }
-  const std::vector<AddedManner> follows = followsOf(meeting);
+  const std::vector<ApproachManner> follows = followsOf(meeting);
   manners.insert(manners.begin() + std::min<std::ptrdiff_t>(2, manners.size()), follows.begin(),
                  follows.end());
   return manners;
@@ -178,14 +178,15 @@ std::vector<double> AddedDrives::speedsOf(const AddedMeeting& meeting) const {
   return speeds;
 }
 
-std::vector<AddedManner> AddedDrives::trainsOf(const AddedMeeting& meeting) const {
-  std::vector<AddedManner> trains;
-  for (const double closing : kClosings) trains.push_back({AddedManner::kTrain, closing});
+std::vector<ApproachManner> AddedDrives::trainsOf(const AddedMeeting& meeting) const {
+  std::vector<ApproachManner> trains;
+  for (const double closing : kClosings) trains.push_back({ApproachManner::kTrain, closing});
   return joined({trains, followsOf(meeting)});
 }
 
-bool AddedDrives::plan(const AddedMeeting& meeting, const AddedManner& manner, const BoxSize& size,
-                       AddedDrive& drive, const SpeedVariation& variation) const {
+bool AddedDrives::plan(const AddedMeeting& meeting, const ApproachManner& manner,
+                       const BoxSize& size, AddedDrive& drive,
+                       const SpeedVariation& variation) const {
   const PathPose place = meeting.seen(size);
   const double along = place.along;
   drive.aside = manner.aside;
@@ -194,21 +195,21 @@ bool AddedDrives::plan(const AddedMeeting& meeting, const AddedManner& manner, c
   drive.contact = meeting.contact;
   drive.on.assign(static_cast<std::size_t>(std::ceil(meeting.contact / kStep)), 0.0);
   switch (manner.kind) {
-    case AddedManner::kCruise:
+    case ApproachManner::kCruise:
       if (!cruise(meeting, along, manner.value, drive)) return false;
       vary(variation, drive);
       return true;
-    case AddedManner::kTrain:
+    case ApproachManner::kTrain:
       return train(meeting, along, size, manner.value, drive);
-    case AddedManner::kFollow:
+    case ApproachManner::kFollow:
       return followFlow(meeting, along, meeting.way->flows[static_cast<std::size_t>(manner.value)],
                         drive);
-    case AddedManner::kStart:
+    case ApproachManner::kStart:
       return start(meeting, along, manner, drive);
-    case AddedManner::kStand:
+    case ApproachManner::kStand:
       drive.back.assign(steps_back_ + 1, along);
       return extrapolate(meeting, along, 0.0, 0.0, drive);
-    case AddedManner::kPark:
+    case ApproachManner::kPark:
       return park(meeting, place, manner.value, drive);
   }
   return false;
@@ -301,7 +302,7 @@ bool AddedDrives::followFlow(const AddedMeeting& meeting, double along, const Ad
   return true;
 }
 
-bool AddedDrives::start(const AddedMeeting& meeting, double along, const AddedManner& manner,
+bool AddedDrives::start(const AddedMeeting& meeting, double along, const ApproachManner& manner,
                         AddedDrive& drive) const {
   const double moving = std::max(0.0, meeting.contact - kGettingGoing);
   const double place = along - 0.5 * manner.value * moving * moving;

@@ -21,7 +21,7 @@ struct AddedMeeting {
   double across = 0.0;            ///< m, left offset from the path of a car at the contact
 
   /// Returns true if the ego is on the path at the contact.
-  bool isEgosOwn() const;
+  bool isEgosPath() const;
   /// Returns the pose of an attacker of this size in the ego box's frame.
   Pose2 offsetOf(const BoxSize& attacker) const;
   /// Returns the pose of an attacker of this size relative to the path.
@@ -29,7 +29,7 @@ struct AddedMeeting {
 };
 
 /// Speed profile with which an added vehicle approaches along its path.
-struct AddedManner {
+struct ApproachManner {
   enum Kind {
     kCruise,  ///< constant speed, lower in bends
     kTrain,   ///< as the ego drove until t0, then constant acceleration
@@ -73,22 +73,22 @@ class AddedDrives {
   AddedDrives(const AddedVehicleInput& input, const AttackOptions& options);
 
   /// Returns the manners to try for the request's type, in this order.
-  std::vector<AddedManner> mannersOf(const AddedMeeting& meeting) const;
+  std::vector<ApproachManner> mannersFor(const AddedMeeting& meeting) const;
 
   /// Plans the motion that reaches the meeting at its contact time (a parked vehicle stands a
   /// little before it and farther out), back to the recording's first frame or the start of the
   /// path. `variation` applies to kCruise. Returns false if the manner is impossible; `drive` is
   /// then unspecified.
-  bool plan(const AddedMeeting& meeting, const AddedManner& manner, const BoxSize& size,
+  bool plan(const AddedMeeting& meeting, const ApproachManner& manner, const BoxSize& size,
             AddedDrive& drive, const SpeedVariation& variation = {}) const;
 
  private:
-  std::vector<AddedManner> mannersInLane(const AddedMeeting& meeting) const;
-  std::vector<AddedManner> mannersBeside(const AddedMeeting& meeting) const;
-  std::vector<AddedManner> mannersOncoming(const AddedMeeting& meeting) const;
-  std::vector<AddedManner> mannersCrossing(const AddedMeeting& meeting) const;
+  std::vector<ApproachManner> mannersInLane(const AddedMeeting& meeting) const;
+  std::vector<ApproachManner> mannersBeside(const AddedMeeting& meeting) const;
+  std::vector<ApproachManner> mannersOncoming(const AddedMeeting& meeting) const;
+  std::vector<ApproachManner> mannersCrossing(const AddedMeeting& meeting) const;
   std::vector<double> speedsOf(const AddedMeeting& meeting) const;
-  std::vector<AddedManner> trainsOf(const AddedMeeting& meeting) const;
+  std::vector<ApproachManner> trainsOf(const AddedMeeting& meeting) const;
 
   void cruiseBack(const AddedWay& way, double speed, double now, std::vector<double>& back) const;
   bool cruise(const AddedMeeting& meeting, double along, double speed, AddedDrive& drive) const;
@@ -97,7 +97,7 @@ class AddedDrives {
              AddedDrive& drive) const;
   bool followFlow(const AddedMeeting& meeting, double along, const AddedFlow& flow,
                   AddedDrive& drive) const;
-  bool start(const AddedMeeting& meeting, double along, const AddedManner& manner,
+  bool start(const AddedMeeting& meeting, double along, const ApproachManner& manner,
              AddedDrive& drive) const;
   bool park(const AddedMeeting& meeting, const PathPose& place, double before,
             AddedDrive& drive) const;

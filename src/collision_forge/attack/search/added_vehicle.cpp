@@ -70,7 +70,7 @@ class VehicleInsertion {
     constexpr long kLast = 100;
     const long rank = std::lround(std::abs(meeting.across));
     const bool is_change = input_.request.type == CollisionType::kLaneChange;
-    return is_change && meeting.isEgosOwn() ? rank + kLast : rank;
+    return is_change && meeting.isEgosPath() ? rank + kLast : rank;
   }
 
   bool isEnough(const std::vector<AddedVehicle>& found) const {
@@ -150,7 +150,7 @@ class VehicleInsertion {
     }
     // In the ego's own lane, a vehicle can follow or lead, or be parked on either side.
     const bool all_count = type == CollisionType::kRearEnd ||
-                           (type == CollisionType::kLaneChange && meeting.isEgosOwn());
+                           (type == CollisionType::kLaneChange && meeting.isEgosPath());
     if (!all_count && possible.size() > 1) {
       std::swap(
           possible.front(),
@@ -173,10 +173,10 @@ class VehicleInsertion {
   // Vehicles.
 
   void tryMeetings(const std::vector<AddedMeeting>& meetings, std::vector<AddedVehicle>& found) {
-    std::vector<std::vector<AddedManner>> manners;
+    std::vector<std::vector<ApproachManner>> manners;
     std::size_t most = 0;
     for (const AddedMeeting& meeting : meetings) {
-      manners.push_back(drives_.mannersOf(meeting));
+      manners.push_back(drives_.mannersFor(meeting));
       most = std::max(most, manners.back().size());
     }
     for (std::size_t manner = 0; manner < most; ++manner) {
@@ -216,7 +216,7 @@ class VehicleInsertion {
   }
 
   /// Adds the vehicle; returns the reason if it does not fit.
-  const char* tryOne(const AddedMeeting& meeting, const AddedManner& manner,
+  const char* tryOne(const AddedMeeting& meeting, const ApproachManner& manner,
                      std::vector<AddedVehicle>& found) {
     const auto& asked = input_.request.attacker_class;
     if (manner.rides && asked && *asked != AgentClass::kMotorcycle) {
@@ -239,7 +239,7 @@ class VehicleInsertion {
     has_way_ = true;
     Track track{name, kind.agent_class, size, {}};
     if (const char* reason = added_past_.drive(drive_, path, track)) return reason;
-    const bool keeps_aside = drive_.aside != 0.0 && manner.kind != AddedManner::kPark;
+    const bool keeps_aside = drive_.aside != 0.0 && manner.kind != ApproachManner::kPark;
     AddedVehicle vehicle{std::move(track), keeps_aside ? path.beside(drive_.aside) : path, {}};
     addPatterns(meeting, vehicle);
     found.push_back(std::move(vehicle));
@@ -314,8 +314,8 @@ Track within(const Track& track, const Snapshot& snapshot) {
 }
 
 /// Calls realize() with all these vehicles.
-Realization realizeBy(const std::vector<AddedVehicle>& vehicles, const AddedVehicleInput& input,
-                      const TrajectoryRealizer& realizer, SearchedMotion motion) {
+Attack realizeBy(const std::vector<AddedVehicle>& vehicles, const AddedVehicleInput& input,
+                 const TrajectoryRealizer& realizer, SearchedMotion motion) {
   Snapshot snapshot = input.snapshot;
   std::vector<CollisionPattern> patterns;
   AttackerWays ways;
@@ -324,7 +324,7 @@ Realization realizeBy(const std::vector<AddedVehicle>& vehicles, const AddedVehi
     patterns.insert(patterns.end(), vehicle.patterns.begin(), vehicle.patterns.end());
     ways.emplace(vehicle.track.id, vehicle.way);
   }
-  Realization answer = realizer.realize(
+  Attack answer = realizer.realize(
       {patterns, {snapshot, input.future, input.request, input.lanes}, false, ways, motion});
   if (answer.status.code != StatusCode::kOk) return answer;
   const auto vehicle = std::find_if(
@@ -340,10 +340,10 @@ AddedVehicles addVehicles(const AddedVehicleInput& input, const AttackOptions& o
   return VehicleInsertion(input, options).run();
 }
 
-Realization realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInput& input,
-                           const AttackOptions& options, const TrajectoryRealizer& realizer,
-                           SearchedMotion motion) {
-  Realization best;
+Attack realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInput& input,
+                      const AttackOptions& options, const TrajectoryRealizer& realizer,
+                      SearchedMotion motion) {
+  Attack best;
   best.status = vehicles.status;
   bool is_found = false;
   const auto first = vehicles.found.begin();
@@ -354,16 +354,16 @@ Realization realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInpu
     const bool is_last_resort =
         from == motorcycles && input.request.attacker_class != AgentClass::kMotorcycle;
     const double cost = is_last_resort ? kRidingCost : 0.0;
-    Realization answer = realizeBy({from, to}, input, realizer, motion);
+    Attack answer = realizeBy({from, to}, input, realizer, motion);
     if (answer.status.code != StatusCode::kOk) {
       if (from == first) best.status = answer.status;
       continue;
     }
     answer.effort += cost;
-    if (is_found && worthOf(answer) <= worthOf(best)) continue;
+    if (is_found && scoreOf(answer) <= scoreOf(best)) continue;
     is_found = true;
     best = std::move(answer);
-    if (worthOf(best) >= options.search.good_share) break;
+    if (scoreOf(best) >= options.search.good_share) break;
   }
   return best;
 }

@@ -40,8 +40,8 @@ AddedVehicles addVehicles(const AddedVehicleInput& input, const AttackOptions& o
 /// Returns the best attack by `vehicles`, the result of addVehicles() for this input, with the
 /// vehicle's past in its trajectory; without an attack, the reason. `input.snapshot` must not
 /// contain them, and the request must not name an attacker.
-Realization realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInput& input,
-                           const AttackOptions& options, const TrajectoryRealizer& realizer,
-                           SearchedMotion motion);
+Attack realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInput& input,
+                      const AttackOptions& options, const TrajectoryRealizer& realizer,
+                      SearchedMotion motion);
 
 }  // namespace forge

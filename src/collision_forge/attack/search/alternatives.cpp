@@ -39,7 +39,7 @@ std::vector<std::string> candidatesIn(const Snapshot& snapshot, const CollisionR
 }
 
 /// Returns the request with one additional constraint each, in the order in which they are tried.
-std::vector<CollisionRequest> furtherRequests(const Realization& first, const Snapshot& snapshot,
+std::vector<CollisionRequest> furtherRequests(const Attack& first, const Snapshot& snapshot,
                                               const CollisionRequest& request,
                                               const PredictionOptions& options) {
   CollisionRequest plain = request;
@@ -74,38 +74,37 @@ std::vector<CollisionRequest> furtherRequests(const Realization& first, const Sn
 
 /// Gives an added vehicle an id that no other attacker in `others` has: methods number added
 /// vehicles per result.
-void giveOwnId(Realization& answer, const std::vector<Realization>& others,
-               const Snapshot& snapshot) {
+void giveOwnId(Attack& answer, const std::vector<Attack>& others, const Snapshot& snapshot) {
   AttackerTrajectory& attacker = answer.trajectory;
   if (!attacker.isAdded()) return;
   const std::string id = attacker.attacker_id;
-  const auto has_id = [&](const Realization& other) {
+  const auto has_id = [&](const Attack& other) {
     return other.trajectory.attacker_id == attacker.attacker_id &&
            !isSameAttacker(other.trajectory, attacker, snapshot);
   };
   for (int number = 2; std::any_of(others.begin(), others.end(), has_id); ++number) {
     attacker.attacker_id = id + "-" + std::to_string(number);
   }
-  answer.aim.attacker_id = attacker.attacker_id;
+  answer.pattern.attacker_id = attacker.attacker_id;
 }
 
 }  // namespace
 
-bool areDistinct(const Realization& a, const Realization& b, const Snapshot& snapshot) {
+bool areDistinct(const Attack& a, const Attack& b, const Snapshot& snapshot) {
   return a.report.manoeuvre != b.report.manoeuvre ||
          !isSameAttacker(a.trajectory, b.trajectory, snapshot);
 }
 
-std::vector<Realization> findAlternatives(const Realization& first, const AttackMethod& method,
-                                          const Moment& moment, const CollisionRequest& request,
-                                          const PredictionOptions& options) {
+std::vector<Attack> findAlternatives(const Attack& first, const AttackMethod& method,
+                                     const Moment& moment, const CollisionRequest& request,
+                                     const PredictionOptions& options) {
   const Snapshot& snapshot = moment.snapshot;
-  std::vector<Realization> found = {first};
+  std::vector<Attack> found = {first};
   for (const CollisionRequest& asked : furtherRequests(first, snapshot, request, options)) {
     if (static_cast<int>(found.size()) >= request.alternatives) break;
-    Realization answer = generateOne(method, moment, asked, options);
+    Attack answer = generateOne(method, moment, asked, options);
     if (answer.status.code != StatusCode::kOk) continue;
-    const bool is_new = std::all_of(found.begin(), found.end(), [&](const Realization& other) {
+    const bool is_new = std::all_of(found.begin(), found.end(), [&](const Attack& other) {
       return areDistinct(answer, other, snapshot);
     });
     if (!is_new) continue;
@@ -113,21 +112,21 @@ std::vector<Realization> findAlternatives(const Realization& first, const Attack
     found.push_back(std::move(answer));
   }
   found.erase(found.begin());
-  std::stable_sort(found.begin(), found.end(), [](const Realization& a, const Realization& b) {
+  std::stable_sort(found.begin(), found.end(), [](const Attack& a, const Attack& b) {
     return a.report.confidence > b.report.confidence;
   });
   return found;
 }
 
-Realization attackOf(Realization answer, std::size_t number) {
+Attack attackOf(Attack answer, std::size_t number) {
   if (answer.status.code != StatusCode::kOk) return answer;
-  std::vector<Realization> others = std::move(answer.alternatives);
+  std::vector<Attack> others = std::move(answer.alternatives);
   answer.alternatives.clear();
   if (number == 1) return answer;
   if (number >= 2 && number - 2 < others.size()) return others[number - 2];
-  return declined({StatusCode::kNoAttackWithinLimits,
-                   "alternative = " + std::to_string(number) + ": there are only " +
-                       std::to_string(others.size() + 1) + " distinct attacks"});
+  return rejection({StatusCode::kNoAttackWithinLimits,
+                    "alternative = " + std::to_string(number) + ": there are only " +
+                        std::to_string(others.size() + 1) + " distinct attacks"});
 }
 
 }  // namespace forge

@@ -9,20 +9,20 @@ namespace forge {
 /// Returns true if two attacks at t0 of `snapshot` differ in manoeuvre or attacker. Two added
 /// vehicles count as the same attacker if they have the same class and stand on the same side of
 /// the ego at t0 (touchedSide()).
-bool areDistinct(const Realization& a, const Realization& b, const Snapshot& snapshot);
+bool areDistinct(const Attack& a, const Attack& b, const Snapshot& snapshot);
 
 /// Returns up to request.alternatives - 1 further attacks, distinct from `first` and from each
 /// other, highest confidence first. Requests them from `method` with one additional constraint at a
 /// time: each manoeuvre of the type, each other recorded vehicle (nearest first), an added vehicle
 /// of each class; stops when there are enough. Each is verified like any other attack. Distinct
 /// added vehicles get distinct ids. `first` needs a trajectory and its report's manoeuvre.
-std::vector<Realization> findAlternatives(const Realization& first, const AttackMethod& method,
-                                          const Moment& moment, const CollisionRequest& request,
-                                          const PredictionOptions& options);
+std::vector<Attack> findAlternatives(const Attack& first, const AttackMethod& method,
+                                     const Moment& moment, const CollisionRequest& request,
+                                     const PredictionOptions& options);
 
 /// Returns attack `number` of a result as a result of its own: 1 is the first attack, 2 the first
 /// alternative. Returns kNoAttackWithinLimits if there are fewer, and a result without an attack
 /// unchanged.
-Realization attackOf(Realization answer, std::size_t number);
+Attack attackOf(Attack answer, std::size_t number);
 
 }  // namespace forge

@@ -98,7 +98,7 @@ AimedArrival ArrivalSampler::wide(const Contender& contender, const Aim& aim, bo
   AimedArrival aimed;
   aimed.ego = egos_[random_.index(egos_.size())];
   const double heading = random_.uniform(type.min_heading, type.max_heading);
-  const double slide = random_.uniform(-kMaxSlide, kMaxSlide);
+  const double slide = random_.uniform(-kMaxContactPosition, kMaxContactPosition);
   double sign = std::copysign(1.0, aim.touching.yaw);
   if (isOneBand(type)) sign = random_.uniform(-1.0, 1.0) > 0.0 ? 1.0 : -1.0;
   const BoxSize& ego_size = input_.snapshot.ego.size;

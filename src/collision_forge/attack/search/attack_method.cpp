@@ -5,23 +5,22 @@
 
 namespace forge {
 
-Realization attempt(const AttackMethod& method, const Moment& moment,
-                    const CollisionRequest& request) {
+Attack attempt(const AttackMethod& method, const Moment& moment, const CollisionRequest& request) {
   if (request.mode == Mode::kReplay || !moment.recorded) return method.answer(moment, request);
   return method.answer({moment.snapshot, std::nullopt, moment.lanes, moment.past}, request);
 }
 
-Realization generateOne(const AttackMethod& method, const Moment& moment,
-                        const CollisionRequest& asked, const PredictionOptions& options) {
+Attack generateOne(const AttackMethod& method, const Moment& moment, const CollisionRequest& asked,
+                   const PredictionOptions& options) {
   const CollisionRequest request = withFullId(asked, moment.snapshot);
   const Status status = checkRequest(request, moment.snapshot, options);
-  if (status.code != StatusCode::kOk) return declined(status);
+  if (status.code != StatusCode::kOk) return rejection(status);
   if (request.mode == Mode::kReplay && !moment.recorded) {
-    return declined({StatusCode::kNoRecording, "mode = replay needs a recording"});
+    return rejection({StatusCode::kNoRecording, "mode = replay needs a recording"});
   }
-  Realization answer = attempt(method, moment, request);
+  Attack answer = attempt(method, moment, request);
   const Status verdict = verdictOn(answer, request);
-  return verdict.code == StatusCode::kOk ? answer : declined(verdict);
+  return verdict.code == StatusCode::kOk ? answer : rejection(verdict);
 }
 
 }  // namespace forge

@@ -20,19 +20,18 @@ class AttackMethod {
   /// the request, which the caller checks. Throws InputError for unusable input; any other
   /// exception ends a batch run, and a live node replies INTERNAL_ERROR. Must not block on ROS
   /// callbacks or change global state.
-  virtual Realization answer(const Moment& moment, const CollisionRequest& request) const = 0;
+  virtual Attack answer(const Moment& moment, const CollisionRequest& request) const = 0;
 };
 
 /// Returns the method's result, verified or not. Hides `moment.recorded` from the method unless the
 /// request is in replay mode.
-Realization attempt(const AttackMethod& method, const Moment& moment,
-                    const CollisionRequest& request);
+Attack attempt(const AttackMethod& method, const Moment& moment, const CollisionRequest& request);
 
 /// Returns one verified attack for a request, ignoring request.alternatives. Rejects without
 /// calling the method if checkRequest() does, and with kNoRecording in replay mode without a
 /// recorded future. An attack that violates the request becomes kNoAttackWithinLimits or
 /// kNotBelievable.
-Realization generateOne(const AttackMethod& method, const Moment& moment,
-                        const CollisionRequest& request, const PredictionOptions& options);
+Attack generateOne(const AttackMethod& method, const Moment& moment,
+                   const CollisionRequest& request, const PredictionOptions& options);
 
 }  // namespace forge

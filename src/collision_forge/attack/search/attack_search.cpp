@@ -62,8 +62,8 @@ struct Candidate {
   FutureScore score;
   PatternMiss miss;  // with a share above 0
   double off_road = 0.0;
-  double steering = 0.0;    // greatest rate of curvature, 1/(m s)
-  bool is_as_asked = true;  // plausible road use, and the request's constraints
+  double steering = 0.0;          // greatest rate of curvature, 1/(m s)
+  bool meets_constraints = true;  // plausible road use, and the request's constraints
   double objective = 0.0;
 };
 
@@ -81,7 +81,7 @@ class Search {
                 std::max(1, static_cast<int>(std::lround(options.verification.off_road_interval /
                                                          options.search.step)))),
         contenders_(contendersOf(input, options, limits_, scorer_.steps())),
-        how_asked_(input, options),
+        constraints_(input, options),
         random_(input.request.seed),
         sampler_(input, options, limits_, random_) {}
 
@@ -194,18 +194,18 @@ class Search {
     if (static_cast<int>(kept.size()) > search_.kept) kept.pop_back();
   }
 
-  /// Returns the penalty for the candidate's road use; sets is_as_asked.
+  /// Returns the penalty for the candidate's road use; sets meets_constraints.
   double roadUsePenalty(Candidate& candidate) {
     const BelievabilityOptions& believability = options_.verification.believability;
     const Track& track = *candidate.contender->track;
     const LaneIndex& lanes = drivenLanes(input_.request, input_.lanes);
     const double contact = candidate.contender->start.now + candidate.aimed.contact;
     const RoadUse road = roadUseOfAttack(points_, track.size, contact, lanes, believability);
-    candidate.is_as_asked =
-        whyUnbelievable(road, points_, track.size, lanes, believability).empty() &&
-        (candidate.score.share == 0.0 || how_asked_.holds(track, points_, candidate.score.met));
+    candidate.meets_constraints =
+        implausibilityOf(road, points_, track.size, lanes, believability).empty() &&
+        (candidate.score.share == 0.0 || constraints_.holds(track, points_, candidate.score.met));
     return kOffLaneWeight * (1.0 - road.on_lane) + kWrongWayWeight * road.wrong_way +
-           (candidate.is_as_asked ? 0.0 : kConstraintPenalty);
+           (candidate.meets_constraints ? 0.0 : kConstraintPenalty);
   }
 
   /// Compares the contact with the pattern. Returns 0 within the pattern's tolerance, towards 1 far
@@ -240,7 +240,7 @@ class Search {
     const auto good = [this](const std::vector<Candidate>& kept) {
       return !kept.empty() && kept.front().score.share >= search_.good_share &&
              kept.front().off_road <= search_.good_off_road &&
-             kept.front().steering <= search_.good_steering && kept.front().is_as_asked &&
+             kept.front().steering <= search_.good_steering && kept.front().meets_constraints &&
              (input_.exact ? isExact(kept.front().miss)
                            : beyondTolerance(kept.front()) <= kExactDistance);
     };
@@ -358,7 +358,7 @@ class Search {
     found.score = candidate.score;
     found.off_road = candidate.off_road;
     found.objective = candidate.objective;
-    found.aim = candidate.aim->pattern;
+    found.pattern = candidate.aim->pattern;
     found.miss = candidate.miss;
     for (const std::size_t i : scorer_.hits(*found.attacker, found.points, found.score.met)) {
       found.hits.push_back(input_.egos[i]);
@@ -374,7 +374,7 @@ class Search {
   FutureScorer scorer_;
   GroundUse ground_;
   std::vector<std::unique_ptr<Contender>> contenders_;
-  HowAsked how_asked_;
+  RequestConstraints constraints_;
   Random random_;
   ArrivalSampler sampler_;
   std::vector<Candidate> quintics_;  // best first

@@ -98,29 +98,27 @@ AttackerTrajectory patternAttacker(const CollisionPattern& pattern, const Snapsh
                   options.search);
 }
 
-Realization ConstantVelocityMethod::answer(const Moment& moment,
-                                           const CollisionRequest& request) const {
+Attack ConstantVelocityMethod::answer(const Moment& moment, const CollisionRequest& request) const {
   return bestOfCandidates(moment, request, options_.prediction, [&](const std::string& attacker) {
-    return drivenAnswer(constantVelocityAttacker(attacker, moment.snapshot, request.tta, options_),
+    return drivenAttack(constantVelocityAttacker(attacker, moment.snapshot, request.tta, options_),
                         moment, request, options_);
   });
 }
 
-Realization NominalMethod::answer(const Moment& moment, const CollisionRequest& request) const {
+Attack NominalMethod::answer(const Moment& moment, const CollisionRequest& request) const {
   return bestOfCandidates(moment, request, options_.prediction, [&](const std::string& attacker) {
-    return drivenAnswer(
+    return drivenAttack(
         nominalAttacker(attacker, moment.snapshot, recordedOf(moment), request, options_), moment,
         request, options_);
   });
 }
 
-Realization PatternQuinticMethod::answer(const Moment& moment,
-                                         const CollisionRequest& request) const {
+Attack PatternQuinticMethod::answer(const Moment& moment, const CollisionRequest& request) const {
   const PatternPrediction prediction =
       predictor_->predict(moment.snapshot, *moment.lanes, request, recordedOf(moment));
-  if (prediction.status.code != StatusCode::kOk) return declined(prediction.status);
+  if (prediction.status.code != StatusCode::kOk) return rejection(prediction.status);
   const CollisionPattern& pattern = prediction.patterns.front();
-  return drivenAnswer(patternAttacker(pattern, moment.snapshot, request.tta, options_), moment,
+  return drivenAttack(patternAttacker(pattern, moment.snapshot, request.tta, options_), moment,
                       request, options_, &pattern);
 }
 

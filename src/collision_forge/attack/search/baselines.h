@@ -52,7 +52,7 @@ AttackerTrajectory patternAttacker(const CollisionPattern& pattern, const Snapsh
 class ConstantVelocityMethod : public AttackMethod {
  public:
   explicit ConstantVelocityMethod(const AttackOptions& options) : options_(options) {}
-  Realization answer(const Moment& moment, const CollisionRequest& request) const override;
+  Attack answer(const Moment& moment, const CollisionRequest& request) const override;
 
  private:
   AttackOptions options_;
@@ -62,7 +62,7 @@ class ConstantVelocityMethod : public AttackMethod {
 class NominalMethod : public AttackMethod {
  public:
   explicit NominalMethod(const AttackOptions& options) : options_(options) {}
-  Realization answer(const Moment& moment, const CollisionRequest& request) const override;
+  Attack answer(const Moment& moment, const CollisionRequest& request) const override;
 
  private:
   AttackOptions options_;
@@ -74,7 +74,7 @@ class PatternQuinticMethod : public AttackMethod {
   PatternQuinticMethod(const AttackOptions& options,
                        std::shared_ptr<const PatternPredictor> predictor)
       : options_(options), predictor_(std::move(predictor)) {}
-  Realization answer(const Moment& moment, const CollisionRequest& request) const override;
+  Attack answer(const Moment& moment, const CollisionRequest& request) const override;
 
  private:
   AttackOptions options_;

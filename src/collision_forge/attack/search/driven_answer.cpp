@@ -30,47 +30,46 @@ void goStraightOn(AttackerTrajectory& trajectory, double duration, double step) 
   }
 }
 
-Realization drivenAnswer(AttackerTrajectory trajectory, const Moment& moment,
-                         CollisionRequest request, const AttackOptions& options,
-                         const CollisionPattern* aim) {
+Attack drivenAttack(AttackerTrajectory trajectory, const Moment& moment, CollisionRequest request,
+                    const AttackOptions& options, const CollisionPattern* aim) {
   request.crash.limits = LimitSet::kStrict;
   const PredictionOptions& prediction = options.prediction;
   const Future future = moment.recorded ? *moment.recorded
                                         : predictFuture(moment.snapshot, *moment.lanes,
                                                         request.tta + prediction.tail);
-  Realization answer;
+  Attack answer;
   answer.report =
       verify(trajectory, {moment.snapshot, future, request, *moment.lanes}, options.verification);
   const CollisionReport& report = answer.report;
   const Pose2 met = relativeTo(report.ego_at_contact, report.attacker_at_contact);
-  answer.aim = aim ? *aim
-                   : CollisionPattern{request.type,
-                                      trajectory.attacker_id,
-                                      report.contact_time,
-                                      {report.ego_at_contact, moment.snapshot.ego.size},
-                                      met,
-                                      trajectory.points.back().speed};
-  answer.miss = missBetween(answer.aim.attacker_offset, met);
+  answer.pattern = aim ? *aim
+                       : CollisionPattern{request.type,
+                                          trajectory.attacker_id,
+                                          report.contact_time,
+                                          {report.ego_at_contact, moment.snapshot.ego.size},
+                                          met,
+                                          trajectory.points.back().speed};
+  answer.miss = missBetween(answer.pattern.attacker_offset, met);
   answer.trajectory = std::move(trajectory);
   return answer;
 }
 
-Realization bestOfCandidates(const Moment& moment, const CollisionRequest& request,
-                             const PredictionOptions& options,
-                             const std::function<Realization(const std::string&)>& answer_of) {
+Attack bestOfCandidates(const Moment& moment, const CollisionRequest& request,
+                        const PredictionOptions& options,
+                        const std::function<Attack(const std::string&)>& answer_of) {
   if (request.attacker) return answer_of(*request.attacker);
-  std::optional<Realization> best;
-  const auto rank = [](const Realization& answer) {
+  std::optional<Attack> best;
+  const auto rank = [](const Attack& answer) {
     return answer.report.verified() ? 2 : answer.report.contact ? 1 : 0;
   };
   for (const Track& agent : moment.snapshot.agents) {
     if (!isCandidate(agent, moment.snapshot, options)) continue;
     if (request.attacker_class && agent.agent_class != *request.attacker_class) continue;
-    Realization answer = answer_of(agent.id);
+    Attack answer = answer_of(agent.id);
     if (!best || rank(answer) > rank(*best)) best = std::move(answer);
   }
   if (best) return std::move(*best);
-  return declined(
+  return rejection(
       {StatusCode::kNoCandidate,
        "no vehicle within candidate_radius was observed at t0 and in the frame before"});
 }

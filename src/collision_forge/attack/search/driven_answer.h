@@ -19,15 +19,14 @@ void goStraightOn(AttackerTrajectory& trajectory, double duration, double step);
 
 /// Returns the attack that drives `trajectory`, with the report of verify() against the recorded or
 /// predicted future under the strict limits. Without `aim`, its pattern is the contact found.
-Realization drivenAnswer(AttackerTrajectory trajectory, const Moment& moment,
-                         CollisionRequest request, const AttackOptions& options,
-                         const CollisionPattern* aim = nullptr);
+Attack drivenAttack(AttackerTrajectory trajectory, const Moment& moment, CollisionRequest request,
+                    const AttackOptions& options, const CollisionPattern* aim = nullptr);
 
 /// Returns the attack of the requested attacker. Without one, calls `answer_of` for each candidate
 /// (isCandidate()) and returns the first with the best result: verified, else touching the ego,
 /// else any. Returns kNoCandidate if there is no candidate.
-Realization bestOfCandidates(const Moment& moment, const CollisionRequest& request,
-                             const PredictionOptions& options,
-                             const std::function<Realization(const std::string&)>& answer_of);
+Attack bestOfCandidates(const Moment& moment, const CollisionRequest& request,
+                        const PredictionOptions& options,
+                        const std::function<Attack(const std::string&)>& answer_of);
 
 }  // namespace forge

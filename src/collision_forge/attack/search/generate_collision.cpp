@@ -5,9 +5,9 @@
 
 namespace forge {
 
-Realization generateCollision(const AttackMethod& method, const Moment& moment,
-                              const CollisionRequest& request, const PredictionOptions& options) {
-  Realization answer = generateOne(method, moment, request, options);
+Attack generateCollision(const AttackMethod& method, const Moment& moment,
+                         const CollisionRequest& request, const PredictionOptions& options) {
+  Attack answer = generateOne(method, moment, request, options);
   if (answer.status.code == StatusCode::kOk && request.alternatives > 1) {
     answer.alternatives =
         findAlternatives(answer, method, moment, withFullId(request, moment.snapshot), options);

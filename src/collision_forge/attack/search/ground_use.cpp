@@ -23,7 +23,7 @@ double GroundUse::offRoadShare(const std::vector<TrajectoryPoint>& points, doubl
   std::size_t asked = 0;
   for (std::size_t i = 0; i < points.size(); i += static_cast<std::size_t>(stride_)) {
     on += countPlaces(points[i].pose, size, on_road);
-    asked += kBoxPlaces;
+    asked += kBoxSamples;
     if (points[i].time >= until) break;
   }
   return 1.0 - static_cast<double>(on) / static_cast<double>(asked);

@@ -5,13 +5,13 @@
 
 namespace forge {
 
-HowAsked::HowAsked(const SearchInput& input, const AttackOptions& options)
-    : input_(input), options_(options.verification), is_named_(namesHow(input.request)) {
+RequestConstraints::RequestConstraints(const SearchInput& input, const AttackOptions& options)
+    : input_(input), options_(options.verification), is_named_(hasConstraints(input.request)) {
   if (is_named_) judged_.agents = input.future.agents;
 }
 
-bool HowAsked::holds(const Track& attacker, const std::vector<TrajectoryPoint>& points,
-                     std::size_t ego) {
+bool RequestConstraints::holds(const Track& attacker, const std::vector<TrajectoryPoint>& points,
+                               std::size_t ego) {
   if (!is_named_) return true;
   judged_.ego = *input_.egos[ego];
   const Snapshot* start = &input_.snapshot;
@@ -24,7 +24,7 @@ bool HowAsked::holds(const Track& attacker, const std::vector<TrajectoryPoint>& 
   }
   const CollisionReport report = verify({attacker.id, attacker.agent_class, attacker.size, points},
                                         {*start, judged_, request, input_.lanes}, options_);
-  return isAsAsked(report, input_.request);
+  return meetsRequest(report, input_.request);
 }
 
 }  // namespace forge

@@ -15,17 +15,17 @@ namespace forge {
 inline constexpr double kConstraintPenalty = 2.0;
 
 /// Tests attacks against the request's optional constraints: manoeuvre, side, impact speed, overlap
-/// (namesHow()). Not thread-safe.
-class HowAsked {
+/// (hasConstraints()). Not thread-safe.
+class RequestConstraints {
  public:
   /// `input` and `options` must outlive this object.
-  HowAsked(const SearchInput& input, const AttackOptions& options);
+  RequestConstraints(const SearchInput& input, const AttackOptions& options);
 
   /// Returns true if the request has such a constraint.
   bool isNamed() const { return is_named_; }
 
-  /// Returns isAsAsked() for the attack in the future with index `ego` of SearchInput::egos; always
-  /// true without constraints. For an attacker underway, `points` start at its first point.
+  /// Returns meetsRequest() for the attack in the future with index `ego` of SearchInput::egos;
+  /// always true without constraints. For an attacker underway, `points` start at its first point.
   bool holds(const Track& attacker, const std::vector<TrajectoryPoint>& points, std::size_t ego);
 
  private:

@@ -63,11 +63,11 @@ std::string shortcomingOf(const CollisionReport& report, const CollisionRequest&
   return "";
 }
 
-bool isAsAsked(const CollisionReport& report, const CollisionRequest& request) {
+bool meetsRequest(const CollisionReport& report, const CollisionRequest& request) {
   return shortcomingOf(report, request).empty();
 }
 
-Status verdictOn(const Realization& answer, const CollisionRequest& request) {
+Status verdictOn(const Attack& answer, const CollisionRequest& request) {
   if (answer.status.code != StatusCode::kOk) return answer.status;
   if (answer.report.verified() && request.crash.believable && !answer.report.believable()) {
     return {StatusCode::kNotBelievable, "the attacker " + answer.report.unbelievable};
@@ -78,9 +78,9 @@ Status verdictOn(const Realization& answer, const CollisionRequest& request) {
   return {StatusCode::kNoAttackWithinLimits, "the method's attack " + shortcoming};
 }
 
-double worthOf(const Realization& answer) { return answer.report.confidence - answer.effort; }
+double scoreOf(const Attack& answer) { return answer.report.confidence - answer.effort; }
 
-bool namesHow(const CollisionRequest& request) {
+bool hasConstraints(const CollisionRequest& request) {
   return request.manoeuvre || request.ego_side || request.impact_speed || request.overlap;
 }
 
@@ -97,7 +97,7 @@ AttackJudge::AttackJudge(const VerificationInput& input, const AttackOptions& op
       searched_(everySecond(input.future, 0)),
       tried_(input.future) {}
 
-bool AttackJudge::accepts(Realization& attack, const Track& attacker,
+bool AttackJudge::accepts(Attack& attack, const Track& attacker,
                           const std::vector<const Track*>& egos) {
   constexpr std::size_t kTries = 4;
   const auto end = egos.begin() + static_cast<std::ptrdiff_t>(std::min(kTries, egos.size()));
@@ -117,16 +117,16 @@ bool AttackJudge::accepts(Realization& attack, const Track& attacker,
   return false;
 }
 
-bool AttackJudge::isVerifiedIn(Realization& attack, const Track& ego) {
+bool AttackJudge::isVerifiedIn(Attack& attack, const Track& ego) {
   tried_.ego = ego;
   attack.report = verify(attack.trajectory, {input_.snapshot, tried_, input_.request, input_.lanes},
                          options_.verification);
-  if (!isAsAsked(attack.report, input_.request)) {
+  if (!meetsRequest(attack.report, input_.request)) {
     reject(attack.report);
     return false;
   }
   attack.miss =
-      missBetween(attack.aim.attacker_offset,
+      missBetween(attack.pattern.attacker_offset,
                   relativeTo(attack.report.ego_at_contact, attack.report.attacker_at_contact));
   return true;
 }

@@ -20,17 +20,17 @@ std::string shortcomingOf(const CollisionReport& report, const CollisionRequest&
 
 /// Returns true if the attack is verified, plausible (if required), and has the requested
 /// manoeuvre, side of the ego, impact speed and overlap.
-bool isAsAsked(const CollisionReport& report, const CollisionRequest& request);
+bool meetsRequest(const CollisionReport& report, const CollisionRequest& request);
 
 /// Returns kOk if an attack with status kOk meets the request and its attacker is of the requested
 /// kind, else the status that rejects it. Another status is returned unchanged.
-Status verdictOn(const Realization& answer, const CollisionRequest& request);
+Status verdictOn(const Attack& answer, const CollisionRequest& request);
 
 /// Returns the score by which attacks are compared: confidence minus effort.
-double worthOf(const Realization& answer);
+double scoreOf(const Attack& answer);
 
 /// Returns true if the request constrains manoeuvre, side of the ego, impact speed or overlap.
-bool namesHow(const CollisionRequest& request);
+bool hasConstraints(const CollisionRequest& request);
 
 /// Returns the confidence 0..1 for a share 0..1 of futures: piecewise linear through the points of
 /// `curve` (at least two), evenly spaced over the shares.
@@ -51,14 +51,14 @@ class AttackJudge {
   /// Verifies `attack` in the first four futures of `egos` until it meets the request in one, and
   /// sets report, miss and confidence from that one. `attack` needs aim and trajectory; `attacker`
   /// is its track in the snapshot. Returns true if the attack is accepted.
-  bool accepts(Realization& attack, const Track& attacker, const std::vector<const Track*>& egos);
+  bool accepts(Attack& attack, const Track& attacker, const std::vector<const Track*>& egos);
 
   /// Returns the status that explains why no attack from these patterns was accepted.
   Status refusal(const std::vector<CollisionPattern>& patterns) const;
 
  private:
   void reject(const CollisionReport& report);
-  bool isVerifiedIn(Realization& attack, const Track& ego);
+  bool isVerifiedIn(Attack& attack, const Track& ego);
   double confidenceIn(const Track& attacker, const std::vector<TrajectoryPoint>& points);
   std::string failureText(const std::vector<CollisionPattern>& patterns) const;
 

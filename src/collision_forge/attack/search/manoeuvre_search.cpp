@@ -58,7 +58,7 @@ class ManoeuvreSearch {
         options_(options),
         search_(options.search),
         route_(options.route),
-        how_asked_(input, options),
+        constraints_(input, options),
         scorer_(input.egos, input.future.agents, input.request, input.snapshot.now,
                 input.lanes.map().driving_side, options),
         contenders_(contendersOf(input, options, options.verification.limits, scorer_.steps())),
@@ -169,7 +169,7 @@ class ManoeuvreSearch {
       if (input_.request.ego_side.value_or(placement.side) != placement.side) continue;
       candidate.draft.side = placement.side;
       candidate.draft.heading = placement.heading;
-      const std::vector<RouteDraft> drafts = mannersOf(candidate);
+      const std::vector<RouteDraft> drafts = mannersFor(candidate);
       for (const double slide : kSlides) {
         for (std::size_t i = 0; i < drafts.size(); ++i) {
           if (!isInThisPass(slide, i)) continue;
@@ -191,7 +191,7 @@ class ManoeuvreSearch {
   }
 
   /// Returns drafts with different departures and, if the ego runs into the attacker, late braking.
-  std::vector<RouteDraft> mannersOf(const Candidate& candidate) const {
+  std::vector<RouteDraft> mannersFor(const Candidate& candidate) const {
     std::vector<RouteDraft> drafts;
     RouteDraft draft;
     draft.ego = candidate.draft.ego;
@@ -297,7 +297,7 @@ class ManoeuvreSearch {
                            kOffRoadWeight * candidate.road.off_road +
                            kWrongWayWeight * candidate.road.wrong_way;
     if (candidate.road.on_walkway > 0.0 && !may_be_any) return;
-    if ((!candidate.is_believable && !may_be_any) || !isAsAsked(candidate)) {
+    if ((!candidate.is_believable && !may_be_any) || !meetsRequest(candidate)) {
       candidate.objective -= kConstraintPenalty;
     }
     kept_.insert(std::upper_bound(kept_.begin(), kept_.end(), candidate, better), candidate);
@@ -312,14 +312,14 @@ class ManoeuvreSearch {
     candidate.road = roadUseOfAttack(points, size, contact, driven_, believability);
     candidate.is_believable =
         !input_.request.crash.believable ||
-        whyUnbelievable(candidate.road, points, size, driven_, believability).empty();
+        implausibilityOf(candidate.road, points, size, driven_, believability).empty();
   }
 
   /// With constraints, an attacker underway must not change to a plan without a hit.
-  bool isAsAsked(const Candidate& candidate) {
-    if (!how_asked_.isNamed()) return true;
+  bool meetsRequest(const Candidate& candidate) {
+    if (!constraints_.isNamed()) return true;
     if (candidate.score.share == 0.0) return input_.underway == nullptr;
-    return how_asked_.holds(*candidate.contender->track, whole(), candidate.score.met);
+    return constraints_.holds(*candidate.contender->track, whole(), candidate.score.met);
   }
 
   /// Returns points_ preceded by the motion driven before.
@@ -373,7 +373,7 @@ class ManoeuvreSearch {
   bool isGood() const {
     return !kept_.empty() && kept_.front().score.share >= search_.good_share &&
            (kept_.front().style == 0 || kept_.front().is_underway) &&
-           (!how_asked_.isNamed() || kept_.front().objective > 0.0) &&
+           (!constraints_.isNamed() || kept_.front().objective > 0.0) &&
            kept_.front().is_believable && kept_.front().road.on_lane >= 1.0 &&
            kept_.front().road.off_road <= search_.good_off_road &&
            (!input_.exact || isExact(kept_.front().miss));
@@ -400,7 +400,8 @@ class ManoeuvreSearch {
   void move(RouteDraft& draft, double scale) {
     draft.contact = std::clamp(draft.contact + random_.bell(0.15 * scale), sampler_.earliest(),
                                sampler_.latest());
-    draft.slide = std::clamp(draft.slide + random_.bell(0.4 * scale), -kMaxSlide, kMaxSlide);
+    draft.slide = std::clamp(draft.slide + random_.bell(0.4 * scale), -kMaxContactPosition,
+                             kMaxContactPosition);
     draft.heading = wrapAngle(draft.heading + random_.bell(0.05 * scale));
     draft.departure = std::max(search_.step, draft.departure + random_.bell(0.4 * scale));
     draft.lead = std::max(0.0, draft.lead + random_.bell(0.2 * scale));
@@ -427,7 +428,7 @@ class ManoeuvreSearch {
     found.drafted = DraftedWay{candidate.route->path(), candidate.draft, candidate.style};
     found.objective = candidate.objective;
     found.effort = effortOf(candidate);
-    found.aim = candidate.aim->pattern;
+    found.pattern = candidate.aim->pattern;
     found.miss = candidate.miss;
     for (const std::size_t i : scorer_.hits(*found.attacker, found.points, found.score.met)) {
       found.hits.push_back(input_.egos[i]);
@@ -440,7 +441,7 @@ class ManoeuvreSearch {
   const AttackOptions& options_;
   const SearchOptions& search_;
   const RouteDriverOptions& route_;
-  HowAsked how_asked_;
+  RequestConstraints constraints_;
   FutureScorer scorer_;
   std::vector<std::unique_ptr<Contender>> contenders_;
   Random random_;

@@ -89,7 +89,7 @@ std::string withoutNetworks(const std::string& method) {
   return method.rfind(prefix, 0) == 0 ? method.substr(prefix.size()) : method;
 }
 
-const MethodForesight& networksOf(const MethodSetup& setup) {
+const MethodPredictors& networksOf(const MethodSetup& setup) {
   if (!setup.networks) {
     throw std::invalid_argument(
         "no pattern network: models.yaml names no file for pattern_network, or "

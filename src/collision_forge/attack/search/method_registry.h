@@ -13,7 +13,7 @@
 namespace forge {
 
 /// Predictors that a method may use.
-struct MethodForesight {
+struct MethodPredictors {
   std::shared_ptr<const EgoFutureSampler> ego_futures;
   std::shared_ptr<const PatternPredictor> patterns;
 };
@@ -21,8 +21,8 @@ struct MethodForesight {
 /// Input of a method's factory.
 struct MethodSetup {
   AttackOptions options;
-  MethodForesight kinematic;                ///< without learned models
-  std::optional<MethodForesight> networks;  ///< with trained networks, if there are any
+  MethodPredictors kinematic;                ///< without learned models
+  std::optional<MethodPredictors> networks;  ///< with trained networks, if there are any
   std::string unseen_scene;  ///< scene that models must not have been trained on; empty: none
 };
 
@@ -72,7 +72,7 @@ std::string withNetworks(const std::string& method);
 std::string withoutNetworks(const std::string& method);
 
 /// Returns the setup's networks; throws std::invalid_argument if there are none.
-const MethodForesight& networksOf(const MethodSetup& setup);
+const MethodPredictors& networksOf(const MethodSetup& setup);
 
 /// Returns the built-in methods and the ones of shared libraries. Each library exports `extern "C"
 /// void addCollisionForgeMethods(forge::MethodRegistry&)`, called once after loading; libraries

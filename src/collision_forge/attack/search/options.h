@@ -95,11 +95,11 @@ struct AttackOptions {
   NominalOptions nominal;
 };
 
-/// For whom a list of requests asks: for any attacker, or for each possible one by its id.
+/// Attackers that a list of requests names: any vehicle, or each possible one by its id.
 enum class Attackers { kAny, kEach };
 
-/// What a list of requests is made of; stride, ttas and min_ego_speed by default those of
-/// config/requests.yaml, where their units stand.
+/// Contents of a list of requests. Defaults of stride, ttas and min_ego_speed and their units:
+/// config/requests.yaml.
 struct RequestListOptions {
   double stride = 0.0;
   std::vector<double> ttas;

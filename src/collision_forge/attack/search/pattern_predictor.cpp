@@ -16,7 +16,7 @@ namespace {
 constexpr double kRearEndClosingSpeed =
     4.0;  // m/s, nominal, of a rear-end attacker above the ego's speed
 constexpr double kMinImpactSpeed = 3.0;  // m/s, nominal, of every other attacker at least
-constexpr double kStraight = 1e-3;  // sine of a heading rounded from 0 or pi
+constexpr double kStraight = 1e-3;       // sine of a heading rounded from 0 or pi
 
 struct RankedPattern {
   CollisionPattern pattern;
@@ -79,9 +79,9 @@ const Track& mostCentral(const std::vector<Track>& tracks, double time) {
 
 }  // namespace
 
-Future foreseenFuture(const Snapshot& snapshot, const LaneIndex& lanes,
-                      const EgoFutureSampler& ego_futures, double horizon, double central,
-                      int samples, std::uint64_t seed, const PredictionOptions& options) {
+Future predictWithEgoSamples(const Snapshot& snapshot, const LaneIndex& lanes,
+                             const EgoFutureSampler& ego_futures, double horizon, double central,
+                             int samples, std::uint64_t seed, const PredictionOptions& options) {
   Future future = predictFuture(snapshot, lanes, horizon);
   future.ego_samples = ego_futures.sample(snapshot, lanes, horizon, samples, seed);
   if (!future.ego_samples.empty()) {
@@ -103,8 +103,8 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
   PatternPrediction prediction;
   prediction.future =
       recorded ? *recorded
-               : foreseenFuture(snapshot, lanes, *ego_futures_, request.tta + options_.tail,
-                                request.tta, options_.ego_samples, request.seed, options_);
+               : predictWithEgoSamples(snapshot, lanes, *ego_futures_, request.tta + options_.tail,
+                                       request.tta, options_.ego_samples, request.seed, options_);
   const auto ego = stateAt(prediction.future.ego, snapshot.now + request.tta);
   if (!ego) {
     prediction.status = {StatusCode::kBeyondRecording,

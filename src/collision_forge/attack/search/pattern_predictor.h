@@ -39,9 +39,9 @@ class PatternPredictor {
 /// Predicts from t0 to t0 + `horizon` (s): `samples` equally likely ego futures, the most central
 /// of them `central` s after t0 as the likeliest, and other agents by predictFuture().
 /// Deterministic in its arguments.
-Future foreseenFuture(const Snapshot& snapshot, const LaneIndex& lanes,
-                      const EgoFutureSampler& ego_futures, double horizon, double central,
-                      int samples, std::uint64_t seed, const PredictionOptions& options);
+Future predictWithEgoSamples(const Snapshot& snapshot, const LaneIndex& lanes,
+                             const EgoFutureSampler& ego_futures, double horizon, double central,
+                             int samples, std::uint64_t seed, const PredictionOptions& options);
 
 /// Predicts without learning: places each candidate attacker at the ego's predicted (in replay
 /// mode: recorded) pose at impact, with the type's nominal heading. The ego moves as `ego_futures`

@@ -24,7 +24,7 @@ struct Placement {
 std::vector<Placement> placementsOf(CollisionType type, DrivingSide driving_side);
 
 /// Maximum contact position along a side, as a share of half the side from its middle.
-inline constexpr double kMaxSlide = 0.9;
+inline constexpr double kMaxContactPosition = 0.9;
 
 /// rad; a heading band that ends within this of 0 or pi includes it.
 inline constexpr double kBandEnd = 1e-3;

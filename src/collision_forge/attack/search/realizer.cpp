@@ -38,7 +38,7 @@ void checkPatterns(const std::vector<CollisionPattern>& patterns, const Snapshot
 
 }  // namespace
 
-Realization realize(const RealizationTask& task, const AttackOptions& options) {
+Attack realize(const RealizationTask& task, const AttackOptions& options) {
   checkPatterns(task.patterns, task.input.snapshot);
   const VerificationInput& input = task.input;
   AttackJudge judge(input, options, task.exact);
@@ -48,13 +48,13 @@ Realization realize(const RealizationTask& task, const AttackOptions& options) {
                     options);
   for (const FoundAttack& attack : attacks) {
     const Track& agent = *attack.attacker;
-    Realization found;
-    found.aim = *attack.aim;
+    Attack found;
+    found.pattern = *attack.pattern;
     found.trajectory = {agent.id, agent.agent_class, agent.size, attack.points};
     found.effort = attack.effort;
     if (judge.accepts(found, agent, attack.hits)) return found;
   }
-  return declined(judge.refusal(task.patterns));
+  return rejection(judge.refusal(task.patterns));
 }
 
 }  // namespace forge

@@ -22,7 +22,7 @@ struct RealizationTask {
 /// AttackJudge accepts. Deterministic in its arguments. Throws InputError if a pattern's
 /// attacker is not in the snapshot, its time is not after t0, a number is not finite, or the
 /// tolerance is negative.
-Realization realize(const RealizationTask& task, const AttackOptions& options);
+Attack realize(const RealizationTask& task, const AttackOptions& options);
 
 /// Interface: drives attackers into collision patterns, the second stage of SearchMethod. Extension
 /// point (also as ROS service realize_trajectory). Implementations must be immutable: one object is
@@ -35,7 +35,7 @@ class TrajectoryRealizer {
   /// on the caller's thread several times per request: for recorded and added attackers, and for
   /// each SearchedMotion. Must be deterministic in its arguments. May throw InputError for unusable
   /// patterns; must not modify or keep the task's references.
-  virtual Realization realize(const RealizationTask& task) const = 0;
+  virtual Attack realize(const RealizationTask& task) const = 0;
 };
 
 /// Calls realize() in this process.
@@ -43,7 +43,7 @@ class SearchRealizer : public TrajectoryRealizer {
  public:
   explicit SearchRealizer(const AttackOptions& options) : options_(options) {}
 
-  Realization realize(const RealizationTask& task) const override {
+  Attack realize(const RealizationTask& task) const override {
     return forge::realize(task, options_);
   }
 

@@ -35,7 +35,7 @@ Status checkEgo(const Snapshot& snapshot, const PredictionOptions& options) {
                   ego.size.width, " m");
   }
   if (!isFinite(ego)) return refuse(StatusCode::kInvalidInput, "the ego's pose is not finite");
-  if (static_cast<int>(ego.states.size()) < kMinHistoryFrames || !newestAt(ego, snapshot.now)) {
+  if (static_cast<int>(ego.states.size()) < kMinHistoryFrames || !endsAt(ego, snapshot.now)) {
     return refuse(StatusCode::kTooLittleHistory, "the ego was observed in ", ego.states.size(),
                   " frames up to t0, ", kMinHistoryFrames, " are needed");
   }
@@ -53,7 +53,7 @@ Status checkAttacker(const std::string& id, const std::optional<AgentClass>& wan
   if (attacker == snapshot.agents.end()) {
     return refuse(StatusCode::kUnknownAttacker, "attacker_id \"", id, "\" is not in the scene");
   }
-  if (!newestAt(*attacker, snapshot.now)) {
+  if (!endsAt(*attacker, snapshot.now)) {
     return refuse(StatusCode::kAbsentAttacker, "attacker \"", id, "\" is not present at t0");
   }
   if (!canAttack(attacker->agent_class)) {
@@ -82,7 +82,7 @@ Status checkAttacker(const std::string& id, const std::optional<AgentClass>& wan
 
 bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionOptions& options) {
   if (!canAttack(agent.agent_class) || !hasMotion(agent)) return false;
-  if (!newestAt(agent, snapshot.now) || !isFinite(agent)) return false;
+  if (!endsAt(agent, snapshot.now) || !isFinite(agent)) return false;
   if (!(agent.size.length > 0.0 && agent.size.width > 0.0)) return false;
   const Vector2 ego = snapshot.ego.states.back().pose.position();
   return (agent.states.back().pose.position() - ego).norm() <= options.candidate_radius;

@@ -20,7 +20,7 @@ CollisionRequest withFullId(CollisionRequest request, const Snapshot& snapshot);
 /// Returns kInvalidInput, naming the field, if the request contradicts itself: an attacker id with
 /// choice = new, a class that cannot attack, a manoeuvre of another type, an impossible range of
 /// impact speed or overlap, a number of attacks outside 1 to kMaxAlternatives, plausible or
-/// adaptive attackers with strict limits, or several adaptive attacks. Else kOk.
+/// adaptive attackers with strict limits, or several adaptive attacks. Returns kOk otherwise.
 Status checkControls(const CollisionRequest& request);
 
 /// Returns the first reason to reject a request before any search, else kOk: TTA out of range or

@@ -21,7 +21,7 @@ struct DrivingStyle {
 };
 
 /// The calmest first: a driver takes the first style that arrives in time. The first three were
-/// chosen so that a classifier can hardly tell attackers from recorded vehicles (docs/results.md);
+/// chosen so that a classifier can hardly separate attackers from recorded vehicles (docs/results.md);
 /// the last one is for drivers in trouble.
 inline constexpr std::array<DrivingStyle, 4> kDrivingStyles{{{0.4, 1.0, 2.0, 0.5, 0.0},
                                                              {1.0, 1.0, 2.0, 1.0, 0.06},

@@ -10,7 +10,7 @@ namespace forge {
 namespace {
 
 /// Returns true if an added vehicle could improve on the result of the recorded vehicles.
-bool mayBeAdded(const Realization& existing, const Moment& moment, const CollisionRequest& request,
+bool mayBeAdded(const Attack& existing, const Moment& moment, const CollisionRequest& request,
                 const AttackOptions& options) {
   if (request.attacker || request.choice == AttackerChoice::kExisting) return false;
   if (!request.crash.believable || moment.lanes->map().lanes.empty()) return false;
@@ -18,7 +18,7 @@ bool mayBeAdded(const Realization& existing, const Moment& moment, const Collisi
     case StatusCode::kOk:
       // Not if the result already has the greatest possible score.
       return request.choice == AttackerChoice::kNew ||
-             worthOf(existing) + options.added.preference < options.search.confidence_curve.back();
+             scoreOf(existing) + options.added.preference < options.search.confidence_curve.back();
     case StatusCode::kNoCandidate:
     case StatusCode::kNoAttackWithinLimits:
     case StatusCode::kNotBelievable:
@@ -29,7 +29,7 @@ bool mayBeAdded(const Realization& existing, const Moment& moment, const Collisi
   }
 }
 
-bool isPreferred(const Realization& added, const Realization& existing, bool may_exist,
+bool isPreferred(const Attack& added, const Attack& existing, bool may_exist,
                  const AddedVehicleOptions& options) {
   if (!may_exist) return true;
   if (existing.status.code != StatusCode::kOk) {
@@ -37,7 +37,7 @@ bool isPreferred(const Realization& added, const Realization& existing, bool may
            added.status.code == StatusCode::kRoadDoesNotAllow;
   }
   return added.status.code == StatusCode::kOk &&
-         worthOf(added) > worthOf(existing) + options.preference;
+         scoreOf(added) > scoreOf(existing) + options.preference;
 }
 
 }  // namespace
@@ -51,10 +51,10 @@ SearchMethod::SearchMethod(const AttackOptions& options,
                            std::shared_ptr<const TrajectoryRealizer> realizer)
     : options_(options), predictor_(std::move(predictor)), realizer_(std::move(realizer)) {}
 
-Realization SearchMethod::answer(const Moment& moment, const CollisionRequest& request) const {
+Attack SearchMethod::answer(const Moment& moment, const CollisionRequest& request) const {
   const PatternPrediction prediction = predictor_->predict(
       moment.snapshot, *moment.lanes, request, moment.recorded ? &*moment.recorded : nullptr);
-  if (prediction.future.ego.states.empty()) return declined(prediction.status);
+  if (prediction.future.ego.states.empty()) return rejection(prediction.status);
   const VerificationInput input{moment.snapshot, prediction.future, request, *moment.lanes};
   const AddedVehicleInput added_input{moment.snapshot, moment.past.get(), prediction.future,
                                       request, *moment.lanes};
@@ -62,22 +62,22 @@ Realization SearchMethod::answer(const Moment& moment, const CollisionRequest& r
   const bool has_patterns = may_exist && prediction.status.code == StatusCode::kOk;
   std::optional<AddedVehicles> vehicles;
   const auto answerBy = [&](SearchedMotion motion) {
-    const Realization existing =
+    const Attack existing =
         has_patterns ? realizer_->realize({prediction.patterns, input, false, kNoWays, motion})
-                     : declined(prediction.status);
+                     : rejection(prediction.status);
     if (!mayBeAdded(existing, moment, request, options_)) return existing;
     if (!vehicles) vehicles = addVehicles(added_input, options_);
-    const Realization added = realizeByAdded(*vehicles, added_input, options_, *realizer_, motion);
+    const Attack added = realizeByAdded(*vehicles, added_input, options_, *realizer_, motion);
     return isPreferred(added, existing, may_exist, options_.added) ? added : existing;
   };
 
   if (!may_exist && (!request.crash.believable || moment.lanes->map().lanes.empty())) {
-    return declined(
+    return rejection(
         {StatusCode::kNoCandidate, "choice = new requires believable = true and a map with lanes"});
   }
-  const Realization answer = answerBy(SearchedMotion::kByRoutes);
+  const Attack answer = answerBy(SearchedMotion::kByRoutes);
   if (answer.status.code == StatusCode::kOk || !request.crash.believable) return answer;
-  const Realization other = answerBy(SearchedMotion::kAny);
+  const Attack other = answerBy(SearchedMotion::kAny);
   const StatusCode code = other.status.code;
   const bool tells_more =
       answer.status.code == StatusCode::kNoAttackWithinLimits &&

@@ -19,7 +19,7 @@ class SearchMethod : public AttackMethod {
   SearchMethod(const AttackOptions& options, std::shared_ptr<const PatternPredictor> predictor,
                std::shared_ptr<const TrajectoryRealizer> realizer);
 
-  Realization answer(const Moment& moment, const CollisionRequest& request) const override;
+  Attack answer(const Moment& moment, const CollisionRequest& request) const override;
 
  private:
   AttackOptions options_;

@@ -62,9 +62,9 @@ struct FoundAttack {
   double off_road = 0.0;  ///< mean share 0..1 of the box off the drivable area until the contact
   /// Maximised by the search: weighted share, closeness, road use, effort, steering and miss.
   double objective = 0.0;
-  double effort = 0.0;                    ///< Realization::effort
-  const CollisionPattern* aim = nullptr;  ///< the given pattern from which it came
-  PatternMiss miss;                       ///< of score.contact from `aim`
+  double effort = 0.0;                        ///< Attack::effort
+  const CollisionPattern* pattern = nullptr;  ///< the given pattern from which it came
+  PatternMiss miss;                           ///< of score.contact from `pattern`
   /// The futures in which all conditions hold: score.met first, then in cyclic order. The future in
   /// which the ego comes nearest to the aim's box is preferred as first.
   std::vector<const Track*> hits;

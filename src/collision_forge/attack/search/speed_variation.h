@@ -18,8 +18,8 @@ struct SpeedVariation {
   double phase = 0.0;      ///< rad
 
   double frequency() const;  ///< rad/s
-  /// Returns the distance (m) gained by `time` (s after t0) over a driver without variation who has
-  /// the same speed at t0.
+  /// Returns the distance (m) gained by `time` (s after t0) over a driver without variation and
+  /// with the same speed at t0.
   double way(double time) const;
 };
 

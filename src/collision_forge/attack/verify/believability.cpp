@@ -85,7 +85,7 @@ RoadUse roadUseOf(const std::vector<TrajectoryPoint>& points, const BoxSize& siz
   const auto divide = [](double& sum, std::size_t by) {
     if (by > 0) sum /= static_cast<double>(by);
   };
-  use.off_road /= static_cast<double>(kBoxPlaces);
+  use.off_road /= static_cast<double>(kBoxSamples);
   for (double* sum : {&use.off_road, &use.on_walkway, &use.on_island}) divide(*sum, count);
   for (double* sum : {&use.on_lane, &use.wrong_way}) divide(*sum, on_lanes_count);
   return use;
@@ -188,9 +188,9 @@ RoadUse roadUseOfAttack(const std::vector<TrajectoryPoint>& points, const BoxSiz
   return use;
 }
 
-std::string whyUnbelievable(const RoadUse& road, const std::vector<TrajectoryPoint>& points,
-                            const BoxSize& size, const LaneIndex& lanes,
-                            const BelievabilityOptions& options) {
+std::string implausibilityOf(const RoadUse& road, const std::vector<TrajectoryPoint>& points,
+                             const BoxSize& size, const LaneIndex& lanes,
+                             const BelievabilityOptions& options) {
   const auto share = [](double value) {
     return std::to_string(static_cast<int>(std::lround(100.0 * value))) + " %";
   };

@@ -35,9 +35,9 @@ RoadUse roadUseOfAttack(const std::vector<TrajectoryPoint>& points, const BoxSiz
 /// Returns the reason why a road use from roadUseOfAttack() is implausible, worded to follow the
 /// attacker ("is on a walkway for 12 %"); empty if it is plausible or the map has no lanes. Area
 /// off the road at the first point is not counted: it was recorded. `points` must not be empty.
-std::string whyUnbelievable(const RoadUse& road, const std::vector<TrajectoryPoint>& points,
-                            const BoxSize& size, const LaneIndex& lanes,
-                            const BelievabilityOptions& options);
+std::string implausibilityOf(const RoadUse& road, const std::vector<TrajectoryPoint>& points,
+                             const BoxSize& size, const LaneIndex& lanes,
+                             const BelievabilityOptions& options);
 
 /// Returns true if the position is on a traffic island or median: neither drivable area nor
 /// walkway, with drivable area within `reach` (m) on both the left and right of the pose, or both

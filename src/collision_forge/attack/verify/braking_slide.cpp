@@ -4,7 +4,7 @@
 
 namespace forge {
 
-AgentState BrakingSlide::stateFrom(const Pose2& pose, double time) const {
+AgentState StraightBraking::stateFrom(const Pose2& pose, double time) const {
   const double speed = velocity.norm();
   if (speed == 0.0) return {time, pose, velocity};
   const double duration = std::min(time - begin, speed / braking);
@@ -14,12 +14,13 @@ AgentState BrakingSlide::stateFrom(const Pose2& pose, double time) const {
   return {time, {position.x(), position.y(), pose.yaw}, (speed - braking * duration) * direction};
 }
 
-double BrakingSlide::standTime() const {
+double StraightBraking::standTime() const {
   const double speed = velocity.norm();
   return speed == 0.0 ? begin : begin + speed / braking;
 }
 
-BrakingSlide slideFromEnd(const AttackerTrajectory& trajectory, const DriveLimitOptions& options) {
+StraightBraking brakingFromEnd(const AttackerTrajectory& trajectory,
+                               const DriveLimitOptions& options) {
   const TrajectoryPoint& end = trajectory.points.back();
   const DriveLimits limits = driveLimitsOf(trajectory.agent_class, trajectory.size, options);
   return {end.time, end.speed * end.pose.heading(), limits.max_braking};

@@ -6,7 +6,7 @@
 namespace forge {
 
 /// Motion of a vehicle that brakes to a stop with constant heading and direction of travel.
-struct BrakingSlide {
+struct StraightBraking {
   double begin = 0.0;          ///< s
   Vector2 velocity{0.0, 0.0};  ///< m/s at `begin`, global map frame
   double braking = 0.0;        ///< m/s2, positive deceleration
@@ -21,6 +21,7 @@ struct BrakingSlide {
 
 /// Returns the motion of an attacker after the end of its trajectory: straight on, with the maximum
 /// braking of its vehicle class. `trajectory` must have points.
-BrakingSlide slideFromEnd(const AttackerTrajectory& trajectory, const DriveLimitOptions& options);
+StraightBraking brakingFromEnd(const AttackerTrajectory& trajectory,
+                               const DriveLimitOptions& options);
 
 }  // namespace forge

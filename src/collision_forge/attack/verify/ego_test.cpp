@@ -73,7 +73,7 @@ std::optional<CollisionReport> EgoTest::outcome(const LaneIndex& lanes,
   const auto attacker = agents_.find(trajectory_.attacker_id);
   if (attacker != agents_.end()) {
     const Track past = upTo(start.now, attacker->second);
-    if (newestAt(past, start.now)) start.agents.push_back(past);
+    if (endsAt(past, start.now)) start.agents.push_back(past);
   }
   const CollisionReport report = verify(trajectory_, {start, driven, request_, lanes}, options);
   const bool ended = ego_.states.back().time >= trajectory_.points.back().time;

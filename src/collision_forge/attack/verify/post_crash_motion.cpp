@@ -25,8 +25,8 @@ std::optional<CrashedVehicle> crashedAt(double time, const Track& track) {
   return CrashedVehicle{track.agent_class, track.size, *state};
 }
 
-BrakingSlide commonSlide(const CrashedVehicle& ego, const CrashedVehicle& attacker,
-                         const DriveLimitOptions& options) {
+StraightBraking commonSlide(const CrashedVehicle& ego, const CrashedVehicle& attacker,
+                            const DriveLimitOptions& options) {
   const double ego_share = massOf(ego) / (massOf(ego) + massOf(attacker));
   return {ego.state.time,
           ego_share * ego.state.velocity + (1.0 - ego_share) * attacker.state.velocity,
@@ -39,10 +39,10 @@ PostCrashMotion::PostCrashMotion(const CrashedVehicle& ego, const CrashedVehicle
                                  const DriveLimitOptions& options)
     : ego_(ego.state.pose),
       attacker_(attacker.state.pose),
-      slide_(commonSlide(ego, attacker, options)) {}
+      braking_(commonSlide(ego, attacker, options)) {}
 
 AgentState PostCrashMotion::stateAfter(const Pose2& contact, double time) const {
-  AgentState state = slide_.stateFrom(contact, std::max(time, contactTime()));
+  AgentState state = braking_.stateFrom(contact, std::max(time, contactTime()));
   state.time = time;
   return state;
 }

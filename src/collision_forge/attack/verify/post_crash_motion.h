@@ -27,9 +27,9 @@ class PostCrashMotion {
                   const DriveLimitOptions& options);
 
   /// s, same clock as the states
-  double contactTime() const { return slide_.begin; }
+  double contactTime() const { return braking_.begin; }
   /// Time at which both vehicles stop, s.
-  double standTime() const { return slide_.standTime(); }
+  double standTime() const { return braking_.standTime(); }
 
   /// Returns the ego's state at `time` (s); before the contact, its state at the contact.
   AgentState egoAt(double time) const;
@@ -41,7 +41,7 @@ class PostCrashMotion {
 
   Pose2 ego_;  ///< at the contact, like attacker_
   Pose2 attacker_;
-  BrakingSlide slide_;
+  StraightBraking braking_;
 };
 
 /// Returns the motion after a contact of `ego` and `other` at `contact_time` (s); empty if one of

@@ -9,7 +9,7 @@ StrictOutcome strictOutcome(const AttackerTrajectory& trajectory, const Verifica
   StrictOutcome outcome;
   request.crash.rules = TypeRules::kAngle;
   outcome.report = verify(trajectory, asked, options);
-  outcome.is_believed = !request.crash.believable || outcome.report.believable();
+  outcome.is_plausible = !request.crash.believable || outcome.report.believable();
   request.crash.rules = TypeRules::kFull;
   outcome.full_type_kept = verifyMotion(trajectory, asked, options).type_kept;
   return outcome;

@@ -9,9 +9,9 @@ struct StrictOutcome {
   /// All conditions; its type_kept tests only the band of |relative heading| at first contact.
   CollisionReport report;
   bool full_type_kept = false;  ///< the full definition of the type is met
-  bool is_believed = true;      ///< the attack is plausible, or the request does not require that
+  bool is_plausible = true;     ///< the attack is plausible, or the request does not require that
 
-  bool meetsAngleBands() const { return report.verified() && is_believed; }
+  bool meetsAngleBands() const { return report.verified() && is_plausible; }
   bool meetsFullDefinitions() const { return meetsAngleBands() && full_type_kept; }
 };
 

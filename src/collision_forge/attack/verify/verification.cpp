@@ -224,7 +224,7 @@ CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationI
   report.road = roadUseOn(input.lanes);
   const LaneIndex& driven = drivenLanes(input.request, input.lanes);
   const RoadUse judged = &driven == &input.lanes ? report.road : roadUseOn(driven);
-  report.unbelievable = whyUnbelievable(judged, points, trajectory.size, driven, believability);
+  report.unbelievable = implausibilityOf(judged, points, trajectory.size, driven, believability);
   return report;
 }
 

@@ -39,7 +39,7 @@ double offRoadShare(const AttackerTrajectory& trajectory, const CollisionReport&
                     const LaneIndex& lanes, const VerificationOptions& options);
 
 /// verifyMotion() and offRoadShare(); if there is a contact, also the manoeuvre (detectManoeuvre())
-/// and the plausibility (whyUnbelievable()), which verified() does not include. Throws as
+/// and the plausibility (implausibilityOf()), which verified() does not include. Throws as
 /// verifyDrive().
 CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationInput& input,
                        const VerificationOptions& options);

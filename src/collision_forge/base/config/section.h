@@ -69,7 +69,7 @@ class Section {
   std::string text(const std::string& key);
   /// A path, resolved against the folder of the file that gives it; "" stays "".
   std::string path(const std::string& key);
-  /// A list of zero or more paths, resolved as by path(). None may be "".
+  /// A list of zero or more paths, resolved as by path(). An empty path is an error.
   std::vector<std::string> paths(const std::string& key);
 
   /// Throws ConfigError with `problem`, for values that the section itself cannot check.

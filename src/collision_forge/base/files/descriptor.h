@@ -14,7 +14,7 @@ class Descriptor {
 
   bool isOpen() const { return value_ >= 0; }
   int get() const { return value_; }
-  /// Returns the descriptor and gives up ownership.
+  /// Returns the descriptor and releases its ownership.
   int release();
 
   /// Takes the file's exclusive lock (flock) without waiting. Returns false with errno EWOULDBLOCK

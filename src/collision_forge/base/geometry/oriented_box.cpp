@@ -92,11 +92,11 @@ std::array<Vector2, 4> corners(const OrientedBox& box) {
           middle + forward - left};
 }
 
-std::array<Vector2, kBoxPlaces> placesOf(const OrientedBox& box) {
+std::array<Vector2, kBoxSamples> placesOf(const OrientedBox& box) {
   const Vector2 ahead = box.center.heading();
   const Vector2 along = 0.4 * box.size.length * ahead;
   const Vector2 across = 0.4 * box.size.width * leftOf(ahead);
-  std::array<Vector2, kBoxPlaces> places;
+  std::array<Vector2, kBoxSamples> places;
   std::size_t count = 0;
   for (int x = -1; x <= 1; ++x) {
     for (int y = -1; y <= 1; ++y) {

@@ -26,8 +26,8 @@ std::array<Vector2, 4> corners(const OrientedBox& box);
 
 /// Returns sample points of a box for quick queries about the ground below it: a grid of three by
 /// three, spaced 0.4 of the length and 0.4 of the width around the centre.
-inline constexpr std::size_t kBoxPlaces = 9;
-std::array<Vector2, kBoxPlaces> placesOf(const OrientedBox& box);
+inline constexpr std::size_t kBoxSamples = 9;
+std::array<Vector2, kBoxSamples> placesOf(const OrientedBox& box);
 
 /// Returns the box with every side moved inwards by `margin` (m; outwards if negative); sides stay
 /// >= 0.

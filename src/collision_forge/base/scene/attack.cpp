@@ -35,8 +35,8 @@ Pose2 poseAt(const AttackerTrajectory& trajectory, double time) {
   return interpolate(before.pose, after->pose, (time - before.time) / (after->time - before.time));
 }
 
-Realization declined(Status status) {
-  Realization answer;
+Attack rejection(Status status) {
+  Attack answer;
   answer.status = std::move(status);
   return answer;
 }

@@ -105,21 +105,21 @@ struct CollisionReport {
 };
 
 /// The result of a request: a verified attack, or the reason why there is none.
-struct Realization {
+struct Attack {
   Status status;
-  CollisionPattern aim;  ///< predicted pattern that the attack realises; this and the next three
-                         ///< fields are valid only if `status.code` is kOk
-  PatternMiss miss;      ///< difference between `aim` and the report's contact
+  CollisionPattern pattern;  ///< predicted pattern that the attack realises; this and the next
+                             ///< three fields are valid only if `status.code` is kOk
+  PatternMiss miss;          ///< difference between `pattern` and the report's contact
   AttackerTrajectory trajectory;
   CollisionReport report;
   /// Penalty for unusual driving, in units of confidence: 0 for the most common behaviour. Set only
   /// if the request asks for plausible attackers.
   double effort = 0.0;
   /// Further attacks if the request asks for them (findAlternatives()); theirs is empty.
-  std::vector<Realization> alternatives = {};
+  std::vector<Attack> alternatives = {};
 };
 
 /// Returns a result without an attack, rejected with `status`.
-Realization declined(Status status);
+Attack rejection(Status status);
 
 }  // namespace forge

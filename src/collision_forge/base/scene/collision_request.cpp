@@ -55,7 +55,7 @@ std::optional<AttackerChoice> attackerChoiceFromString(const std::string& name) 
 
 const char* toString(StatusCode code) { return wordOf(kStatusWords, code, "UNKNOWN"); }
 
-bool isOfTheScene(StatusCode code) {
+bool dependsOnScene(StatusCode code) {
   switch (code) {
     case StatusCode::kNoCandidate:
     case StatusCode::kNoAttackWithinLimits:

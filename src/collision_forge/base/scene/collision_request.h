@@ -10,7 +10,7 @@
 
 namespace forge {
 
-/// What a request may use: kHistory the frames up to t0, kReplay the recorded future as well,
+/// Information that a request may use: kHistory the frames up to t0, kReplay the recorded future as well,
 /// kAdaptive as kHistory, and the attacker replans at every later frame.
 enum class Mode { kHistory, kReplay, kAdaptive };
 const char* toString(Mode mode);
@@ -79,7 +79,7 @@ enum class StatusCode : std::uint8_t {
 };
 const char* toString(StatusCode code);
 /// Returns true for codes that depend on the scene or t0: the request may succeed elsewhere.
-bool isOfTheScene(StatusCode code);
+bool dependsOnScene(StatusCode code);
 /// Returns the code of a name as toString() spells it (upper case); nullopt for an unknown name.
 std::optional<StatusCode> statusCodeFromString(const std::string& name);
 

@@ -21,7 +21,7 @@ bool meetsLengthwise(const Pose2& offset, const BoxSize& ego, const BoxSize& att
 
 }  // namespace
 
-CrashDefinition rulesOfClips(CrashDefinition crash) {
+CrashDefinition withClipRules(CrashDefinition crash) {
   crash.rules = TypeRules::kAngle;
   crash.limits = LimitSet::kStrict;
   crash.believable = false;

@@ -43,7 +43,7 @@ struct CrashDefinition {
 /// Returns `crash` with the rules for COLLIDE clips, which have no sizes, classes or maps: types by
 /// the heading at contact alone (as COLLIDE labels them), the strict limits, implausible motion
 /// accepted.
-CrashDefinition rulesOfClips(CrashDefinition crash);
+CrashDefinition withClipRules(CrashDefinition crash);
 
 /// Returns true if |`relative_heading`| at contact (rad) is within the type's heading band.
 bool headingFits(double relative_heading, const TypeDefinition& definition);

@@ -11,7 +11,7 @@ struct LiveOptions {
 
   /// Returns the largest age, in s, of an attack's t0 when the attack arrives. Nodes that use an
   /// attack keep poses and frames for this long.
-  double answerAge() const { return kept_for + wait_for; }
+  double maxAttackAge() const { return kept_for + wait_for; }
 };
 
 }  // namespace forge

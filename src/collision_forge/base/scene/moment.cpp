@@ -23,7 +23,7 @@ Status noFrame(double now, double nearest) {
 
 }  // namespace
 
-std::shared_ptr<const Snapshot> pastOf(const Scene& scene, double now) {
+std::shared_ptr<const Snapshot> completePast(const Scene& scene, double now) {
   return std::make_shared<const Snapshot>(
       snapshotAt(scene, now, static_cast<int>(scene.frame_times.size())));
 }
@@ -34,7 +34,7 @@ std::variant<Moment, Status> momentAt(const IndexedScene& recording, double now,
   const double frame = nearestFrame(scene, now);
   if (std::abs(frame - now) > kTimeEpsilon) return noFrame(now, frame);
   return Moment{snapshotAt(scene, frame, history_frames), recordedFuture(scene, frame),
-                recording.lanes, pastOf(scene, frame)};
+                recording.lanes, completePast(scene, frame)};
 }
 
 }  // namespace forge

@@ -27,7 +27,7 @@ struct Moment {
 };
 
 /// Returns Moment::past for t0 = `now`: every frame of the recording up to it.
-std::shared_ptr<const Snapshot> pastOf(const Scene& scene, double now);
+std::shared_ptr<const Snapshot> completePast(const Scene& scene, double now);
 
 /// Returns the input for a request at the frame at `now` (to 1 us); `history_frames` as in
 /// snapshotAt(). Returns kNoScene, whose message gives the nearest frame, if no frame is at `now`.

@@ -30,8 +30,8 @@ std::vector<Track> agentsAt(const std::vector<Track>& tracks, double time) {
 
 Frame newestFrame(const Snapshot& snapshot) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  const Pose2 ego = newestAt(snapshot.ego, snapshot.now) ? snapshot.ego.states.back().pose
-                                                         : Pose2{kUnknown, kUnknown, kUnknown};
+  const Pose2 ego = endsAt(snapshot.ego, snapshot.now) ? snapshot.ego.states.back().pose
+                                                       : Pose2{kUnknown, kUnknown, kUnknown};
   return {snapshot.now, ego, agentsAt(snapshot.agents, snapshot.now)};
 }
 

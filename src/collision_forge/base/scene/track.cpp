@@ -66,7 +66,7 @@ std::optional<AgentState> stateAt(const Track& track, double time, double max_ga
   return state;
 }
 
-bool newestAt(const Track& track, double time) {
+bool endsAt(const Track& track, double time) {
   return !track.states.empty() && std::abs(track.states.back().time - time) <= kTimeEpsilon;
 }
 

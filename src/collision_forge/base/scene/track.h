@@ -63,7 +63,7 @@ inline constexpr double kMaxGap = 1.1;
 std::optional<AgentState> stateAt(const Track& track, double time, double max_gap = kMaxGap);
 
 /// Returns true if the track's last state is at `time` (to 1 us).
-bool newestAt(const Track& track, double time);
+bool endsAt(const Track& track, double time);
 
 /// Sets each velocity from the positions by central differences; one-sided at the ends and beside
 /// gaps above `max_gap` (s), zero for a state without a neighbour.

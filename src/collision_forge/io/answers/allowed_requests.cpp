@@ -4,8 +4,8 @@
 
 namespace forge {
 
-bool roadAllowsAsked(const SceneRequest& asked, const IndexedScene& recording,
-                     const AnswerOptions& options) {
+bool roadAllowsRequest(const SceneRequest& asked, const IndexedScene& recording,
+                       const AnswerOptions& options) {
   CollisionRequest request = asked.request;
   request.crash = options.crash;
   return roadAllows(recording.scene.ego, asked.now, request, *recording.lanes,

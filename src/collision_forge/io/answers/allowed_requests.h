@@ -7,7 +7,7 @@
 namespace forge {
 
 /// Returns roadAllows() for a request, with the recorded ego motion and `options.crash`.
-bool roadAllowsAsked(const SceneRequest& asked, const IndexedScene& recording,
-                     const AnswerOptions& options);
+bool roadAllowsRequest(const SceneRequest& asked, const IndexedScene& recording,
+                       const AnswerOptions& options);
 
 }  // namespace forge

@@ -7,15 +7,15 @@
 
 namespace forge {
 
-RequestAnswerer::RequestAnswerer(SceneSource& scenes, MethodMaker method, CrashDefinition crash,
-                                 const EgoVehicle& ego, const AdaptiveOptions& adaptive)
+RequestSolver::RequestSolver(SceneSource& scenes, MethodMaker method, CrashDefinition crash,
+                             const EgoVehicle& ego, const AdaptiveOptions& adaptive)
     : scenes_(scenes),
       method_(std::move(method)),
       crash_(std::move(crash)),
       ego_(ego),
       adaptive_(adaptive) {}
 
-Scenario RequestAnswerer::answer(const SceneRequest& asked) const {
+Scenario RequestSolver::answer(const SceneRequest& asked) const {
   Scenario scenario{asked, ego_, {}};
   const PredictionOptions& options = method_.options().prediction;
   const auto recording = scenes_.at(asked.scene);
@@ -35,8 +35,8 @@ Scenario RequestAnswerer::answer(const SceneRequest& asked) const {
   }
   const AttackerSetup setup{method_.egoFuturesWithoutScene(asked.scene), method_.options(),
                             adaptive_};
-  AdaptiveAnswer answer = withoutMisses(
-      answerAdaptively(*method, moment, recording->scene, scenario.ego, request, setup), request);
+  AdaptiveDrive answer = rejectMisses(
+      requestAdaptively(*method, moment, recording->scene, scenario.ego, request, setup), request);
   scenario.answer = std::move(answer.attack);
   scenario.plans = std::move(answer.plans);
   return scenario;

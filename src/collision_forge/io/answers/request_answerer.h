@@ -9,14 +9,14 @@ namespace forge {
 
 /// Generates the attack for each request on recorded scenes. Thread-safe and deterministic across
 /// processes. Uses only models that were trained without the requested scene.
-class RequestAnswerer {
+class RequestSolver {
  public:
   /// `scenes` must outlive this object. `crash` replaces the crash definition of every request.
-  RequestAnswerer(SceneSource& scenes, MethodMaker method, CrashDefinition crash,
-                  const EgoVehicle& ego, const AdaptiveOptions& adaptive);
+  RequestSolver(SceneSource& scenes, MethodMaker method, CrashDefinition crash,
+                const EgoVehicle& ego, const AdaptiveOptions& adaptive);
 
   /// Returns the result of generateCollision() at the frame of the request; in adaptive mode, of
-  /// answerAdaptively() followed by withoutMisses(). If no frame is at that time, returns the
+  /// requestAdaptively() followed by rejectMisses(). If no frame is at that time, returns the
   /// status of momentAt(). Throws as SceneSource::at().
   Scenario answer(const SceneRequest& asked) const;
 

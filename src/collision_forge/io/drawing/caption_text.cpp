@@ -65,8 +65,8 @@ std::vector<CaptionRow> impactRows(const ScenarioView& view) {
 
 std::vector<CaptionRow> contactRows(const ScenarioView& view) {
   const CollisionReport& report = view.report;
-  if (view.escaped_hit) {
-    const std::string time = signedSeconds(*view.escaped_hit - view.snapshot.now, 2);
+  if (view.avoided_hit) {
+    const std::string time = signedSeconds(*view.avoided_hit - view.snapshot.now, 2);
     return {{"Contact", "none (hit: " + time + ")", true}};
   }
   if (!report.contact) return {{"Contact", "none", !view.planner.empty()}};
@@ -160,7 +160,7 @@ std::string detailsText(const ScenarioView& view) {
 }
 
 std::string verdictText(const ScenarioView& view) {
-  if (view.escaped_hit) return "avoids the hit";
+  if (view.avoided_hit) return "avoids the hit";
   if (!view.planner.empty()) return view.report.contact ? "hit by the attacker" : "no contact";
   if (view.report.verified()) return "requested crash in the recording";
   if (!view.report.contact) return "no contact in the recording";

@@ -32,7 +32,7 @@ std::vector<OrientedBox> sample(double from, double to, const BoxAtTime& box_at)
 
 double ScenarioMotion::keyTime() const {
   if (view_.report.contact) return view_.report.contact_time;
-  return view_.escaped_hit.value_or(view_.pattern.time);
+  return view_.avoided_hit.value_or(view_.pattern.time);
 }
 
 double ScenarioMotion::standTime() const {
@@ -158,7 +158,7 @@ std::vector<OrientedBox> ScenarioMotion::recordedAttackerBoxes(double from, doub
 }
 
 Vector2 ScenarioMotion::contactPoint() const {
-  if (view_.escaped_hit) {
+  if (view_.avoided_hit) {
     const auto ego = egoAt(keyTime());
     const auto attacker = attackerAt(keyTime());
     if (ego && attacker) return (ego->center.position() + attacker->center.position()) / 2;

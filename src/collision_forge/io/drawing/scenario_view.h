@@ -36,7 +36,7 @@ struct ScenarioView {
   /// planner, and only the contact of the report is shown. "" for an attack.
   std::string planner = {};
   /// Avoided hit: the time at which the ego would have been hit; there is no contact.
-  std::optional<double> escaped_hit = {};
+  std::optional<double> avoided_hit = {};
 };
 
 inline bool hasContact(const ScenarioView& view) { return view.report.contact; }

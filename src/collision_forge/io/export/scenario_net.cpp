@@ -12,7 +12,7 @@ namespace {
 
 void writeOwn(PickleWriter& own, const CrashRecord& record) {
   const SceneRequest& asked = record.scenario.asked;
-  const Realization& answer = record.scenario.answer;
+  const Attack& answer = record.scenario.answer;
   own.text("scene", asked.scene);
   own.text("type", toString(asked.request.type));
   own.text("mode", toString(asked.request.mode));

@@ -10,7 +10,7 @@
 
 namespace forge {
 
-/// What to read of a nuScenes root.
+/// Selection of the scenes to read from a nuScenes root.
 struct NuScenesReadOptions {
   std::vector<std::string> only;  ///< names of the scenes to read; empty: all
   NuScenesProgress on_progress;   ///< called every few megabytes, if set

@@ -64,8 +64,8 @@ BoxSize typicalSize(const std::string& type) {
 
 bool isSize(double value) { return std::isfinite(value) && value > 0.0; }
 
-/// A track of the file with a state in each valid row with finite numbers; its box is that of the
-/// first such row with a size.
+/// A track of the file with a state in each valid row with finite numbers. Its box is the first one
+/// with a size in such a row.
 struct RecordedTrack {
   RecordedTrack(const std::string& id, const PickleField& field, const std::vector<double>& times);
 

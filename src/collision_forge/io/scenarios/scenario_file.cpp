@@ -117,15 +117,15 @@ void writePattern(JsonLineWriter& writer, const CollisionPattern& pattern, const
   writer.endObject();
 }
 
-void writeAttack(JsonLineWriter& writer, const Realization& answer, double now) {
+void writeAttack(JsonLineWriter& writer, const Attack& answer, double now) {
   writeAttacker(writer, answer.trajectory, now);
-  writePattern(writer, answer.aim, answer.miss, now);
+  writePattern(writer, answer.pattern, answer.miss, now);
   writer.number("confidence", answer.report.confidence);
   writer.number("effort", answer.effort);
   writeCollisionReport(writer, "report", answer.report, now);
 }
 
-void writeAnswer(JsonLineWriter& writer, const Realization& answer, double now) {
+void writeAnswer(JsonLineWriter& writer, const Attack& answer, double now) {
   if (answer.status.code == StatusCode::kOk) {
     writeAttack(writer, answer, now);
   } else {
@@ -134,7 +134,7 @@ void writeAnswer(JsonLineWriter& writer, const Realization& answer, double now) 
     }
   }
   writer.beginArray("alternatives");
-  for (const Realization& alternative : answer.alternatives) {
+  for (const Attack& alternative : answer.alternatives) {
     writer.beginObject();
     writeAttack(writer, alternative, now);
     writer.endObject();
@@ -385,12 +385,12 @@ int readFormat(JsonObject& object) {
 }
 
 void readAttack(JsonObject& object, const Scenario& scenario, const LineContext& line,
-                Realization& answer) {
+                Attack& answer) {
   answer.trajectory = readAttacker(object.object("attacker"), line);
-  answer.aim = readPattern(object.object("pattern"), line, answer.miss);
-  answer.aim.type = scenario.asked.request.type;
-  answer.aim.attacker_id = answer.trajectory.attacker_id;
-  answer.aim.ego.size = scenario.ego.size;
+  answer.pattern = readPattern(object.object("pattern"), line, answer.miss);
+  answer.pattern.type = scenario.asked.request.type;
+  answer.pattern.attacker_id = answer.trajectory.attacker_id;
+  answer.pattern.ego.size = scenario.ego.size;
   answer.report = readReport(object.object("report"), line);
   answer.report.confidence = object.number("confidence");
   if (!line.isOld()) answer.effort = object.number("effort");
@@ -398,7 +398,7 @@ void readAttack(JsonObject& object, const Scenario& scenario, const LineContext&
 
 /// Reads the attack, which must be null unless the status is OK.
 void readAnswer(JsonObject& object, const Scenario& scenario, const LineContext& line,
-                Realization& answer) {
+                Attack& answer) {
   const bool is_attack = answer.status.code == StatusCode::kOk;
   if (is_attack) {
     readAttack(object, scenario, line, answer);
@@ -414,7 +414,7 @@ void readAnswer(JsonObject& object, const Scenario& scenario, const LineContext&
   }
   for (JsonObject& entry : object.objects("alternatives", kMaxAlternatives)) {
     if (!is_attack) object.fail("alternatives", "must be empty without an attack");
-    Realization& alternative = answer.alternatives.emplace_back();
+    Attack& alternative = answer.alternatives.emplace_back();
     readAttack(entry, scenario, line, alternative);
     entry.finish();
   }

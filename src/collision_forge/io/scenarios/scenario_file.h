@@ -17,7 +17,7 @@ namespace forge {
 struct Scenario {
   SceneRequest asked;
   EgoVehicle ego;
-  Realization answer;                    ///< the result; times on the scene's clock
+  Attack answer;                         ///< the result; times on the scene's clock
   std::vector<AttackerPlan> plans = {};  ///< adaptive mode: AttackerPolicy::plans()
 };
 

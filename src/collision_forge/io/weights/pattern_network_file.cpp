@@ -211,7 +211,7 @@ std::shared_ptr<const PatternNetwork> loadPatternNetwork(const std::string& path
   }
 }
 
-Foresight loadForesight(const ModelOptions& options) {
+PredictionModels loadForesight(const ModelOptions& options) {
   return {loadSpeedForecaster(options), loadPatternNetwork(options.pattern_network), std::nullopt};
 }
 

@@ -33,7 +33,7 @@ std::shared_ptr<const PatternNetwork> loadPatternNetwork(const std::string& path
 
 /// Loads the configured speed forecaster and pattern network. Throws as loadSpeedForecaster() and
 /// loadPatternNetwork().
-Foresight loadForesight(const ModelOptions& options);
+PredictionModels loadForesight(const ModelOptions& options);
 
 /// Returns the built-in methods, the methods of `method_libraries` and the learned baselines
 /// (addGeneratorMethods()). Throws as methodsWith().

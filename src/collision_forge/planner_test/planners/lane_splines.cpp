@@ -84,7 +84,7 @@ class MeasuredLine {
   Vector2 closest_{0.0, 0.0};
 };
 
-/// Joins the nodes of a path backwards from an edge's start with those of a path ahead from its
+/// Joins the nodes of a path backwards from an edge's start with the nodes of a path ahead from its
 /// end.
 std::vector<Vector2> pointsOf(const LaneGraph& graph, const NodePath& behind,
                               const NodePath& ahead) {

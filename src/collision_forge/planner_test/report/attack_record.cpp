@@ -47,8 +47,8 @@ void writeAttacker(JsonLineWriter& writer, const AttackerTrajectory& attacker, d
   writer.endObject();
 }
 
-void writeAim(JsonLineWriter& writer, const Realization& attack, double now) {
-  const CollisionPattern& aim = attack.aim;
+void writeAim(JsonLineWriter& writer, const Attack& attack, double now) {
+  const CollisionPattern& aim = attack.pattern;
   writer.beginObject("aim");
   writer.number("t", fromNow(aim.time, now));
   writePose(writer, "ego", aim.ego.center);
@@ -121,7 +121,7 @@ void writeDriveInShort(JsonLineWriter& writer, const PlannerRow& row,
 
 }  // namespace
 
-std::string attackRecord(const Scenario& scenario, const Realization& attack,
+std::string attackRecord(const Scenario& scenario, const Attack& attack,
                          const std::optional<RecordedOutcome>& recorded,
                          const VerificationOptions& options) {
   const double now = scenario.asked.now;

@@ -28,7 +28,7 @@ struct RecordedOutcome {
 /// Returns the page's record of an attack (JSON): everything beyond its row. `attack` is the
 /// scenario's attack or one of its alternatives; `recorded` is empty if the recording is not
 /// available.
-std::string attackRecord(const Scenario& scenario, const Realization& attack,
+std::string attackRecord(const Scenario& scenario, const Attack& attack,
                          const std::optional<RecordedOutcome>& recorded,
                          const VerificationOptions& options);
 

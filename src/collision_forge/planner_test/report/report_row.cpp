@@ -120,7 +120,7 @@ std::string shortcomingOf(const StrictOutcome& recorded) {
 
 }  // namespace
 
-ReportRow rowOfAttack(const Scenario& scenario, const Realization& attack,
+ReportRow rowOfAttack(const Scenario& scenario, const Attack& attack,
                       const std::optional<StrictOutcome>& recorded) {
   const CollisionRequest& request = scenario.asked.request;
   ReportRow row;

@@ -51,10 +51,10 @@ struct ReportRow {
 
 /// Returns the row of a scenario's attack or of one of its alternatives. `recorded`: its result
 /// against the recording, if available.
-ReportRow rowOfAttack(const Scenario& scenario, const Realization& attack,
+ReportRow rowOfAttack(const Scenario& scenario, const Attack& attack,
                       const std::optional<StrictOutcome>& recorded);
 
-/// Returns the row of a planner in a case, or without `row` that of an untested case. Copies the
+/// Returns the row of a planner in a case, or without `row` the row of an untested case. Copies the
 /// fields of the attack itself from `attack`, if given.
 ReportRow rowOfTest(const PlannerTestResult& result, const PlannerRow* row,
                     const ReportRow* attack);

@@ -154,13 +154,13 @@ class ReportBuilder {
     attacks_.emplace(source + ":" + std::to_string(line), std::move(listed));
     int number = 1;
     addAttack(scenario, scenario.answer, number);
-    for (const Realization& alternative : scenario.answer.alternatives) {
+    for (const Attack& alternative : scenario.answer.alternatives) {
       addAttack(scenario, alternative, ++number);
     }
   }
 
   /// `alternative` counts the attacks of the scenario from 1 on.
-  void addAttack(const Scenario& scenario, const Realization& attack, int alternative) {
+  void addAttack(const Scenario& scenario, const Attack& attack, int alternative) {
     std::optional<Judgement> judgement;
     std::optional<double> now_in_recording;
     const bool is_attack = attack.status.code == StatusCode::kOk;
@@ -185,7 +185,7 @@ class ReportBuilder {
   }
 
   /// Extends the part of the scene that is shown by the attack.
-  void include(const Scenario& scenario, const Realization& attack,
+  void include(const Scenario& scenario, const Attack& attack,
                const std::optional<ShownCrash>& crash) {
     const double now = scenario.asked.now;
     const std::vector<TrajectoryPoint>& points = attack.trajectory.points;
@@ -201,7 +201,7 @@ class ReportBuilder {
   }
 
   /// Returns nothing if the recording has no frame at t0.
-  std::optional<Judgement> judge(const Scenario& scenario, const Realization& attack) {
+  std::optional<Judgement> judge(const Scenario& scenario, const Attack& attack) {
     Scenario judged{scenario.asked, scenario.ego, attack};
     const PlannerCase one =
         caseOfScenario(judged, *scenes_->at(scenario.asked.scene), settings_.options);

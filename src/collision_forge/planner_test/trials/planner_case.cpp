@@ -29,7 +29,7 @@ PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed
                   scenario.ego,
                   indexed.lanes};
   showPast(one.scenario);
-  one.pattern = scenario.answer.aim;
+  one.pattern = scenario.answer.pattern;
   one.effort = scenario.answer.effort;
   return one;
 }

@@ -34,7 +34,7 @@ struct PlannerCase {
   Status status;                                       ///< kOk, or why the case cannot be tested
   CrashScenario scenario;                              ///< valid with kOk; `snapshot.now` always
   CollisionPattern pattern;                            ///< requested pattern; valid with kOk
-  double effort = 0.0;                                 ///< Realization::effort
+  double effort = 0.0;                                 ///< Attack::effort
   std::shared_ptr<const PublishedProtocol> published;  ///< for a clip of COLLIDE, else null
 };
 

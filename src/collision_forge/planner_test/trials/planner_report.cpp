@@ -293,7 +293,7 @@ std::string describeCases(const std::vector<PlannerTestResult>& results) {
   std::map<std::string, int> counts;
   for (const PlannerTestResult& result : results) ++counts[result.status];
   std::string text = counted(results.size(), "case") +
-                     ", of which were tested: " + std::to_string(counts["OK"]) + "\n";
+                     ", tested: " + std::to_string(counts["OK"]) + "\n";
   for (const auto& [status, count] : counts) {
     if (status != "OK") text += "- not tested, " + status + ": " + std::to_string(count) + "\n";
   }

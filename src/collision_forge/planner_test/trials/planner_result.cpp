@@ -137,7 +137,7 @@ std::vector<std::string> rowNames(const TestPlan& plan) {
 }
 
 std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind policy,
-                                             const Foresight& foresight,
+                                             const PredictionModels& foresight,
                                              const AnswerOptions& options) {
   if (policy == PolicyKind::kFixed) return nullptr;
   const CrashScenario& scenario = one.scenario;

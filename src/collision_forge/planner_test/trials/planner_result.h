@@ -24,12 +24,12 @@ struct AvoidabilitySummary {
   double off_road_share = 0.0;
 };
 
-/// What a test runs: planners, background traffic and attacker policies.
+/// Contents of a test: planners, background traffic and attacker policies.
 struct TestPlan {
   std::vector<std::string> planners;
   Background background = Background::kReplay;
   std::vector<PolicyKind> policies = {PolicyKind::kFixed};
-  Foresight foresight = {};  ///< of adaptive attackers
+  PredictionModels foresight = {};  ///< of adaptive attackers
 };
 
 /// Returns the row title of a planner tested against such an attacker; the planner's own name for a
@@ -107,7 +107,7 @@ PlannerTestResult judgeCase(const PlannerCase& one, const AnswerOptions& options
 
 /// Creates the attacker's policy for a case; null for PolicyKind::kFixed.
 std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind policy,
-                                             const Foresight& foresight,
+                                             const PredictionModels& foresight,
                                              const AnswerOptions& options);
 
 /// Runs a planner through a case that judgeCase() found OK. Uses only the background and the

@@ -63,7 +63,7 @@ RequestCases::RequestCases(SceneSource& scenes, const MethodMaker& method,
   const auto add = [&](const IndexedScene& recording) {
     starts[recording.scene.name] = recording.scene.frame_times.front();
     for (SceneRequest& request : everyRequestOf(recording.scene, draw.list, options)) {
-      if (roadAllowsAsked(request, recording, options)) all.push_back(std::move(request));
+      if (roadAllowsRequest(request, recording, options)) all.push_back(std::move(request));
     }
     if (draw.on_scene) draw.on_scene(starts.size(), count);
   };

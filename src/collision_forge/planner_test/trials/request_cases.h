@@ -50,7 +50,7 @@ class RequestCases : public PlannerCases {
  private:
   SceneSource& scenes_;
   const AnswerOptions& options_;
-  RequestAnswerer answerer_;
+  RequestSolver answerer_;
   std::string method_;
   std::vector<SceneRequest> requests_;
   std::vector<std::string> names_;

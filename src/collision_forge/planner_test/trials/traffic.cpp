@@ -65,7 +65,7 @@ Traffic::Traffic(const CrashScenario& scenario, std::unique_ptr<AttackerPolicy> 
     drivers_.push_back(std::move(driver));
   }
   for (Driver& driver : drivers_) {
-    if (!newestAt(driver.shown, time_)) show(driver, 0.0);
+    if (!endsAt(driver.shown, time_)) show(driver, 0.0);
   }
   collect();
 }
@@ -161,7 +161,7 @@ void Traffic::show(Driver& driver, double step) const {
 void Traffic::collect() {
   agents_.clear();
   for (const Driver& driver : drivers_) {
-    if (newestAt(driver.shown, time_)) agents_.push_back(driver.shown);
+    if (endsAt(driver.shown, time_)) agents_.push_back(driver.shown);
   }
 }
 

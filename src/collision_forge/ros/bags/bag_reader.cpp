@@ -244,7 +244,7 @@ Scenario readAttack(const std::string& path, const DataOptions& options,
     return 0;
   });
   checkTrajectory(scenario.answer.trajectory, options.input_limits, path);
-  checkPattern(scenario.answer.aim, options.input_limits, path);
+  checkPattern(scenario.answer.pattern, options.input_limits, path);
   scenario.asked.scene = std::filesystem::path(path).stem().string();
   return scenario;
 }

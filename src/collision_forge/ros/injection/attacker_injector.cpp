@@ -103,7 +103,7 @@ AgentState AttackerInjector::stateAfterNow(double time) const {
   if (crash_ && time > crash_->contactTime()) return crash_->attackerAt(time);
   const AttackerTrajectory trajectory = fromMessage(trajectory_);
   const TrajectoryPoint point = pointAt(trajectory, time);
-  const BrakingSlide slide = slideFromEnd(trajectory, options_);
+  const StraightBraking slide = brakingFromEnd(trajectory, options_);
   if (time > slide.begin) return slide.stateFrom(point.pose, time);
   return {time, point.pose, point.speed * point.pose.heading()};
 }

@@ -15,7 +15,7 @@ namespace forge {
 /// vehicle of its class, or of another where there is none.
 class AttackerInjector {
  public:
-  /// After the end of the trajectory the attacker brakes to a stand (slideFromEnd()). Throws
+  /// After the end of the trajectory the attacker brakes to a stand (brakingFromEnd()). Throws
   /// MessageError as fromMessage() of the trajectory.
   AttackerInjector(collision_forge::AttackerTrajectory trajectory,
                    const DriveLimitOptions& options);

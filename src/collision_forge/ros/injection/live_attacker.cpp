@@ -116,8 +116,9 @@ collision_forge::Attack LiveAttacker::attackNow() const {
   attack.report = toMessage(report, task.plan.attacker_id, task.snapshot.now);
   attack.report.confidence = first.report.confidence;
   if (report.contact) {
-    const PatternMiss miss = missBetween(
-        task.aim.attacker_offset, relativeTo(report.ego_at_contact, report.attacker_at_contact));
+    const PatternMiss miss =
+        missBetween(task.pattern.attacker_offset,
+                    relativeTo(report.ego_at_contact, report.attacker_at_contact));
     attack.miss_distance = miss.distance;
     attack.miss_heading = miss.heading;
   }

@@ -25,7 +25,7 @@ LiveInjector::LiveInjector(const Config& config, AfterContact after_contact, Pub
       after_contact_(after_contact),
       drivable_(config.attack.verification.drivable),
       publish_(std::move(publish)),
-      watch_(config.ego_vehicle.size, config.live.answerAge(), config.attack.verification) {}
+      watch_(config.ego_vehicle.size, config.live.maxAttackAge(), config.attack.verification) {}
 
 void LiveInjector::setAttack(const collision_forge::Attack& attack) {
   if (attack.trajectory.attacker_id.empty()) {

@@ -546,9 +546,9 @@ collision_forge::AttackerTrajectory toMessage(const AttackerTrajectory& trajecto
   return message;
 }
 
-Realization fromMessage(const collision_forge::Attack& message) {
-  Realization answer;
-  answer.aim = fromMessage(message.pattern);
+Attack fromMessage(const collision_forge::Attack& message) {
+  Attack answer;
+  answer.pattern = fromMessage(message.pattern);
   answer.miss = {message.miss_distance, message.miss_heading};
   answer.trajectory = fromMessage(message.trajectory);
   answer.effort = message.effort;
@@ -556,13 +556,12 @@ Realization fromMessage(const collision_forge::Attack& message) {
   return answer;
 }
 
-collision_forge::Attack toMessage(const Realization& answer, const std::string& method,
-                                  double now) {
+collision_forge::Attack toMessage(const Attack& answer, const std::string& method, double now) {
   collision_forge::Attack message;
   message.header.frame_id = names::kMapFrame;
   message.header.stamp = stampOf(now);
   message.method = method;
-  message.pattern = toMessage(answer.aim, now);
+  message.pattern = toMessage(answer.pattern, now);
   message.miss_distance = answer.miss.distance;
   message.miss_heading = answer.miss.heading;
   message.trajectory = toMessage(answer.trajectory);

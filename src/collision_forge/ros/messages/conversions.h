@@ -122,9 +122,9 @@ CollisionReport fromMessage(const collision_forge::CollisionReport& message);
 
 /// An answer with kOk and without alternatives. Throws as fromMessage() of pattern, trajectory and
 /// report.
-Realization fromMessage(const collision_forge::Attack& message);
+Attack fromMessage(const collision_forge::Attack& message);
 /// An answer with kOk. `now`: of the snapshot.
-collision_forge::Attack toMessage(const Realization& answer, const std::string& method, double now);
+collision_forge::Attack toMessage(const Attack& answer, const std::string& method, double now);
 
 /// Says in an attack that its attacker sees and reacts, and what it decided last.
 void setPlans(const std::vector<AttackerPlan>& plans, collision_forge::Attack& message);

@@ -87,9 +87,8 @@ std::variant<std::vector<CollisionRequest>, Status> requestsForEach(
   return requests;
 }
 
-collision_forge::CollisionAnswer toMessage(const CollisionRequest& request,
-                                           const Realization& answer, const std::string& method,
-                                           double now) {
+collision_forge::CollisionAnswer toMessage(const CollisionRequest& request, const Attack& answer,
+                                           const std::string& method, double now) {
   collision_forge::CollisionAnswer message;
   message.collision_type = toString(request.type);
   message.tta = request.tta;
@@ -97,7 +96,7 @@ collision_forge::CollisionAnswer toMessage(const CollisionRequest& request,
   message.message = answer.status.message;
   if (answer.status.code != StatusCode::kOk) return message;
   message.attack = toMessage(answer, method, now);
-  for (const Realization& alternative : answer.alternatives) {
+  for (const Attack& alternative : answer.alternatives) {
     message.alternatives.push_back(toMessage(alternative, method, now));
   }
   message.summary = summaryOf(message.attack);
@@ -108,7 +107,7 @@ Status listPossible(const std::vector<collision_forge::CollisionAnswer>& answers
                     std::vector<collision_forge::PossibleCollision>& collisions) {
   for (const collision_forge::CollisionAnswer& answer : answers) {
     const auto code = static_cast<StatusCode>(answer.code);
-    if (isOfTheScene(code)) continue;
+    if (dependsOnScene(code)) continue;
     if (code != StatusCode::kOk) return {code, answer.message};
     const auto first = static_cast<std::ptrdiff_t>(collisions.size());
     std::uint32_t number = 1;

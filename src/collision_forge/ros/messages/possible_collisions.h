@@ -23,9 +23,8 @@ std::variant<std::vector<CollisionRequest>, Status> requestsForEach(
 
 /// Attack, alternatives and summary are filled in with kOk alone. `method` made the attacks, `now`
 /// is the moment's, s.
-collision_forge::CollisionAnswer toMessage(const CollisionRequest& request,
-                                           const Realization& answer, const std::string& method,
-                                           double now);
+collision_forge::CollisionAnswer toMessage(const CollisionRequest& request, const Attack& answer,
+                                           const std::string& method, double now);
 
 /// The attacks of these answers in short, those of each answer as sure as they are. What the scene
 /// does not allow is left out; an answer that says something against the request itself is

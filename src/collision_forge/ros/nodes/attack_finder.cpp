@@ -53,24 +53,24 @@ std::variant<Moment, Status> AttackFinder::momentOf(
   return moment;
 }
 
-Realization AttackFinder::answer(const Moment& moment, const CollisionRequest& request,
-                                 const std::string& method,
-                                 const PatternPredictorService::OnPrediction& on_prediction) const {
+Attack AttackFinder::answer(const Moment& moment, const CollisionRequest& request,
+                            const std::string& method,
+                            const PatternPredictorService::OnPrediction& on_prediction) const {
   if (!method.empty() && !methods_.has(method)) {
-    return declined({StatusCode::kInvalidInput,
-                     "method = \"" + method + "\" is none of the topic attack_methods"});
+    return rejection({StatusCode::kInvalidInput,
+                      "method = \"" + method + "\" is none of the topic attack_methods"});
   }
   const Status recorded = checkRecording(moment, request);
-  if (recorded.code != StatusCode::kOk) return declined(recorded);
-  Realization answer = find(moment, request, method, on_prediction);
+  if (recorded.code != StatusCode::kOk) return rejection(recorded);
+  Attack answer = find(moment, request, method, on_prediction);
   if (answer.status.code != StatusCode::kOk) return answer;
   const Status contact = checkContact(moment, answer.report);
-  return contact.code == StatusCode::kOk ? answer : declined(contact);
+  return contact.code == StatusCode::kOk ? answer : rejection(contact);
 }
 
-Realization AttackFinder::find(const Moment& moment, const CollisionRequest& request,
-                               const std::string& method,
-                               const PatternPredictorService::OnPrediction& on_prediction) const {
+Attack AttackFinder::find(const Moment& moment, const CollisionRequest& request,
+                          const std::string& method,
+                          const PatternPredictorService::OnPrediction& on_prediction) const {
   const PredictionOptions& prediction = config_.attack.prediction;
   if (!method.empty() && method != default_method_) {
     const MethodMaker maker(method, methods_, config_.attack, foresight_);

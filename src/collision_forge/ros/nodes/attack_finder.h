@@ -20,8 +20,8 @@ namespace forge {
 /// stages of the default method are the services predict_pattern and realize_trajectory, all other
 /// methods run here. The private parameter `recording` names the bag on replay. A moment of that
 /// bag is taken from the bag, with its past and future. Replay mode needs it; in the other modes,
-/// too, a request is declined if the recording ends before the contact. If the bag has an attack
-/// already, every request is declined. Thread-safe.
+/// too, a request is rejection if the recording ends before the contact. If the bag has an attack
+/// already, every request is rejection. Thread-safe.
 class AttackFinder {
  public:
   /// `config` must outlive it. Throws what the loading of methods and weights throws.
@@ -29,14 +29,14 @@ class AttackFinder {
 
   const MethodRegistry& methods() const { return methods_; }
   const std::string& defaultMethod() const { return default_method_; }
-  const Foresight& foresight() const { return foresight_; }
+  const PredictionModels& foresight() const { return foresight_; }
 
   /// The moment of a scene, or why there is none. Throws MessageError and InputError.
   std::variant<Moment, Status> momentOf(const collision_forge::SceneSnapshot& scene) const;
 
   /// An empty `method` is the default one, whose predictions `on_prediction` gets. Throws
   /// MessageError and InputError for what the services answer.
-  Realization answer(
+  Attack answer(
       const Moment& moment, const CollisionRequest& request, const std::string& method,
       const PatternPredictorService::OnPrediction& on_prediction = [](const auto&) {}) const;
 
@@ -45,8 +45,8 @@ class AttackFinder {
 
  private:
   void loadRecording(const std::string& path);
-  Realization find(const Moment& moment, const CollisionRequest& request, const std::string& method,
-                   const PatternPredictorService::OnPrediction& on_prediction) const;
+  Attack find(const Moment& moment, const CollisionRequest& request, const std::string& method,
+              const PatternPredictorService::OnPrediction& on_prediction) const;
   Status checkRecording(const Moment& moment, const CollisionRequest& request) const;
   Status checkContact(const Moment& moment, const CollisionReport& report) const;
   std::optional<double> recordedFrame(const Snapshot& snapshot) const;
@@ -54,7 +54,7 @@ class AttackFinder {
 
   const Config& config_;
   MethodRegistry methods_;
-  Foresight foresight_;
+  PredictionModels foresight_;
   std::string default_method_;
   std::optional<IndexedScene> recording_;
   std::string attack_in_recording_;  // why a bag with an attack is no recording; empty: it has none

@@ -179,7 +179,7 @@ class AttackVerifierNodelet : public QueuedNodelet {
   template <typename Value>
   void add(std::deque<Value>& values, const Value& value) {
     values.push_back(value);
-    keepNewest(values, config_.live.answerAge());
+    keepNewest(values, config_.live.maxAttackAge());
   }
 
   void publishOutcome() {

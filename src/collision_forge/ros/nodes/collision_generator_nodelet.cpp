@@ -63,7 +63,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     publishMethods(node);
     live_ = std::make_unique<LiveAttacker>(
         [this](const collision_forge::Attack& attack) { publish(attack); },
-        getPrivateNodeHandle().param("keep_attack", false), config_.live.answerAge());
+        getPrivateNodeHandle().param("keep_attack", false), config_.live.maxAttackAge());
     scene_subscriber_ = node.subscribe(names::kEncodedScene, kSceneQueue,
                                        &CollisionGeneratorNodelet::receive, this);
     watch_ = node.createWallTimer(ros::WallDuration(kWatchInterval),
@@ -134,7 +134,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     answerWith(response, [&] { return generateOne(message, response); });
     const auto code = static_cast<StatusCode>(response.code);
     if (code != StatusCode::kOk) {
-      if (isOfTheScene(code) && !finder_->isRecordingAttacked()) forget();
+      if (dependsOnScene(code) && !finder_->isRecordingAttacked()) forget();
       NODELET_INFO_STREAM(toString(code) << ": " << printable(response.message));
     }
     return true;
@@ -153,7 +153,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     if (const Status* none = std::get_if<Status>(&found)) return *none;
     const Moment& moment = std::get<Moment>(found);
     std::optional<PatternPrediction> first;  // alternatives are predicted for, too
-    Realization answer =
+    Attack answer =
         finder_->answer(moment, request, message.method, [&](const PatternPrediction& prediction) {
           if (!first) first = prediction;
         });
@@ -197,7 +197,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
   }
 
   /// Publishes the attack.
-  void setOut(const Moment& moment, const CollisionRequest& request, const Realization& answer,
+  void setOut(const Moment& moment, const CollisionRequest& request, const Attack& answer,
               collision_forge::Attack& attack) {
     if (request.mode != Mode::kAdaptive) {
       live_->setOut(attack);
@@ -209,7 +209,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
          moment.lanes,
          {moment.snapshot.ego.size, config_.ego_vehicle.center_offset},
          request,
-         answer.aim,
+         answer.pattern,
          answer.trajectory,
          answer.effort},
         {std::make_shared<NetworkEgoFutures>(config_.attack.ego_futures, finder_->foresight()),

@@ -273,7 +273,7 @@ class PlannerTesterNodelet : public QueuedNodelet {
   Config config_;
   std::string planners_text_;
   std::unique_ptr<TrialScenarios> scenarios_;
-  Foresight foresight_;  // of attackers that see and react
+  PredictionModels foresight_;  // of attackers that see and react
   std::unique_ptr<ExternalPlanner> external_;
   std::mutex mutex_;
   collision_forge::AttackConstPtr attack_;  // the newest, behind the mutex

@@ -40,7 +40,7 @@ class SceneVisualizerNodelet : public QueuedNodelet {
     after_contact_ =
         loadLogged("choice", [this] { return nodeAfterContact(getPrivateNodeHandle()); });
     drivable_ = config.attack.verification.drivable;
-    watch_.emplace(config.ego_vehicle.size, config.live.answerAge(), config.attack.verification);
+    watch_.emplace(config.ego_vehicle.size, config.live.maxAttackAge(), config.attack.verification);
     map_markers_ = RepeatedMarkers(node, names::kMapMarkers);
     scene_markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kSceneMarkers, 1);
     pattern_markers_ = RepeatedMarkers(node, names::kPatternMarkers);

@@ -69,14 +69,14 @@ PatternPrediction PatternPredictorService::predict(const Snapshot& snapshot,
   return prediction;
 }
 
-Realization TrajectoryRealizerService::realize(const RealizationTask& task) const {
+Attack TrajectoryRealizerService::realize(const RealizationTask& task) const {
   collision_forge::RealizeTrajectory service;
   service.request = messageOf(task);
   const Status status = caller_.call(service);
-  if (status.code != StatusCode::kOk) return declined(status);
+  if (status.code != StatusCode::kOk) return rejection(status);
   const collision_forge::Attack& answer = service.response.attack;
-  Realization attack;
-  attack.aim = fromMessage(answer.pattern);
+  Attack attack;
+  attack.pattern = fromMessage(answer.pattern);
   attack.trajectory = fromMessage(answer.trajectory);
   checkTrajectory(attack.trajectory, limits_, "attack of realize_trajectory");
   attack.effort = answer.effort;
@@ -97,7 +97,7 @@ Realization TrajectoryRealizerService::realize(const RealizationTask& task) cons
   AttackJudge judge(task.input, options_, task.exact);
   const bool is_accepted =
       judge.accepts(attack, *attacker, nearestFirst(judge.searched(), answer.report));
-  return is_accepted ? attack : declined(judge.refusal(task.patterns));
+  return is_accepted ? attack : rejection(judge.refusal(task.patterns));
 }
 
 }  // namespace forge

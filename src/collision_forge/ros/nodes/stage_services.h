@@ -44,7 +44,7 @@ class TrajectoryRealizerService : public TrajectoryRealizer {
 
   /// Declines with kNodeUnavailable where the service does not answer. Throws MessageError and
   /// InputError for an unusable answer.
-  Realization realize(const RealizationTask& task) const override;
+  Attack realize(const RealizationTask& task) const override;
 
  private:
   ServiceCaller& caller_;

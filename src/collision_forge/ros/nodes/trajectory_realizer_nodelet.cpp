@@ -38,7 +38,7 @@ class TrajectoryRealizerNodelet : public QueuedNodelet {
     }
     AttackerWays ways;
     for (const auto& way : message.ways) ways.emplace(way.attacker_id, fromMessage(way));
-    const Realization realization =
+    const Attack realization =
         realize({patterns,
                  {snapshot, future, request, *lanes},
                  static_cast<bool>(message.exact),

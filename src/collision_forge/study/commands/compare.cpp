@@ -71,7 +71,7 @@ std::string refusalText(StatusCode code) {
 GridCell cellOf(const CollideClip& clip, const ClipQuestion& question, const MethodMaker& maker,
                 const Arguments& arguments, const StudyOptions& study) {
   const Moment& moment = question.moment();
-  const Realization answer = question.answer(maker, *maker.make(), arguments.seed);
+  const Attack answer = question.answer(maker, *maker.make(), arguments.seed);
   GridCell cell;
   ScenarioView& view = cell.view;
   view.scene_name = clip.scene;
@@ -101,7 +101,7 @@ GridCell cellOf(const CollideClip& clip, const ClipQuestion& question, const Met
 ScenarioGrid gridOf(const std::vector<std::string>& paths, const Arguments& arguments,
                     const StudyConfig& config) {
   CityMaps maps(arguments.dataroot, config);
-  const Foresight foresight = loadForesight(config);
+  const PredictionModels foresight = loadForesight(config);
   const MethodRegistry methods = loadMethods(config);
   ScenarioGrid grid{arguments.methods, {}};
   ProgressLine progress("attacks");

@@ -78,7 +78,7 @@ int evaluateClips(const EvaluationArguments& arguments) {
   const std::vector<std::string> paths = listClips(arguments, config);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   CityMaps maps(arguments.logs.path, config);
-  const Foresight foresight = loadForesight(config);
+  const PredictionModels foresight = loadForesight(config);
   const MethodRegistry methods = loadMethods(config);
   const MethodMaker checked(arguments.plan.method, clipMethods(methods, nullptr, config.evaluation),
                             config.attack, foresight);

@@ -40,7 +40,7 @@ using Tallies = std::array<Tally, kEgoConducts.size()>;
 /// Runs all drives of one case. Returns one line: the five counts of each behaviour, then the
 /// broken limits, each preceded by a tab.
 std::string stressCase(const PlannerCases& cases, std::size_t index, const Arguments& arguments,
-                       const Foresight& foresight, const Config& config) {
+                       const PredictionModels& foresight, const Config& config) {
   const PlannerCase one = cases.at(index);
   Tallies tallies;
   std::string broken;
@@ -102,7 +102,7 @@ void print(const Tallies& tallies, const std::string& broken) {
 
 int measure(const Arguments& arguments) {
   const Config config = loadRunConfig(arguments.config);
-  const Foresight foresight = loadForesight(config);
+  const PredictionModels foresight = loadForesight(config);
   const auto cases =
       openScenarioCases(arguments.scenarios, arguments.logs,
                         static_cast<std::size_t>(arguments.jobs) + 1, config, showReading());

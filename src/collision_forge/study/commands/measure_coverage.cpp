@@ -49,7 +49,7 @@ void answerAll(const IndexedScene& indexed, double seconds, const Arguments& arg
         request.tta = tta;
         request.mode = mode;
         request.crash = config.crash;
-        const Realization attack = generateCollision(*method, moment, request, prediction);
+        const Attack attack = generateCollision(*method, moment, request, prediction);
         Tally& tally = tallies[{mode, type}];
         ++tally.codes[attack.status.code];
         bool confirmed = false;

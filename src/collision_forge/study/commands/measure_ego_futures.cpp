@@ -120,7 +120,7 @@ void print(const Cases& cases) {
 
 int measure(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
-  const Foresight foresight = loadForesight(config);
+  const PredictionModels foresight = loadForesight(config);
   SceneSource scenes(arguments.logs, {}, config, 1, {}, showReading());
   const std::vector<std::string> names = scenes.names();
   Cases cases;

@@ -73,7 +73,7 @@ int measure(const Arguments& arguments) {
   std::vector<std::string> paths = listCollideClips(arguments.collide, arguments.split);
   if (arguments.limit > 0 && arguments.limit < paths.size()) paths.resize(arguments.limit);
   CityMaps maps(arguments.dataroot, config);
-  const Foresight foresight = loadForesight(config);
+  const PredictionModels foresight = loadForesight(config);
   const MethodRegistry methods = loadMethods(config);
   const ClipEvaluationSetup setup{methods, foresight, config};
   std::vector<Measurement> measurements;

@@ -100,7 +100,8 @@ void judgeCandidates(const PredictedScene& scene, const CollideClip& clip, const
   result.candidates = static_cast<int>(candidates.size());
   if (attacker >= candidates.size()) return;
   std::vector<double> scores;
-  for (const CandidateAnswer& answer : scene.judge(candidates, expected, clip.tta(), clip.type)) {
+  for (const CandidatePrediction& answer :
+       scene.judge(candidates, expected, clip.tta(), clip.type)) {
     scores.push_back(answer.score);
   }
   result.rank = rankOf(attacker, scores);
@@ -215,7 +216,7 @@ void print(const Totals& totals) {
 
 int measure(const Arguments& arguments) {
   const StudyConfig config = loadStudyConfig(arguments.config);
-  const Foresight foresight = loadForesight(config);
+  const PredictionModels foresight = loadForesight(config);
   if (!foresight.network) {
     throw std::runtime_error("models.yaml: pattern_network is empty; name a network file");
   }
@@ -225,7 +226,8 @@ int measure(const Arguments& arguments) {
   const auto paths = listCollideClips(arguments.collide, arguments.split);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const CollideClip clip = readCollideClip(paths[i], config.input_limits);
-    const Foresight known = arguments.seen_scenes ? foresight : foresight.withoutScene(clip.scene);
+    const PredictionModels known =
+        arguments.seen_scenes ? foresight : foresight.withoutScene(clip.scene);
     const auto& left_out = known.network->weights().left_out_scenes;
     if (arguments.unseen &&
         std::find(left_out.begin(), left_out.end(), clip.scene) == left_out.end()) {

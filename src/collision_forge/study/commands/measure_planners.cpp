@@ -36,7 +36,7 @@ Observation observationAt(const Scene& scene, double now, int frames) {
   Observation observation;
   observation.ego = {now, ego.pose, std::max(ego.velocity.dot(ego.pose.heading()), 0.0), 0.0, 0.0};
   for (const Track& track : snapshot.agents) {
-    if (newestAt(track, now)) observation.agents.push_back(track);
+    if (endsAt(track, now)) observation.agents.push_back(track);
   }
   return observation;
 }

@@ -24,7 +24,7 @@ class PatternTiming {
     Input input;
     const PatternFeatureOptions& sizes = network.weights().features;
     features_.push_back(timed([&] {
-      const EgoWays ways = egoWays(scene.observed(), lanes, tta, sizes.max_ways);
+      const EgoPathSet ways = egoPathSet(scene.observed(), lanes, tta, sizes.max_ways);
       input.scene = sceneFeatures(scene.observed(), lanes, sizes);
       input.anchors = anchorFeatures(ways, lanes, tta, sizes);
       input.request = requestFeatures(type, tta);

@@ -132,8 +132,8 @@ double drawnHeading(const CollisionRequest& request, const TypeDefinition& defin
   return definition.min_heading + share * (definition.max_heading - definition.min_heading);
 }
 
-Realization findClip(const SceneRequest& asked, const IndexedScene& indexed,
-                     const StudyOptions& study, const DatasetOptions& options) {
+Attack findClip(const SceneRequest& asked, const IndexedScene& indexed, const StudyOptions& study,
+                const DatasetOptions& options) {
   Scenario scenario{asked, egoVehicleOf(indexed.scene, study.ego_vehicle.center_offset), {}};
   const auto found = momentAt(indexed, asked.now, kHistoryFrames);
   if (const Status* status = std::get_if<Status>(&found)) {
@@ -150,7 +150,7 @@ Realization findClip(const SceneRequest& asked, const IndexedScene& indexed,
   if (scenario.answer.status.code != StatusCode::kOk) return scenario.answer;
   const std::string problem = rejectionReason(scenario, indexed, moment, study, options);
   if (problem.empty()) return scenario.answer;
-  return declined({StatusCode::kNoAttackWithinLimits, problem});
+  return rejection({StatusCode::kNoAttackWithinLimits, problem});
 }
 
 }  // namespace forge

@@ -31,7 +31,7 @@ double drawnHeading(const CollisionRequest& request, const TypeDefinition& defin
 ///   contact.
 ///
 /// Otherwise returns the code of the search, or kNoAttackWithinLimits with the reason as message.
-Realization findClip(const SceneRequest& asked, const IndexedScene& indexed,
-                     const StudyOptions& study, const DatasetOptions& options);
+Attack findClip(const SceneRequest& asked, const IndexedScene& indexed, const StudyOptions& study,
+                const DatasetOptions& options);
 
 }  // namespace forge

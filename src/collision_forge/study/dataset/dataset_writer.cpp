@@ -27,7 +27,7 @@ ScenarioView viewOf(const Scenario& scenario, const Scene& scene) {
           asked.request.mode,
           snapshotAt(scene, asked.now, kCollideNowFrame + 1),
           recordedFuture(scene, asked.now),
-          scenario.answer.aim,
+          scenario.answer.pattern,
           scenario.answer.trajectory,
           scenario.answer.report};
 }

@@ -109,7 +109,7 @@ std::vector<double*> sharesAndPeaks(AttackFigures& attack) {
 
 }  // namespace
 
-AttackFigures attackFigures(const Realization& answer, const Scene& recording,
+AttackFigures attackFigures(const Attack& answer, const Scene& recording,
                             const StudyOptions& options) {
   const AttackerTrajectory& trajectory = answer.trajectory;
   const double contact = answer.report.contact_time;

@@ -31,7 +31,7 @@ struct AttackFigures {
 
 /// Computes the figures of an attack, whose report must hold a contact. `recording` provides the
 /// positions of other agents and the past of a recorded attacker.
-AttackFigures attackFigures(const Realization& answer, const Scene& recording,
+AttackFigures attackFigures(const Attack& answer, const Scene& recording,
                             const StudyOptions& options);
 
 /// Figures on a recorded vehicle in one of recordedWindows().

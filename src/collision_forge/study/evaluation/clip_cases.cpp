@@ -38,8 +38,8 @@ CollisionPattern patternOf(const PlannerCase& one, const PredictionOptions& pred
 }
 
 /// Returns the attack of the method on a clip.
-Realization answerTo(const CollideClip& clip, const PlannerCase& one, const MethodMaker& method,
-                     const StudyOptions& study, ClipAnswers answers) {
+Attack answerTo(const CollideClip& clip, const PlannerCase& one, const MethodMaker& method,
+                const StudyOptions& study, ClipAnswers answers) {
   const CrashScenario& scenario = one.scenario;
   const std::unique_ptr<const AttackMethod> made = method.makeWithoutScene(one.scene);
   if (answers == ClipAnswers::kAll) {
@@ -105,7 +105,7 @@ PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
   one.name = clip.name;
   one.scene = clip.scene;
   one.request = requestOf(clip, attacker == ClipAttacker::kReplay ? Mode::kReplay : Mode::kHistory,
-                          study.attack.prediction.min_tta, rulesOfClips(study.crash));
+                          study.attack.prediction.min_tta, withClipRules(study.crash));
   one.scenario = {snapshotAt(scene, clip.now(), study.attack.prediction.history_frames),
                   recordedFuture(scene, clip.now()),
                   {},
@@ -118,14 +118,14 @@ PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
     one.published = publishedProtocol(clip, study.evaluation.published);
     return one;
   }
-  Realization answer = answerTo(clip, one, method, study, answers);
+  Attack answer = answerTo(clip, one, method, study, answers);
   one.status = answer.status;
   one.scenario.attacker = std::move(answer.trajectory);
   if (one.status.code == StatusCode::kOk) {
     one.published =
         publishedProtocol(withAttacker(clip, one.scenario.attacker), study.evaluation.published);
   }
-  one.pattern = answer.aim;
+  one.pattern = answer.pattern;
   one.effort = answer.effort;
   return one;
 }

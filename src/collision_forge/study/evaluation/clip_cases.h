@@ -28,7 +28,7 @@ enum class ClipAnswers {
 };
 
 /// Returns the test case of a COLLIDE clip, with the data set's box sizes. Attackers made by
-/// `method` use the type rules of clips, the relative heading only (rulesOfClips()). The case has
+/// `method` use the type rules of clips, the relative heading only (withClipRules()). The case has
 /// the status of the method if it finds no attack.
 PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
                        std::shared_ptr<const LaneIndex> lanes, const MethodMaker& method,

@@ -32,14 +32,14 @@ class ClipCase {
     return clipMethod(row == kFirstPlan ? plan_.method : row, clip_, setup_, plan_.seen_scenes);
   }
 
-  Realization answer(const std::string& row, const MethodMaker& maker, std::uint64_t seed) {
+  Attack answer(const std::string& row, const MethodMaker& maker, std::uint64_t seed) {
     if (plan_.mode != Mode::kAdaptive || isBaseline(row)) {
       return question_.answer(maker, *maker.make(), seed);
     }
     CollisionRequest request = question_.request();
     request.seed = seed;
     request.crash.limits = kAdaptiveLimits;
-    Realization first = firstPlan(maker, request);
+    Attack first = firstPlan(maker, request);
     if (row == kFirstPlan || first.status.code != StatusCode::kOk) return first;
     return driveAdaptively(std::move(first), question_.moment(), question_.recording(),
                            {setup_.study.evaluation.collide.box, 0.0}, request,
@@ -47,7 +47,7 @@ class ClipCase {
         .attack;
   }
 
-  void judge(const Realization& answer, const MethodMaker& maker, ResultRow& row) const {
+  void judge(const Attack& answer, const MethodMaker& maker, ResultRow& row) const {
     if (plan_.protocol == Protocol::kStrict) {
       const Moment& moment = question_.moment();
       const VerificationInput input{moment.snapshot, *moment.recorded, question_.request(),
@@ -64,10 +64,10 @@ class ClipCase {
 
  private:
   /// Returns the first plan of a method; caches it, because two rows use the plan's method.
-  Realization firstPlan(const MethodMaker& maker, const CollisionRequest& request) {
+  Attack firstPlan(const MethodMaker& maker, const CollisionRequest& request) {
     const auto [found, is_new] = first_plans_.try_emplace({maker.name(), request.seed});
     if (!is_new) return found->second;
-    Realization& first = found->second;
+    Attack& first = found->second;
     first.status = question_.check(maker);
     if (first.status.code == StatusCode::kOk) {
       first = attempt(*maker.make(), question_.moment(), request);
@@ -94,13 +94,13 @@ class ClipCase {
   const ClipEvaluationSetup& setup_;
   const EvaluationPlan& plan_;
   ClipQuestion question_;
-  std::map<std::pair<std::string, std::uint64_t>, Realization> first_plans_;  // by method, seed
+  std::map<std::pair<std::string, std::uint64_t>, Attack> first_plans_;  // by method, seed
 };
 
 ResultRow rowOf(ClipCase& clip_case, const CollideClip& clip, Protocol protocol,
                 const std::string& method, std::uint64_t seed) {
   const MethodMaker maker = clip_case.maker(method);
-  const Realization answer = clip_case.answer(method, maker, seed);
+  const Attack answer = clip_case.answer(method, maker, seed);
   ResultRow row;
   row.name = clip.name;
   row.scene = clip.scene;

@@ -18,7 +18,7 @@ struct EvaluationPlan {
   bool is_seeded = true;  ///< MethodRegistry::Entry::is_seeded of `method`; unused for baselines
   Mode mode = Mode::kHistory;
   int seeds = 1;  ///< number of runs of a seeded method, with seeds 0 to seeds - 1
-  /// Requests only, as in CrashDefinition; clips are judged by rulesOfClips().
+  /// Requests only, as in CrashDefinition; clips are judged by withClipRules().
   LimitSet limits = LimitSet::kDrivable;
   bool believable = true;  ///< requests only: attackers must be plausible
   /// Clips only. True: use models trained on all scenes, including the clip's own, as if splits
@@ -40,7 +40,7 @@ std::size_t rowsPerClip(const EvaluationPlan& plan);
 /// Evaluates all methods of the plan on a clip against its recorded future. Returns one row per
 /// method, for seeded methods one per seed. A method without an attack meets no measure.
 ///
-/// - Collision types are judged by the relative heading only (rulesOfClips()), at any confidence.
+/// - Collision types are judged by the relative heading only (withClipRules()), at any confidence.
 /// - Mode adaptive: the attack of a method, found with drivable limits, is the first plan of an
 ///   AdaptiveAttacker, which observes the clip frame by frame. The row "first_plan" is that attack
 ///   without replanning. Baselines do not replan.

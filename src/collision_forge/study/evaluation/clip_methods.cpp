@@ -23,8 +23,8 @@ class ClipMethod : public AttackMethod {
 
   explicit ClipMethod(Drive drive) : drive_(std::move(drive)) {}
 
-  Realization answer(const Moment& moment, const CollisionRequest& request) const override {
-    Realization answer;
+  Attack answer(const Moment& moment, const CollisionRequest& request) const override {
+    Attack answer;
     answer.trajectory = drive_(moment, request);
     return answer;
   }
@@ -41,15 +41,16 @@ class LookaheadMethod : public AttackMethod {
                   const AttackOptions& options)
       : method_(std::move(method)), clip_(clip), options_(options) {}
 
-  Realization answer(const Moment& moment, const CollisionRequest& request) const override {
-    Realization answer = method_->answer(moment, request);
+  Attack answer(const Moment& moment, const CollisionRequest& request) const override {
+    Attack answer = method_->answer(moment, request);
     if (answer.status.code != StatusCode::kOk) return answer;
     const std::vector<std::optional<CollideState>>& frames = clip_->attacker().frames;
     const auto last = static_cast<std::size_t>(clip_->collision_frame);
     const double seconds = clip_->times[last] - clip_->times[last - 1];
     const double speed = frames[last]->speed;
     const EndMotion end{speed, (speed - frames[last - 1]->speed) / seconds};
-    answer.trajectory = patternAttacker(answer.aim, moment.snapshot, request.tta, options_, end);
+    answer.trajectory =
+        patternAttacker(answer.pattern, moment.snapshot, request.tta, options_, end);
     answer.report = {};
     return answer;
   }
@@ -63,7 +64,7 @@ class LookaheadMethod : public AttackMethod {
 std::unique_ptr<const AttackMethod> publishedSearch(const CollideClip* clip,
                                                     const EvaluationOptions& evaluation,
                                                     const AttackOptions& options,
-                                                    const MethodForesight& foresight) {
+                                                    const MethodPredictors& foresight) {
   return std::make_unique<ClipMethod>([=](const Moment& moment, const CollisionRequest& request) {
     return publishedSearchAttacker(*clip, moment.snapshot,
                                    moment.recorded ? &*moment.recorded : nullptr, request,

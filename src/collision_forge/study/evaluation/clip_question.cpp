@@ -12,15 +12,15 @@ namespace {
 
 CrashDefinition clipCrash(CrashDefinition crash) {
   crash.min_confidence = 0.0;
-  return rulesOfClips(std::move(crash));
+  return withClipRules(std::move(crash));
 }
 
 }  // namespace
 
 MethodMaker clipMethod(const std::string& name, const CollideClip& clip,
                        const ClipEvaluationSetup& setup, bool seen_scenes) {
-  const Foresight foresight =
-      seen_scenes ? Foresight{setup.foresight.speeds, setup.foresight.network, clip.type}
+  const PredictionModels foresight =
+      seen_scenes ? PredictionModels{setup.foresight.speeds, setup.foresight.network, clip.type}
                   : setup.foresight.withoutScene(clip.scene);
   return {name, clipMethods(setup.methods, &clip, setup.study.evaluation), setup.study.attack,
           foresight};
@@ -38,16 +38,16 @@ Status ClipQuestion::check(const MethodMaker& maker) const {
   return maker.isSeeded() ? checkRequest(request_, moment_.snapshot, prediction_) : Status();
 }
 
-Realization ClipQuestion::ask(const AttackMethod& method, std::uint64_t seed) const {
+Attack ClipQuestion::ask(const AttackMethod& method, std::uint64_t seed) const {
   CollisionRequest request = request_;
   request.seed = seed;
   return attempt(method, moment_, request);
 }
 
-Realization ClipQuestion::answer(const MethodMaker& maker, const AttackMethod& method,
-                                 std::uint64_t seed) const {
+Attack ClipQuestion::answer(const MethodMaker& maker, const AttackMethod& method,
+                            std::uint64_t seed) const {
   const Status status = check(maker);
-  return status.code == StatusCode::kOk ? ask(method, seed) : declined(status);
+  return status.code == StatusCode::kOk ? ask(method, seed) : rejection(status);
 }
 
 }  // namespace forge

@@ -16,7 +16,7 @@ namespace forge {
 /// References to the inputs of an evaluation on clips, which must outlive it.
 struct ClipEvaluationSetup {
   const MethodRegistry& methods;  ///< configured methods; clipMethods() adds more
-  const Foresight& foresight;
+  const PredictionModels& foresight;
   const StudyOptions& study;
 };
 
@@ -27,7 +27,7 @@ MethodMaker clipMethod(const std::string& name, const CollideClip& clip,
                        const ClipEvaluationSetup& setup, bool seen_scenes);
 
 /// The request of a COLLIDE clip for evaluations that judge every attack: the clip's type, TTA and
-/// attacker, types by relative heading only (rulesOfClips()), minimum confidence 0. The recorded
+/// attacker, types by relative heading only (withClipRules()), minimum confidence 0. The recorded
 /// future is the clip's. The const members are thread-safe.
 class ClipQuestion {
  public:
@@ -44,11 +44,10 @@ class ClipQuestion {
   /// Returns the status of checkRequest() for seeded methods, kOk for all others.
   Status check(const MethodMaker& maker) const;
   /// Runs the method with `seed` and returns its attack, verified or not.
-  Realization ask(const AttackMethod& method, std::uint64_t seed) const;
+  Attack ask(const AttackMethod& method, std::uint64_t seed) const;
   /// Calls check(), then ask() if it returns kOk; otherwise returns a rejection with that status.
   /// `method` was made by `maker`.
-  Realization answer(const MethodMaker& maker, const AttackMethod& method,
-                     std::uint64_t seed) const;
+  Attack answer(const MethodMaker& maker, const AttackMethod& method, std::uint64_t seed) const;
 
  private:
   PredictionOptions prediction_;

@@ -31,7 +31,7 @@ bool keepsControls(const AttackerTrajectory& trajectory, const CollisionRequest&
                    const Moment& moment, const VerificationOptions& options) {
   const CollisionReport report =
       verify(trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes}, options);
-  if (!isAsAsked(report, request)) return false;
+  if (!meetsRequest(report, request)) return false;
   const Track* attacker = findTrack(moment.snapshot.agents, trajectory.attacker_id);
   if (request.choice == (attacker ? AttackerChoice::kNew : AttackerChoice::kExisting)) {
     return false;
@@ -51,8 +51,8 @@ ControlEvaluator::ControlEvaluator(SceneSource& scenes, MethodMaker method,
 
 ControlAnswer ControlEvaluator::answer(const ControlQuestion& question) const {
   const SceneRequest& asked = question.asked;
-  const RequestAnswerer answerer(scenes_, method_, asked.request.crash, ego_, adaptive_);
-  const Realization answer = answerer.answer(asked).answer;
+  const RequestSolver answerer(scenes_, method_, asked.request.crash, ego_, adaptive_);
+  const Attack answer = answerer.answer(asked).answer;
   if (answer.status.code != StatusCode::kOk) return {answer.status.code, false};
   const auto scene = scenes_.at(asked.scene);
   const Moment moment = std::get<Moment>(momentAt(*scene, asked.now, history_frames_));

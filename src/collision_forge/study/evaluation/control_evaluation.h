@@ -28,7 +28,7 @@ class ControlEvaluator {
   ControlEvaluator(SceneSource& scenes, MethodMaker method, const StudyOptions& options,
                    const EgoVehicle& ego);
 
-  /// Runs one question. Throws the exceptions of RequestAnswerer::answer().
+  /// Runs one question. Throws the exceptions of RequestSolver::answer().
   ControlAnswer answer(const ControlQuestion& question) const;
 
  private:

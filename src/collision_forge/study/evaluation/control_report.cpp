@@ -53,7 +53,7 @@ ControlRates ratesOf(const std::string& control, const std::string& value,
   rates.control = control;
   rates.value = value;
   rates.asked = trials.asked;
-  rates.declined = trials.asked - static_cast<int>(trials.answered.size());
+  rates.rejection = trials.asked - static_cast<int>(trials.answered.size());
   rates.answered = pooledRate(trials.answered);
   rates.kept = pooledRate(trials.kept);
   for (const CollisionType type : kCollisionTypes) {
@@ -100,7 +100,7 @@ std::string toMarkdown(const std::vector<ControlRates>& rates) {
   out << '\n';
   for (const ControlRates& row : rates) {
     const std::string kept = row.kept.trials > 0 ? formatted("%.2f", row.kept.value) : "-";
-    out << "| " << row.control << " | " << row.value << " | " << row.asked << " | " << row.declined
+    out << "| " << row.control << " | " << row.value << " | " << row.asked << " | " << row.rejection
         << " | " << successes(row.answered) << " | " << toText(row.answered, 100.0) << " | " << kept
         << " |";
     for (const Rate& of_type : row.answered_by_type) {

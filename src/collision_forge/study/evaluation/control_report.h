@@ -15,10 +15,10 @@ using AnsweredQuestion = std::pair<ControlQuestion, ControlAnswer>;
 struct ControlRates {
   std::string control;
   std::string value;
-  int asked = 0;     ///< requests
-  int declined = 0;  ///< requests that the road does not allow (kRoadDoesNotAllow)
-  Rate answered;     ///< solved requests, among the requests that the road allows
-  Rate kept;         ///< attacks that meet the control, of the solved requests
+  int asked = 0;      ///< requests
+  int rejection = 0;  ///< requests that the road does not allow (kRoadDoesNotAllow)
+  Rate answered;      ///< solved requests, among the requests that the road allows
+  Rate kept;          ///< attacks that meet the control, of the solved requests
   std::vector<Rate> answered_by_type;  ///< as `answered`, in the order of kCollisionTypes
 };
 

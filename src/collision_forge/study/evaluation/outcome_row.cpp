@@ -16,7 +16,7 @@ void describeOutcome(const StrictOutcome& outcome, double now, ResultRow& row) {
   if (!report.first_other_id.empty()) {
     row.note += (row.note.empty() ? "" : "; ") + ("touches " + report.first_other_id);
   }
-  if (!outcome.is_believed) row.note += (row.note.empty() ? "" : "; ") + report.unbelievable;
+  if (!outcome.is_plausible) row.note += (row.note.empty() ? "" : "; ") + report.unbelievable;
 }
 
 }  // namespace forge

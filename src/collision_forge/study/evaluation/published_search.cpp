@@ -87,7 +87,7 @@ AttackOptions withPublishedObjective(AttackOptions options, const EvaluationOpti
 
 CrashDefinition withPublishedObjective(CrashDefinition crash, const NominalOptions& nominal,
                                        const PublishedSearchOptions& options) {
-  crash = rulesOfClips(std::move(crash));
+  crash = withClipRules(std::move(crash));
   for (auto& [type, definition] : crash.types) {
     if (type == CollisionType::kLaneChange) {
       definition.nominal_heading = nominal.lane_change_heading;

@@ -16,7 +16,7 @@ namespace forge {
 /// off the road, without vehicle limits or rejections.
 AttackOptions withPublishedObjective(AttackOptions options, const EvaluationOptions& evaluation);
 
-/// Returns the conditions of success of that search: rulesOfClips() with the relative heading
+/// Returns the conditions of success of that search: withClipRules() with the relative heading
 /// within `heading_tolerance` of the data set's heading for the type.
 CrashDefinition withPublishedObjective(CrashDefinition crash, const NominalOptions& nominal,
                                        const PublishedSearchOptions& options);

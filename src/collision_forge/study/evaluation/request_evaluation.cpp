@@ -57,7 +57,7 @@ CollisionRequest asBaseline(CollisionRequest request) {
 }
 
 std::vector<MethodMaker> baselinesOf(const MethodRegistry& methods, const AttackOptions& options,
-                                     const Foresight& foresight) {
+                                     const PredictionModels& foresight) {
   std::vector<MethodMaker> makers;
   for (const std::string& name : kBaselines) makers.emplace_back(name, methods, options, foresight);
   return makers;
@@ -172,7 +172,7 @@ void evaluateBaseline(const AttackMethod& method, const RequestCase& request_cas
   }
 }
 
-void judgeAnswer(const RequestCase& request_case, const Realization& answer, ResultRow& row) {
+void judgeAnswer(const RequestCase& request_case, const Attack& answer, ResultRow& row) {
   if (answer.status.code == StatusCode::kOk) {
     judge(request_case, answer.trajectory, request_case.outcomeOf(answer.trajectory), row);
   } else {
@@ -182,14 +182,14 @@ void judgeAnswer(const RequestCase& request_case, const Realization& answer, Res
 
 /// An attack with the wall-clock time of its search.
 struct TimedAnswer {
-  Realization answer;
+  Attack answer;
   double milliseconds = 0.0;
 };
 
 TimedAnswer evaluateMethod(const AttackMethod& method, const RequestCase& request_case,
                            const CollisionRequest& request, ResultRow& row) {
   const auto begin = std::chrono::steady_clock::now();
-  Realization answer = attempt(method, request_case.moment, request);
+  Attack answer = attempt(method, request_case.moment, request);
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
   judgeAnswer(request_case, answer, row);
   return {std::move(answer), time.count()};
@@ -218,7 +218,7 @@ std::size_t rowsPerRequest(const EvaluationPlan& plan) {
 }
 
 RequestEvaluator::RequestEvaluator(SceneSource& scenes, const StudyOptions& study,
-                                   const Foresight& foresight, const MethodRegistry& methods,
+                                   const PredictionModels& foresight, const MethodRegistry& methods,
                                    const EvaluationPlan& plan)
     : scenes_(scenes),
       study_(withPlan(study, plan)),
@@ -250,7 +250,7 @@ EvaluatedRequest RequestEvaluator::evaluate(const std::string& name,
     status = std::get<Status>(found);
   }
   std::optional<bool> road_allows;
-  if (moment) road_allows = roadAllowsAsked(asked, *recording, study_);
+  if (moment) road_allows = roadAllowsRequest(asked, *recording, study_);
   EvaluatedRequest evaluated;
   const auto addRow = [&](const std::string& method) -> ResultRow& {
     ResultRow& row = evaluated.rows.emplace_back(emptyRow(name, method, asked));
@@ -276,9 +276,9 @@ EvaluatedRequest RequestEvaluator::evaluate(const std::string& name,
       seeded.seed = row.seed;
       seeded.crash.rules = kind.rules;
       const RequestCase request_case{request, *moment, study_.attack};
-      Realization answer;
+      Attack answer;
       if (kind.mode == Mode::kAdaptive) {
-        AdaptiveAnswer adaptive = answerAdaptively(
+        AdaptiveDrive adaptive = requestAdaptively(
             *method, *moment, recording->scene,
             egoVehicleOf(recording->scene, study_.ego_vehicle.center_offset), seeded,
             {method_.egoFuturesWithoutScene(asked.scene), study_.attack, study_.adaptive});

@@ -93,9 +93,9 @@ void rollOut(const TrafficGenerator& generator, std::uint64_t seed, TrafficClip&
   }
 }
 
-Realization drivenThrough(const TrafficClip& clip, const Pose2& ego, const std::string& attacker,
-                          const Moment& moment, const CollisionRequest& request, int now,
-                          const AttackOptions& options) {
+Attack drivenThrough(const TrafficClip& clip, const Pose2& ego, const std::string& attacker,
+                     const Moment& moment, const CollisionRequest& request, int now,
+                     const AttackOptions& options) {
   const Track& track = trackOf(moment.snapshot, attacker);
   const Motion motion = estimateMotion(track);
   const double frame_time = request.tta / (clip.collision_frame - now);
@@ -108,14 +108,14 @@ Realization drivenThrough(const TrafficClip& clip, const Pose2& ego, const std::
   AttackerTrajectory trajectory{attacker, track.agent_class, track.size,
                                 smoothThrough(knots, options.search.step)};
   goStraightOn(trajectory, options.search.tail, options.search.step);
-  return drivenAnswer(std::move(trajectory), moment, request, options);
+  return drivenAttack(std::move(trajectory), moment, request, options);
 }
 
 GeneratorMethod::GeneratorMethod(std::shared_ptr<const TrafficGenerator> generator,
                                  const AttackOptions& options)
     : generator_(std::move(generator)), options_(options) {}
 
-Realization GeneratorMethod::answer(const Moment& moment, const CollisionRequest& request) const {
+Attack GeneratorMethod::answer(const Moment& moment, const CollisionRequest& request) const {
   const Snapshot& snapshot = moment.snapshot;
   const TrafficOptions& traffic = generator_->traffic();
   const Pose2 ego = estimateMotion(snapshot.ego).pose;

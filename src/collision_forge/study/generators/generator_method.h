@@ -17,7 +17,7 @@ class GeneratorMethod : public AttackMethod {
   GeneratorMethod(std::shared_ptr<const TrafficGenerator> generator, const AttackOptions& options);
 
   /// Throws std::runtime_error if the generator returns values that are not finite.
-  Realization answer(const Moment& moment, const CollisionRequest& request) const override;
+  Attack answer(const Moment& moment, const CollisionRequest& request) const override;
 
  private:
   std::shared_ptr<const TrafficGenerator> generator_;
@@ -31,8 +31,8 @@ void rollOut(const TrafficGenerator& generator, std::uint64_t seed, TrafficClip&
 /// Converts the attacker's frames of a clip, complete up to the frame of the crash, to an attack: a
 /// smooth curve through the frames, then straight. `ego` is the ego's pose at t0 (map frame), the
 /// origin of the clip; `now` is the index of the frame at t0.
-Realization drivenThrough(const TrafficClip& clip, const Pose2& ego, const std::string& attacker,
-                          const Moment& moment, const CollisionRequest& request, int now,
-                          const AttackOptions& options);
+Attack drivenThrough(const TrafficClip& clip, const Pose2& ego, const std::string& attacker,
+                     const Moment& moment, const CollisionRequest& request, int now,
+                     const AttackOptions& options);
 
 }  // namespace forge

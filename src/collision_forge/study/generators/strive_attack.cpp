@@ -146,7 +146,7 @@ class StriveAttack : public AttackMethod {
         traffic_(traffic),
         options_(options) {}
 
-  Realization answer(const Moment& moment, const CollisionRequest& request) const override {
+  Attack answer(const Moment& moment, const CollisionRequest& request) const override {
     const Pose2 ego = estimateMotion(moment.snapshot.ego).pose;
     return bestOfCandidates(moment, request, options_.prediction, [&](const std::string& id) {
       TrafficClip clip = trafficOf(moment.snapshot, id, request, traffic_, moment.lanes.get());

@@ -21,7 +21,7 @@ std::vector<TrajectoryPoint> motionsOf(const Track& ego, const std::vector<doubl
   for (const double time : frame_times) {
     while (next != ego.states.end() && next->time <= time + 1e-6) past.states.push_back(*next++);
     const bool has_motion = static_cast<int>(past.states.size()) >= kMinHistoryFrames;
-    if (!newestAt(past, time) || !has_motion) continue;
+    if (!endsAt(past, time) || !has_motion) continue;
     const Motion motion = estimateMotion(past);
     points.push_back({past.states.back().time, motion.pose, std::max(motion.speed, 0.0),
                       motion.acceleration, 0.0});

@@ -40,8 +40,8 @@ std::vector<double> drawTtas(const Track& ego, double now, double longest, int c
   return drawn;
 }
 
-TimedSample timedSample(const EgoWays& ways, const LaneIndex& lanes, const Track& ego, double now,
-                        double tta, const LearningOptions& options,
+TimedSample timedSample(const EgoPathSet& ways, const LaneIndex& lanes, const Track& ego,
+                        double now, double tta, const LearningOptions& options,
                         const PatternFeatureOptions& features) {
   const Pose2 there = stateAt(ego, now + tta)->pose;
   return {tta, anchorFeatures(ways, lanes, tta, features), relativeTo(ways.ego.state.pose, there)};
@@ -53,14 +53,14 @@ std::optional<TrainingSample> momentSample(const Scene& scene, double now, const
                                            std::mt19937_64& engine) {
   const PatternFeatureOptions& features = options.pattern_features;
   const Snapshot observed = observedSnapshot(snapshotAt(scene, now, features.history_frames), {});
-  if (observed.ego.states.size() < 2 || !newestAt(observed.ego, now)) return std::nullopt;
+  if (observed.ego.states.size() < 2 || !endsAt(observed.ego, now)) return std::nullopt;
   const std::vector<double> ttas =
       drawTtas(scene.ego, now, options.training.max_tta, kTimesAMoment, engine);
   if (ttas.empty()) return std::nullopt;
   TrainingSample sample;
   sample.scene = scene.name;
   sample.features = sceneFeatures(observed, lanes, features);
-  const EgoWays ways = egoWays(observed, lanes, options.training.max_tta, features.max_ways);
+  const EgoPathSet ways = egoPathSet(observed, lanes, options.training.max_tta, features.max_ways);
   sample.ego_speed = ways.ego.past_speeds[0];
   for (const double tta : ttas) {
     sample.times.push_back(timedSample(ways, lanes, scene.ego, now, tta, options, features));
@@ -121,7 +121,7 @@ std::vector<std::string> clipPaths(const TrainingSources& sources) {
 }
 
 std::optional<AttackSample> attackOf(const CollideClip& clip, const Scene& scene,
-                                     const Snapshot& observed, const EgoWays& ways,
+                                     const Snapshot& observed, const EgoPathSet& ways,
                                      const LearningOptions& options) {
   AttackSample attack;
   attack.type = clip.type;
@@ -182,7 +182,7 @@ std::optional<TrainingSample> clipSample(const std::string& path, const LaneInde
   const Snapshot observed =
       observedSnapshot(snapshotAt(scene, clip.now(), features.history_frames), {});
   const double longest = std::max(options.training.max_tta, clip.tta());
-  const EgoWays ways = egoWays(observed, lanes, longest, features.max_ways);
+  const EgoPathSet ways = egoPathSet(observed, lanes, longest, features.max_ways);
   TrainingSample sample;
   sample.scene = clip.scene;
   sample.features = sceneFeatures(observed, lanes, features);
