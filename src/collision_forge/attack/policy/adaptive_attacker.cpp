@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "collision_forge/attack/forecast/kinematic_prediction.h"
 #include "collision_forge/attack/policy/normal_driver.h"
 #include "collision_forge/attack/search/manoeuvre_search.h"
 #include "collision_forge/attack/search/pattern_predictor.h"
@@ -150,12 +151,11 @@ Future AdaptiveAttacker::outlook() const {
 }
 
 Future AdaptiveAttacker::foresee(const Snapshot& snapshot) const {
-  const PredictionOptions& prediction = setup_.attack.prediction;
   const double end = task_.plan.points.back().time - snapshot.now;
   // The plan may end less than a step from now.
   const double central = std::min(std::max(impact_ - snapshot.now, kPredictionStep), end);
   return predictWithEgoSamples(snapshot, *task_.lanes, *setup_.ego_futures, end, central,
-                               setup_.adaptive.ego_samples, task_.request.seed, prediction);
+                               setup_.adaptive.ego_samples, task_.request.seed);
 }
 
 /// Returns the snapshot with the attacker at point `from` of its plan, whose time becomes t0.

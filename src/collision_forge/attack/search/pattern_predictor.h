@@ -41,7 +41,7 @@ class PatternPredictor {
 /// Deterministic in its arguments.
 Future predictWithEgoSamples(const Snapshot& snapshot, const LaneIndex& lanes,
                              const EgoFutureSampler& ego_futures, double horizon, double central,
-                             int samples, std::uint64_t seed, const PredictionOptions& options);
+                             int samples, std::uint64_t seed);
 
 /// Predicts without learning: places each candidate attacker at the ego's predicted (in replay
 /// mode: recorded) pose at impact, with the type's nominal heading. The ego moves as `ego_futures`
