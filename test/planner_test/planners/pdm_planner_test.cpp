@@ -34,7 +34,7 @@ bool touchesAnybody(const std::vector<TrajectoryPoint>& points, const std::vecto
   return false;
 }
 
-TEST(PdmPlanner, WeighsFifteenProposalsAndGivesOutEightSeconds) {
+TEST(PdmPlanner, ScoresFifteenProposalsAndPlansEightSeconds) {
   PdmPlanner planner = plannerOn(taskOn(threeLaneRoad()));
   const std::vector<TrajectoryPoint> points = planner.plan({egoAt({0.0, 0.3, 0.05}, 8.0), {}});
   EXPECT_EQ(planner.closed()->candidates().size(), 15U);
@@ -68,7 +68,7 @@ TEST(PdmPlanner, StaysBehindAStandingCar) {
   EXPECT_EQ(best(planner).score.collision, 1.0);
 }
 
-TEST(PdmPlanner, GoesAroundWhatReachesALittleIntoItsWay) {
+TEST(PdmPlanner, PassesAnObstacleThatReachesSlightlyIntoItsPath) {
   // A parked car that the centre line's corridor touches and that of -1 m misses.
   auto map = std::make_shared<LaneMap>(threeLaneRoad()->map());
   map->drivable_area = {rectangle(-200.0, -5.0, 400.0, 8.75)};
@@ -98,7 +98,7 @@ TEST(PdmPlanner, BrakesInAnEmergency) {
   EXPECT_FALSE(planner.closed()->isEmergencyBraking());
 }
 
-TEST(PdmPlanner, WhoTouchedTheEgoIsIgnored) {
+TEST(PdmPlanner, IgnoresAnAgentThatTouchedTheEgo) {
   const std::vector<Track> touching = {agentAt("a", {4.0, 0.0, 0.0}, 0.0)};
   PdmPlanner planner = plannerOn(taskOn(threeLaneRoad()));
   const std::vector<TrajectoryPoint> points = planner.plan({egoAt({0.0, 0.0, 0.0}, 5.0), touching});
@@ -122,7 +122,7 @@ TEST(PdmPlanner, TheSameTaskAndObservationsGiveTheSameTrajectories) {
   }
 }
 
-TEST(PdmPlanner, RefusesATaskWithoutLanesOrRoute) {
+TEST(PdmPlanner, RejectsATaskWithoutLanesOrRoute) {
   const PlannerOptions& options = shippedConfig().planners;
   PdmPlanner planner(options.pdm, options.route_centerline, options.car, options.lqr);
   EXPECT_THROW(planner.initialize({}), std::invalid_argument);

@@ -17,7 +17,8 @@ Avoidability avoidabilityOf(const CrashScenario& scenario) {
                           config.attack);
 }
 
-/// The gap between the boxes at 1 ms, a second and slower way than the verification.
+/// Returns the smallest gap between the boxes, tested every 1 ms: a second, slower method than the
+/// verification.
 double clearance(const CrashScenario& scenario, const Avoidance& avoidance) {
   Track ego{kEgoId, AgentClass::kCar, kEgoSize, {}};
   for (const TrajectoryPoint& point : avoidance.motion) {
@@ -64,7 +65,7 @@ TEST(Avoidability, ACarThatStandsInTheWayIsAvoidedByBrakingWhileThereIsRoom) {
   EXPECT_GE(found.last->start, kNow + 2.5 - 1e-6);
 }
 
-TEST(Avoidability, AnEgoThatIsFasterThanTheStrictLimitMayGoOnSoAndBrake) {
+TEST(Avoidability, AnEgoAboveTheSpeedLimitMayKeepItsSpeedAndBrake) {
   // 30 m/s, stops within 900 / (2 * 7.9) = 57 m.
   ASSERT_GT(30.0, shippedConfig().attack.verification.limits.max_speed);
   const CrashScenario scenario = roadScenario(30.0, straightDrive({150.0, 0.0, 0.0}, 0.0, 7.0));
@@ -76,7 +77,7 @@ TEST(Avoidability, AnEgoThatIsFasterThanTheStrictLimitMayGoOnSoAndBrake) {
   }
 }
 
-TEST(Avoidability, TheEgoIsHeldToTheStrictLimitsWhichKnowNoJerk) {
+TEST(Avoidability, TheEgoKeepsTheStrictLimitsWithoutAJerkLimit) {
   const CrashScenario scenario = roadScenario(10.0, straightDrive({40.0, 0.0, 0.0}, 0.0, 7.0));
   const Avoidability found = avoidabilityOf(scenario);
   const Avoidance* braking = found.find(EvasiveManoeuvre::kBraking);
@@ -100,7 +101,7 @@ TEST(Avoidability, BrakingWorksAsLongAsTheStoppingDistanceIsLeft) {
   expectSound(scenario, *found.last);
 }
 
-TEST(Avoidability, BehindAWallThatIsTooNearNothingHelps) {
+TEST(Avoidability, ACrashIntoANearWallIsUnavoidable) {
   // 8 m/s with 2 m to a wall across the road: stopping takes 4 m, steering 5 m at the least.
   AttackerTrajectory wall =
       straightDrive({2.0 + 0.5 * (kEgoSize.length + 2.0), 0.0, 0.0}, 0.0, 4.0);
@@ -120,7 +121,7 @@ TEST(Avoidability, AFasterCarFromBehindIsEvadedByAcceleratingOrSteering) {
   for (const Avoidance& avoidance : found.from_now) expectSound(scenario, avoidance);
 }
 
-TEST(Avoidability, TheOthersAreNotTouchedEither) {
+TEST(Avoidability, WitnessesTouchNoOtherAgent) {
   // Braking would be hit by the car behind, the lane beside is taken, too.
   const CrashScenario scenario = roadScenario(10.0, straightDrive({25.0, 0.0, M_PI}, 5.0, 4.0),
                                               {straightCar("behind", {-7.0, 0.0, 0.0}, 10.0)});

@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-/// The ego on a lane 4 m wide along x, with one beside it that is not on the route.
+/// The ego on a lane 4 m wide along x; a parallel lane is not on the route.
 class NuplanScoring : public testing::Test {
  protected:
   static PdmArea lane(double y, bool is_on_route) {
@@ -47,25 +47,25 @@ TEST_F(NuplanScoring, CalmDrivingIsPerfect) {
   EXPECT_FALSE(score.speed_limit);
 }
 
-TEST_F(NuplanScoring, OnlyContactsAtFaultCost) {
+TEST_F(NuplanScoring, OnlyAtFaultContactsReduceTheScore) {
   const NuplanJudge judge = this->judge();
   EXPECT_EQ(judge.score(NuplanContact{false, false}, 1.0, 1.0).no_at_fault_collision, 1.0);
   EXPECT_EQ(judge.score(NuplanContact{true, true}, 1.0, 1.0).no_at_fault_collision, 0.5);
   EXPECT_EQ(judge.score(NuplanContact{true, false}, 1.0, 1.0).total, 0.0);
 }
 
-TEST_F(NuplanScoring, LeavingTheRoadRulesOut) {
+TEST_F(NuplanScoring, LeavingTheRoadScoresZero) {
   EXPECT_EQ(driven(straight(10.0, -1.0)).drivable_area, 1.0);
   EXPECT_EQ(driven(straight(10.0, -1.5)).total, 0.0);
 }
 
-TEST_F(NuplanScoring, TheWrongWayCountsWithinASecond) {
+TEST_F(NuplanScoring, WrongWayDistanceIsSummedOverASecond) {
   EXPECT_EQ(driven(straight(1.9, 4.0)).driving_direction, 1.0);
   EXPECT_EQ(driven(straight(2.1, 4.0)).driving_direction, 0.5);
   EXPECT_EQ(driven(straight(6.1, 4.0)).driving_direction, 0.0);
 }
 
-TEST_F(NuplanScoring, LittleProgressIsNone) {
+TEST_F(NuplanScoring, LittleProgressCountsAsNone) {
   EXPECT_NEAR(driven(straight(10.0), {}, 0.5).progress, 0.5, 1e-12);
   EXPECT_EQ(driven(straight(10.0), {}, 0.21).making_progress, 1.0);
   EXPECT_EQ(driven(straight(10.0), {}, 0.19).total, 0.0);
@@ -75,7 +75,7 @@ TEST_F(NuplanScoring, LittleProgressIsNone) {
   EXPECT_EQ(judge().score({}, -3.0, 0.5).progress, 0.0);
 }
 
-TEST_F(NuplanScoring, SomebodyBesideCountsInSeveralLanesAlone) {
+TEST_F(NuplanScoring, AnAgentBesideCountsOnlyInSeveralLanes) {
   // Comes from the right, at the ego's rear half.
   const std::vector<Track> crossing = {agentAt("a", {-1.0, -3.0, 0.5 * M_PI}, 2.0, {2.0, 1.0})};
   const auto standing_at = [](double y) {

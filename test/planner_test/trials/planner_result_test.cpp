@@ -12,7 +12,7 @@
 namespace forge {
 namespace {
 
-/// The attacker hits the ego of idm_published alone.
+/// A protocol in which the attacker hits only the ego of idm_published.
 class HitOfIdm : public PublishedProtocol {
  public:
   bool isHit(const std::vector<TrajectoryPoint>&) const override { return false; }
@@ -59,7 +59,7 @@ TEST(PlannerResult, EachPolicyOfTheAttackerHasARowOfItsOwn) {
             result.rows[0].outcome.contact && result.rows[0].outcome.contact->is_attacker);
 }
 
-TEST(PlannerResult, AHitThatCannotBeEscapedForAsLongAsIsWantedIsUnfair) {
+TEST(PlannerResult, AHitAvoidableForLessThanAvoidableForIsUnfair) {
   PlannerCase one = rearEnd();
   Config strict = config();
   strict.adaptive.fairness.avoidable_for = one.request.tta;
@@ -80,7 +80,7 @@ TEST(PlannerResult, ACaseWithoutAnAttackIsNotTested) {
   EXPECT_TRUE(result.rows.empty());
 }
 
-TEST(PlannerResult, AnAttackerThatTouchesTheEgoAlreadyIsUnfit) {
+TEST(PlannerResult, AnAttackerThatTouchesTheEgoAtT0IsUnfit) {
   PlannerCase one = rearEnd();
   one.scenario.attacker.points.front().pose = {-3.0, 0.0, 0.0};
   const PlannerTestResult result = testPlanners(one, {{"idm"}}, config(), config().planners);
@@ -88,7 +88,7 @@ TEST(PlannerResult, AnAttackerThatTouchesTheEgoAlreadyIsUnfit) {
   EXPECT_NE(result.message.find("touches the ego"), std::string::npos);
 }
 
-TEST(PlannerResult, OfAnUnfitClipThePublishedHitOfThePublishedIdmIsKnown) {
+TEST(PlannerResult, AnUnfitClipHasThePublishedHitOfIdmPublished) {
   PlannerCase one = rearEnd();
   one.scenario.attacker.points.front().pose = {-3.0, 0.0, 0.0};
   one.published = std::make_shared<HitOfIdm>();
