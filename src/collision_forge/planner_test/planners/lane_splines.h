@@ -12,10 +12,12 @@ namespace forge {
 /// lengths are behind it. m, global map frame.
 class LaneSpline {
  public:
+  /// A point of the path.
   struct Point {
     Vector2 position{0.0, 0.0};
     Vector2 heading{1.0, 0.0};  ///< unit length at the knots, shorter between them
   };
+  /// A point with its length along the path.
   struct Knot {
     double length = 0.0;  ///< m along the path
     Point point;

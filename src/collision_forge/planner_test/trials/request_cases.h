@@ -17,8 +17,8 @@ namespace forge {
 /// Options of RequestCases.
 struct RequestDraw {
   RequestListOptions list;  ///< times, TTAs and types
-  std::size_t tries = 0;
-  std::uint64_t seed = 0;  ///< of the draw
+  std::size_t tries = 0;    ///< number of requests to draw
+  std::uint64_t seed = 0;   ///< of the draw
   /// Progress callback: number of scenes processed, total number.
   std::function<void(std::size_t, std::size_t)> on_scene = {};
 };
