@@ -28,7 +28,7 @@ class NuplanScoring : public testing::Test {
   NuplanScore driven(const std::function<TrajectoryPoint(double)>& at,
                      const std::vector<Track>& agents = {}, double share = 1.0) const {
     NuplanJudge judge = this->judge();
-    for (int i = 0; i <= 40; ++i) judge.see(at(0.1 * i), agents, {"ignored"});
+    for (int i = 0; i <= 40; ++i) judge.addStep(at(0.1 * i), agents, {"ignored"});
     return judge.score({}, 40.0 * share, 40.0);
   }
 
@@ -106,7 +106,7 @@ TEST_F(NuplanScoring, SpeedLimitsCountWhereTheyAreKnown) {
   const NuplanScoreOptions& options = shippedConfig().planners.nuplan_score;
   const auto scored = [&](double speed) {
     NuplanJudge judge(map, shippedConfig().ego_vehicle, planners.pdm.scoring, options);
-    for (int i = 0; i <= 40; ++i) judge.see(straight(speed)(0.1 * i), {}, {});
+    for (int i = 0; i <= 40; ++i) judge.addStep(straight(speed)(0.1 * i), {}, {});
     return judge.score({}, 1.0, 1.0);
   };
   EXPECT_EQ(scored(9.0).speed_limit, 1.0);

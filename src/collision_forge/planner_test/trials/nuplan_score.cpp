@@ -48,7 +48,7 @@ NuplanJudge::NuplanJudge(const PdmMap& map, const EgoVehicle& ego, const PdmScor
                          const NuplanScoreOptions& options)
     : map_(map), ego_(ego), scoring_(scoring), options_(options) {}
 
-void NuplanJudge::see(const TrajectoryPoint& ego, const std::vector<Track>& agents,
+void NuplanJudge::addStep(const TrajectoryPoint& ego, const std::vector<Track>& agents,
                       const std::set<std::string>& ignored) {
   const PdmPlace place = map_.placeOf({ego.pose, ego_.size});
   driven_.push_back(ego);
