@@ -19,7 +19,7 @@ const std::string kFile = std::string(COLLISION_FORGE_SOURCE_DIR) + "/package.xm
 const std::string kLogs =
     " --dataroot " + kDataroot + " --version v1.0-embedded --config " + kConfig;
 
-/// What comes of a line: the exit code where no command is run, and what is printed.
+/// The result of parsing a command line: the exit code if no command is run, and the output.
 struct Reading {
   std::optional<int> exit_code;
   std::string name;
@@ -27,7 +27,7 @@ struct Reading {
   std::string err;
 };
 
-/// A full command line, which has read `words`.
+/// A command line with all commands; read() parses a line.
 class Forge {
  public:
   Forge() {
@@ -59,7 +59,7 @@ class Forge {
 
 Reading read(const std::string& words) { return Forge().read(words); }
 
-/// A line for every command that lacks nothing.
+/// Valid options for each command.
 const std::map<std::string, std::string> kComplete = {
     {"convert", kLogs + " --out bags"},
     {"possible", " --bag a.bag --now 4 --config " + kConfig},
@@ -94,7 +94,7 @@ const std::map<std::string, std::string> kComplete = {
     {"completion bash", ""},
 };
 
-/// The commands that are listed below the headings of a help text.
+/// Returns the commands that a help text lists below its headings.
 std::vector<std::string> listedIn(const std::string& help) {
   std::vector<std::string> names;
   std::istringstream lines(help.substr(help.find("\n\n", help.find("--help,")) + 1));
@@ -119,7 +119,7 @@ TEST(CommandLine, HelpListsEveryCommandAndNoOther) {
   EXPECT_THAT(listed, testing::UnorderedElementsAreArray(all));
 }
 
-TEST(CommandLine, FormerNamesOfTheCommandsOfTheStudyEndWithTheNewOnes) {
+TEST(CommandLine, FormerStudyCommandsNameTheirReplacement) {
   const Reading reading = read("measure coverage" + kComplete.at("study measure coverage"));
   EXPECT_EQ(reading.exit_code, kExitUsage);
   EXPECT_THAT(reading.err, HasSubstr("forge: measure is now forge study measure\n"));
@@ -133,7 +133,7 @@ TEST(CommandLine, EveryCommandHasHelpOfItsOwn) {
   }
 }
 
-TEST(CommandLine, WhatIsRequiredIsMissed) {
+TEST(CommandLine, MissingRequiredOptionsAreReported) {
   for (const auto& [name, options] : kComplete) {
     const std::size_t out = options.find(" --out ");
     if (out == std::string::npos) continue;
@@ -144,7 +144,7 @@ TEST(CommandLine, WhatIsRequiredIsMissed) {
   }
 }
 
-TEST(CommandLine, WrongValuesAreNamedWithTheirOption) {
+TEST(CommandLine, InvalidValuesAreReportedWithTheirOption) {
   for (const auto& [line, named] : std::map<std::string, std::string>{
            {"generate" + kComplete.at("generate") + " --mode live", "--mode"},
            {"generate" + kComplete.at("generate") + " --jobs 0", "--jobs"},
@@ -171,7 +171,7 @@ TEST(CommandLine, WrongValuesAreNamedWithTheirOption) {
   }
 }
 
-TEST(CommandLine, OptionsOfClipsAndOfLogsExcludeEachOther) {
+TEST(CommandLine, ClipOptionsAndLogOptionsAreMutuallyExclusive) {
   const std::string clips = "study evaluate --dataroot " + kDataroot + " --config " + kConfig +
                             " --out out --collide " + kDataroot;
   EXPECT_EQ(read(clips).exit_code, std::nullopt);
@@ -184,7 +184,7 @@ TEST(CommandLine, OptionsOfClipsAndOfLogsExcludeEachOther) {
   EXPECT_EQ(read("test" + kLogs + " --out out").exit_code, kExitUsage);
 }
 
-TEST(CommandLine, AnUnknownMethodIsRefusedWithTheKnownOnes) {
+TEST(CommandLine, AnUnknownMethodIsRejectedAndTheKnownOnesAreListed) {
   for (const std::string command : {"generate", "inject", "possible", "study measure controls"}) {
     const std::string line = command + kComplete.at(command) + " --method ";
     EXPECT_EQ(read(line + "nominal").exit_code, std::nullopt) << command;
@@ -203,7 +203,7 @@ TEST(CommandLine, AnUnknownMethodIsRefusedWithTheKnownOnes) {
   EXPECT_THAT(methods.err, HasSubstr("--methods: method \"magic\" is none of recorded,"));
 }
 
-TEST(CommandLine, HelpTellsDefaults) {
+TEST(CommandLine, HelpShowsDefaults) {
   EXPECT_THAT(read("generate --help").out, AllOf(HasSubstr("{history,replay,adaptive}=replay"),
                                                  HasSubstr("{jsonl,csv-collide}=jsonl")));
   EXPECT_THAT(read("test --help").out, HasSubstr("{replay,idm}=replay"));
@@ -212,7 +212,7 @@ TEST(CommandLine, HelpTellsDefaults) {
   EXPECT_THAT(read("requests --help").out, HasSubstr("{any,existing,new,each}=any"));
 }
 
-TEST(CommandLine, CollisionsOfRecordingsAreMadeInReplayModeAndMethodsMeasuredInHistoryMode) {
+TEST(CommandLine, DefaultModeIsReplayForMakingAndHistoryForMeasuring) {
   for (const std::string command : {"inject", "possible", "generate"}) {
     EXPECT_THAT(read(command + " --help").out, HasSubstr("}=replay")) << command;
   }
@@ -222,7 +222,7 @@ TEST(CommandLine, CollisionsOfRecordingsAreMadeInReplayModeAndMethodsMeasuredInH
   }
 }
 
-TEST(CommandLine, TheVersionIsPrintedWithTheLicences) {
+TEST(CommandLine, VersionShowsTheLicences) {
   const Reading version = read("--version");
   EXPECT_EQ(version.exit_code, kExitOk);
   EXPECT_THAT(version.out,
@@ -232,19 +232,20 @@ TEST(CommandLine, TheVersionIsPrintedWithTheLicences) {
 
 TEST(CommandLine, HelpOfEveryCommandEndsWithTheExitCodes) {
   for (const auto& [name, options] : kComplete) {
-    EXPECT_THAT(read(name + " --help").out, HasSubstr("\nExit codes: 0 done, 1 error, 2 wrong"))
+    EXPECT_THAT(read(name + " --help").out,
+                HasSubstr("\nExit codes: 0 success, 1 error, 2 invalid"))
         << name;
   }
-  EXPECT_THAT(read("inject --help").out, HasSubstr("the bag is written all the same"));
+  EXPECT_THAT(read("inject --help").out, HasSubstr("the bag is written but its attack"));
 }
 
-TEST(CommandLine, MistypedWordsAreAnsweredWithTheNearest) {
+TEST(CommandLine, MistypedWordsGetASuggestion) {
   for (const auto& [line, named] : std::map<std::string, std::string>{
-           {"genrate --jobs 2", "forge: genrate is no command; did you mean generate?"},
+           {"genrate --jobs 2", "forge: unknown command genrate; did you mean generate?"},
            {"study measure covrage",
-            "forge study measure: covrage is no command; did you mean coverage?"},
-           {"inject --bagg a.bag", "forge inject: --bagg is no option; did you mean --bag?"},
-           {"inject --output=b.bag", "forge inject: --output is no option; did you mean --out?"},
+            "forge study measure: unknown command covrage; did you mean coverage?"},
+           {"inject --bagg a.bag", "forge inject: unknown option --bagg; did you mean --bag?"},
+           {"inject --output=b.bag", "forge inject: unknown option --output; did you mean --out?"},
            {"inject" + kComplete.at("inject") + " --mode repaly", "did you mean replay?"},
            {"possible" + kComplete.at("possible") + " --type rear_ned", "did you mean rear_end?"},
            {"test" + kComplete.at("test") + " --planners idm,pmd", "did you mean pdm?"}}) {
@@ -254,7 +255,7 @@ TEST(CommandLine, MistypedWordsAreAnsweredWithTheNearest) {
   }
 }
 
-TEST(CommandLine, ControlsOfRequestsAreTheSameEverywhere) {
+TEST(CommandLine, ControlOptionsAreTheSameInAllCommands) {
   for (const std::string command : {"inject", "generate", "requests"}) {
     const std::string line = command + kComplete.at(command);
     for (const char* good : {" --believable false", " --limits strict", " --attacker-class bus",
@@ -276,7 +277,7 @@ TEST(CommandLine, ControlsOfRequestsAreTheSameEverywhere) {
   }
 }
 
-TEST(CommandLine, BulkCommandsEndWithAPageWhereOneIsAskedFor) {
+TEST(CommandLine, BulkCommandsAcceptReport) {
   for (const std::string command :
        {"generate", "study evaluate", "test", "tune", "study dataset"}) {
     const std::string line = command + kComplete.at(command);
@@ -289,10 +290,10 @@ TEST(CommandLine, BulkCommandsEndWithAPageWhereOneIsAskedFor) {
   EXPECT_EQ(read("study evaluate" + clips).exit_code, std::nullopt);
   const Reading published = read("study evaluate" + clips + " --protocol published");
   EXPECT_EQ(published.exit_code, kExitUsage);
-  EXPECT_THAT(published.err, HasSubstr("--report: a page is of the strict protocol alone"));
+  EXPECT_THAT(published.err, HasSubstr("--report: the HTML report needs --protocol strict"));
 }
 
-TEST(RequestControls, SayWhatIsGivenAlone) {
+TEST(RequestControls, OverrideOnlyTheGivenFields) {
   CollisionRequest request;
   request.attacker = "a";
   request.crash.believable = false;
@@ -315,7 +316,7 @@ TEST(RequestControls, SayWhatIsGivenAlone) {
   EXPECT_EQ(request.choice, AttackerChoice::kNew);
 }
 
-TEST(CommandLine, AnErrorBeginsWithTheNameOfTheCommand) {
+TEST(CommandLine, ErrorsBeginWithTheNameOfTheCommand) {
   CommandLine line;
   line.add("Heading", "group fails", "Fails.",
            []() -> int { throw std::runtime_error("no luck"); });
@@ -326,7 +327,7 @@ TEST(CommandLine, AnErrorBeginsWithTheNameOfTheCommand) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "forge group fails: no luck\n");
 }
 
-TEST(CommandLine, TheExitCodeOfACommandIsHandedOn) {
+TEST(CommandLine, TheExitCodeOfACommandIsReturned) {
   CommandLine line;
   line.add("Heading", "refuses", "Refuses.", [] { return kExitNoAttack; });
   line.add("Heading", "works", "Works.", [] { return kExitOk; });
@@ -335,7 +336,7 @@ TEST(CommandLine, TheExitCodeOfACommandIsHandedOn) {
   EXPECT_EQ(line.run(), kExitNoAttack);
 }
 
-TEST(BashCompletion, KnowsCommandsOptionsAndValues) {
+TEST(BashCompletion, CompletesCommandsOptionsAndValues) {
   const Forge forge;
   const std::string script = bashCompletion(forge.app());
   EXPECT_THAT(script, HasSubstr("complete -o default -F _forge_complete forge\n"));
@@ -347,7 +348,7 @@ TEST(BashCompletion, KnowsCommandsOptionsAndValues) {
   EXPECT_THAT(script, HasSubstr("'forge report --dataroot') words=''"));
 }
 
-TEST(Commands, WordsMayBeInCapitals) {
+TEST(Commands, EnumeratedValuesAreCaseInsensitive) {
   Forge forge;
   const std::string line =
       "inject --bag a.bag --type Ltap --tta 4 --now 4 --out b.bag --mode Replay "

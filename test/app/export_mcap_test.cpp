@@ -38,7 +38,7 @@ class ExportMcapTest : public testing::Test {
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   }
 
-  /// Returns what it prints, after the exit code.
+  /// Returns the exit code and the output.
   std::string run(const std::vector<std::string>& bags) const {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
@@ -60,7 +60,7 @@ TEST_F(ExportMcapTest, WritesAFileForEachBagAndALayout) {
   EXPECT_TRUE(fs::exists(made("layout.json")));
 }
 
-TEST_F(ExportMcapTest, LeavesWhatIsThere) {
+TEST_F(ExportMcapTest, SkipsExistingFiles) {
   fs::create_directories(out_);
   for (const char* name : {"a.mcap", "layout.json"}) std::ofstream(made(name)) << "mine";
   EXPECT_THAT(run({bagOf("a"), bagOf("b")}),
@@ -70,7 +70,7 @@ TEST_F(ExportMcapTest, LeavesWhatIsThere) {
   EXPECT_TRUE(fs::exists(made("b.mcap")));
 }
 
-TEST_F(ExportMcapTest, TellsWhatCannotBeExportedAndGoesOn) {
+TEST_F(ExportMcapTest, ReportsFailedBagsAndContinues) {
   const std::string missing = bagOf("missing");
   const std::string printed = run({missing, bagOf("b")});
   EXPECT_THAT(printed, testing::StartsWith(std::to_string(kExitError)));
@@ -78,7 +78,7 @@ TEST_F(ExportMcapTest, TellsWhatCannotBeExportedAndGoesOn) {
   EXPECT_TRUE(fs::exists(made("b.mcap")));
 }
 
-TEST_F(ExportMcapTest, RefusesTwoBagsOfOneName) {
+TEST_F(ExportMcapTest, RejectsTwoBagsOfTheSameName) {
   fs::create_directories(folder_ / "others");
   const std::string other = folder_ / "others" / "a.bag";
   fs::copy(bagOf("a"), other);

@@ -1,4 +1,4 @@
-// One crash, one second after its contact, in everything that shows it.
+// One attack, 1 s after its contact, compared between all outputs that show it.
 #include <gtest/gtest.h>
 #include <rosbag/view.h>
 #include <tf2_msgs/TFMessage.h>
@@ -36,7 +36,7 @@ struct Places {
   Vector2 attacker;
 };
 
-/// The place at `time`, linear between the samples around it.
+/// Returns the position at `time` (s), interpolated linearly.
 Vector2 placeAt(const std::vector<std::pair<double, Vector2>>& samples, double time) {
   const auto after = std::find_if(samples.begin(), samples.end(),
                                   [=](const auto& sample) { return sample.first >= time; });
@@ -45,7 +45,7 @@ Vector2 placeAt(const std::vector<std::pair<double, Vector2>>& samples, double t
   return from + (time - begin) / (after->first - begin) * (after->second - from);
 }
 
-/// A car crosses the road of a recording of the embedded data, and the ego drives into it.
+/// An added car crosses the road of an embedded recording, and the ego drives into it.
 class OneCrash : public testing::Test {
  protected:
   OneCrash() {
@@ -61,7 +61,7 @@ class OneCrash : public testing::Test {
     inject();
   }
 
-  /// Straight across the ego's way, at 6 m/s, to where the ego is 4 s later.
+  /// Straight across the ego's path at 6 m/s, to the ego's position 4 s later.
   void makeAttack() {
     const Pose2 ego = stateAt(recording_.scene.ego, now_ + 4.0).value().pose;
     answer_.trajectory = {kAttacker, AgentClass::kCar, {4.5, 1.9}, {}};
@@ -104,7 +104,7 @@ class OneCrash : public testing::Test {
     return messages;
   }
 
-  /// /tf and agents of the bag.
+  /// From /tf and agents of the bag.
   Places inBag() const {
     std::vector<std::pair<double, Vector2>> ego;
     for (const auto& message : read<tf2_msgs::TFMessage>(attacked_, names::kTf)) {
@@ -135,7 +135,7 @@ class OneCrash : public testing::Test {
     throw std::out_of_range(name);
   }
 
-  /// attack_markers of the bag.
+  /// From attack_markers of the bag.
   Places inMarkersOfBag() const {
     std::vector<std::pair<double, Vector2>> ego;
     std::vector<std::pair<double, Vector2>> attacker;
@@ -149,7 +149,7 @@ class OneCrash : public testing::Test {
     return {placeAt(ego, time()), placeAt(attacker, time())};
   }
 
-  /// injected_agents while the recording is played.
+  /// From injected_agents during playback of the recording.
   Vector2 inInjectedAgents() const {
     std::vector<collision_forge::AgentArray> published;
     LiveInjector injector(config_, AfterContact::kStop,
@@ -168,7 +168,7 @@ class OneCrash : public testing::Test {
     return attackerIn(published);
   }
 
-  /// scene_markers while the recording is played.
+  /// From scene_markers during playback of the recording.
   Places inSceneMarkers() const {
     ContactWatch watch(config_.ego_vehicle.size, config_.live.answerAge(),
                        config_.attack.verification);
@@ -186,7 +186,7 @@ class OneCrash : public testing::Test {
     return {boxIn(markers, "ego"), boxIn(markers, "attacker")};
   }
 
-  /// What the painter of PNG and GIF is given.
+  /// From the input of the drawing of PNG and GIF.
   Places inPicture() const {
     ScenarioView view{"scene-0005",      4.0,         Mode::kReplay,      moment_.snapshot,
                       *moment_.recorded, answer_.aim, answer_.trajectory, report_};
@@ -195,7 +195,7 @@ class OneCrash : public testing::Test {
     return {shown.egoAt(time())->center.position(), shown.attackerAt(time())->center.position()};
   }
 
-  /// The record of the attack in a page.
+  /// From the record of the attack in the HTML report.
   Places inPage() const {
     Scenario scenario;
     scenario.asked = {"scene-0005", now_, request_};
@@ -215,7 +215,7 @@ class OneCrash : public testing::Test {
     return {placeOf("ego"), placeOf("other")};
   }
 
-  /// What OpenSCENARIO, CommonRoad and ScenarioNet are written from.
+  /// From the input of OpenSCENARIO, CommonRoad and ScenarioNet.
   Places inExport() const {
     Scenario scenario;
     scenario.asked = {"scene-0005", now_, request_};
@@ -246,7 +246,7 @@ class OneCrash : public testing::Test {
   collision_forge::Attack message_;
 };
 
-TEST_F(OneCrash, MovesBothVehiclesOnAfterTheContact) {
+TEST_F(OneCrash, BothVehiclesMoveAfterTheContact) {
   ASSERT_TRUE(report_.contact);
   const Places places = inBag();
   const auto recorded = stateAt(recording_.scene.ego, time())->pose.position();

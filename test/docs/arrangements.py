@@ -9,6 +9,7 @@ LEFT_OUT = {
 NOT_RUN = [
     (r'^(scripts/(demo|sanitize|test|test_interop|setup)|\.ci/run)\b', 'they build and test, this test among others'),
     (r'^python3 test/docs/run_document', 'it is this test'),
+    (r'^scripts/api_docs\b', 'wants doxygen, which is optional'),
     (r'^git clone|apt-get install', 'wants a network and changes the machine'),
     (r'^(cmake|ctest|catkin_make)\b|~/ws', 'builds'),
     (r'(^|\s)\.\.\.(\s|$)', 'leaves words out'),

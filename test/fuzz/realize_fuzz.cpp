@@ -29,7 +29,7 @@ const AttackOptions& quickOptions() {
     quick.search.corrections = quick.search.rounds = quick.search.perturbations = 1;
     quick.search.bicycle_targets = quick.search.bicycle_rounds = 1;
     quick.search.bicycle_perturbations = 1;
-    quick.route.rounds = quick.route.perturbations = quick.route.drafted = 1;
+    quick.route.rounds = quick.route.perturbations = 1;
     quick.route.ways = 2;
     return quick;
   }();
@@ -88,8 +88,7 @@ void answer(const collision_forge::RealizeTrajectory::Request& message) {
                {snapshot, future, request, fuzzedLanes()},
                static_cast<bool>(message.exact),
                ways,
-               message.any_motion ? SearchedMotion::kAny : SearchedMotion::kByRoutes,
-               message.in_turn ? std::optional<double>(message.enough) : std::nullopt},
+               message.any_motion ? SearchedMotion::kAny : SearchedMotion::kByRoutes},
               quickOptions());
   if (found.status.code != StatusCode::kOk) return;
   require(found.report.verified(), "the attack is not verified");

@@ -66,7 +66,7 @@ class AdaptiveTest(live.LiveTest):
         expected, expected_report = self.offline()
         answer = self.ask(adaptive=True)
         first = answer.attack
-        self.assertEqual((first.adaptive, first.phase, first.decision, first.plans), (True, 'attacking', 'sets out', 1))
+        self.assertEqual((first.adaptive, first.phase, first.decision, first.plans), (True, 'attacking', 'initial plan', 1))
         self.assertEqual(first.decided, first.header.stamp)
         self.play_on(NOW + 7.0)
         last = self.heard['/attack'].wait(lambda attack: attack.plans == expected.plans)
@@ -142,7 +142,7 @@ class AdaptiveTest(live.LiveTest):
             nonlocal clock
             clock += rospy.Duration(0.1)
             self.player.publishers['/clock'].publish(Clock(clock))
-            return self.heard['/attack'].last(lambda attack: attack.decision == 'the ego is out of sight')
+            return self.heard['/attack'].last(lambda attack: attack.decision == 'the ego is no longer observed')
         until(is_lost, 'the attacker to give up', interval=0.1)
         self.assertEqual(self.attacks()[-1].phase, 'driving_on')
 

@@ -11,6 +11,7 @@
 
 #include "collision_forge/planner_test/settings/config.h"
 #include "collision_forge/ros/bags/bag_file.h"
+#include "collision_forge/ros/bags/bag_writer.h"
 #include "collision_forge/ros/messages/topic_names.h"
 #include "io/logs/nuscenes_fixture.h"
 
@@ -72,6 +73,24 @@ TEST_F(BagReaderTest, OfPosesAndFramesOfOneInstantTheFirstIsKept) {
     EXPECT_EQ(scene.ego.states.size(), 21u);
     EXPECT_EQ(scene.frame_times.size(), 5u);
     for (const AgentState& state : scene.ego.states) EXPECT_EQ(state.pose.y, 0.0);
+  }
+}
+
+TEST_F(BagReaderTest, TheBoxOfTheRecordedEgoIsTheEgosBox) {
+  NuScenesRecording recording;
+  recording.name = "drive";
+  recording.frames.push_back({"", 1000000, {}});
+  for (std::int64_t i = 0; i < 3; ++i) {
+    recording.ego_poses.push_back(
+        {1000000 + i * 100000, {static_cast<double>(i), 0.0, 0.0}, Eigen::Quaterniond::Identity()});
+  }
+  writeBag(path_, recording, LaneMap());
+  EXPECT_EQ(readBag(path_, config_).ego.size.length, config_.ego_vehicle.size.length);
+  recording.ego_size = BoxSize{5.286, 2.332};
+  writeBag(path_, recording, LaneMap());
+  for (const auto& read : {readBag, readBagAsWritten}) {
+    EXPECT_EQ(read(path_, config_, nullptr).ego.size.length, 5.286);
+    EXPECT_EQ(read(path_, config_, nullptr).ego.size.width, 2.332);
   }
 }
 

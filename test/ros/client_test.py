@@ -177,7 +177,7 @@ class ClientTest(road.RoadTest):
         self.play()
         drive = self.forge.adaptive(TYPE, TTA)
         seen = list(drive)
-        self.assertEqual((seen[0].decision, seen[0].plans), ('sets out', 1))
+        self.assertEqual((seen[0].decision, seen[0].plans), ('initial plan', 1))
         self.assertGreater(len(seen), 3)
         self.assertEqual(seen[-1], drive.newest)
         self.assertEqual((drive.report.verified, drive.report.attacker),

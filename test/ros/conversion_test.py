@@ -70,6 +70,17 @@ class ConversionTest(road.RoadTest):
         self.assertEqual(agents, frames)
         self.assertEqual({after - before for before, after in zip(odometry, odometry[1:])}, {100000})
 
+    def test_a_scene_that_cannot_be_read_costs_itself_alone(self):
+        logs, listed = self.path('logs'), self.path('listed.jsonl')
+        result = road.convert(logs, '--scene', 'scene-0001', 'scene-0002', '--to', 'scenarionet')
+        self.assertEqual(result.returncode, 0, result.stderr)
+        broken = next(logs.glob('sd_*scene-0002.pkl'))
+        broken.write_bytes(broken.read_bytes()[:1000])
+        result = road.run('requests', '--source', logs, '--out', listed)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn('not read: scene-0002: ' + str(broken), result.stderr)
+        self.assertEqual({json.loads(line)['scene'] for line in listed.read_text().splitlines()}, {'scene-0001'})
+
 
 class ResumeTest(road.RoadTest):
     def test_second_run_converts_nothing_and_force_everything(self):
@@ -133,7 +144,7 @@ class BadConversionInputTest(road.RoadTest):
                 rows = json.loads(original)
                 rows[0][field] = name
                 (self.dataroot / VERSION / (table + '.json')).write_text(json.dumps(rows))
-                left = self.assert_refused([table + '.json', rows[0]['token'], field, 'cannot be the name of a file'])
+                left = self.assert_refused([table + '.json', rows[0]['token'], field, 'is not a valid file name'])
                 self.assertEqual(left, [])
                 (self.dataroot / VERSION / (table + '.json')).write_text(original)
         self.assertEqual(list(self.folder.glob('**/*evil*')), [])

@@ -32,7 +32,8 @@ TEST(AttackerWay, WithTooFewPointsIsRefusedWithItsAttacker) {
   message.spacing = 1.0;
   message.points.resize(3);
   EXPECT_THAT([&] { fromMessage(message); },
-              testing::ThrowsMessage<MessageError>(testing::HasSubstr("\"added-1\": a way of 3")));
+              testing::ThrowsMessage<MessageError>(
+                  testing::HasSubstr("\"added-1\": reference path with 3")));
 }
 
 collision_forge::AttackerTrajectory drivenFor(int points) {

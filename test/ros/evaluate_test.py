@@ -173,9 +173,9 @@ class EvaluateRequestsTest(road.RoadTest):
                 self.assertIn(row['class'], ('car', 'truck', 'bus'), row)
                 self.assertGreaterEqual(float(row['on_lane']), 0.9, row)
         table = (self.expected / 'table.md').read_text()
-        for title in ('strict protocol, drivable limits, believable, history mode', 'All conditions, full definitions, %',
-                      'All conditions, full definitions, of what replay meets',
-                      'All conditions, full definitions, of what the road allows, %', 'Allowed by the road, %',
+        for title in ('strict protocol, drivable limits, plausible, history mode', 'All conditions, full definitions, %',
+                      'All conditions, full definitions, recall against replay mode',
+                      'All conditions, full definitions, requests allowed by the road, %', 'Allowed by the road, %',
                       '| search_full_definitions, answered though the road does not allow it |',
                       'mean share of the box: search_full_definitions, %', 'Calibration, full definitions, %',
                       'Largest difference: '):
@@ -194,7 +194,7 @@ class EvaluateRequestsTest(road.RoadTest):
         self.assertAlmostEqual(float(counted['value']), sum(float(row['on_lane']) for row in answered) / len(answered), 3)
         self.assertGreater(int(lines['on_lane', 'recorded', 'all']['trials']), 100)
         card = (self.expected / 'scorecard.md').read_text()
-        for title in ('strict protocol, drivable limits, believable', 'On a lane throughout, %', 'Least gap to anybody',
+        for title in ('strict protocol, drivable limits, plausible', 'On a lane throughout, %', 'Least gap to anybody',
                       'Greatest jerk until the contact'):
             self.assertIn(title, card)
 
@@ -211,7 +211,7 @@ class EvaluateRequestsTest(road.RoadTest):
         arguments[arguments.index('strict')] = 'drivable'
         result = self.run_on(*arguments)
         self.assertEqual(result.returncode, 1)
-        self.assertIn('limits = strict, now limits = drivable', result.stderr)
+        self.assertIn('limits = strict, not limits = drivable', result.stderr)
 
     def test_milliseconds_are_printed_and_in_no_file(self):
         table = (self.expected / 'table.md').read_text()
@@ -219,8 +219,8 @@ class EvaluateRequestsTest(road.RoadTest):
         times = self.result.stdout[len(table):].strip().splitlines()
         self.assertEqual(len(times), 2)
         for line in times:
-            self.assertRegex(line, r'^(search|replay)_\w+: [0-9.]+ ms on one core in the mean, median [0-9.]+ ms, '
-                                   r'95 % quantile [0-9.]+ ms \({} times in this process\)$'.format(len(self.listed)))
+            self.assertRegex(line, r'^(search|replay)_\w+: mean [0-9.]+ ms on one core, median [0-9.]+ ms, '
+                                   r'95 % quantile [0-9.]+ ms \({} measurements in this process\)$'.format(len(self.listed)))
         self.assertNotIn(' ms', table)
 
     def test_threads_and_ranks_do_not_change_a_byte(self):
@@ -231,7 +231,7 @@ class EvaluateRequestsTest(road.RoadTest):
             result = run_ranks(ranks, *self.command('--out', out))
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertEqual(result.stdout.count('strict protocol'), 1, 'rank 0 alone reports')
-            searches = re.search(r'search_\w+: .* \((\d+) times in this process\)', result.stdout)
+            searches = re.search(r'search_\w+: .* \((\d+) measurements in this process\)', result.stdout)
             self.assertIn(int(searches.group(1)), range(1, len(self.listed) + 1) if ranks > 1 else [len(self.listed)])
             self.assert_as_expected(out)
 
@@ -243,7 +243,7 @@ class EvaluateRequestsTest(road.RoadTest):
         road.leave_part(out / 'results.csv', b''.join(lines[:1 + 4 * 10 + 2]), header=True, lines_per_item=4)
         result = self.run_on('--out', out)
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertIn('({} times in this process)'.format(len(self.listed) - 10), result.stdout)
+        self.assertIn('({} measurements in this process)'.format(len(self.listed) - 10), result.stdout)
         self.assert_as_expected(out)
         for arguments, named in ((['--mode', 'replay'], 'mode = history'), (['--seeds', 2], 'seeds = 1'),
                                  (['--scene', 'scene-0007'], 'requests = ')):

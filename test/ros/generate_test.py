@@ -196,7 +196,7 @@ class GenerateTest(road.RoadTest):
         self.assertFalse(self.out.exists())
         result = run(command or generate_command(self.requests, self.out, '--jobs', 2), **options)
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertIn('{} of {} requests were done before'.format(kept, self.count), result.stderr)
+        self.assertIn('{} of {} requests were done in an earlier run'.format(kept, self.count), result.stderr)
         self.assertEqual(self.out.read_bytes(), self.expected.read_bytes())
         self.assertFalse(self.part.exists())
 
@@ -284,7 +284,7 @@ class GenerateTest(road.RoadTest):
             result = run(ranks_command(ranks, self.requests, out), env=ranks_environment())
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertEqual(out.read_bytes(), self.expected.read_bytes(), ranks)
-            self.assertEqual(result.stdout.count('requests answered'), 1, 'rank 0 alone reports')
+            self.assertEqual(result.stdout.count(' solved, '), 1, 'rank 0 alone reports')
             self.assertLessEqual(result.stderr.count('requests 100 %'), 1, 'and shows progress')
 
     def test_random_lists_have_the_same_bytes_whatever_the_numbers_of_ranks_and_jobs(self):
@@ -367,7 +367,7 @@ class GenerateTest(road.RoadTest):
         begun = b''.join(self.expected.read_bytes().splitlines(keepends=True)[:4])
         road.leave_part(self.out, begun)
         shutil.copy(str(self.expected) + '.options', str(self.out) + '.options')
-        self.assert_refused([self.part, 'mode = history, now mode = replay'], '--mode', 'replay')
+        self.assert_refused([self.part, 'mode = history, not mode = replay'], '--mode', 'replay')
         other = self.path('other.jsonl')
         other.write_text('\n'.join(lines_of(self.requests)[:-1]) + '\n')
         self.assert_refused([self.part, 'requests = '], requests=other)
@@ -465,7 +465,7 @@ class CollideFormatTest(road.RoadTest):
         (self.out / 'scenarios.jsonl').unlink()
         result = run(self.command(self.out))
         self.assertEqual(result.returncode, 1)
-        self.assertIn('{}: holds clips already'.format(self.clips_of(self.out)), result.stderr)
+        self.assertIn('{}: contains clips of another run'.format(self.clips_of(self.out)), result.stderr)
         self.assertFalse((self.out / 'scenarios.jsonl.part').exists())
 
 

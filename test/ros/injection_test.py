@@ -125,7 +125,7 @@ class InjectionTest(road.RoadTest):
         self.assertGreater(len(gif), 10000)
 
     def test_answer_is_printed(self):
-        for text in ('rear_end by ' + self.attacker, 'crash as asked', 'after the contact: both slide to a stand',
+        for text in ('rear_end by ' + self.attacker, 'crash as asked', 'after the contact: both brake to a standstill',
                      str(self.ended), 'attack.png', 'attack.gif'):
             self.assertIn(text, self.result.stdout)
 
@@ -174,7 +174,7 @@ class InjectionTest(road.RoadTest):
             self.assertEqual(len(attacks), number)
         self.assertGreater(len(attacks), 1)
         self.assertEqual(road.code_of(result), 'NO_ATTACK_WITHIN_LIMITS')
-        self.assertIn('there are {} distinct attacks only'.format(len(attacks)), result.stderr)
+        self.assertIn('there are only {} distinct attacks'.format(len(attacks)), result.stderr)
 
 
 class RecordedCrashTest(road.RoadTest):
@@ -194,7 +194,7 @@ class RecordedCrashTest(road.RoadTest):
                 codes.add(result.returncode)
                 if result.returncode == 3:
                     last = result.stderr.splitlines()[-1]
-                    self.assertTrue(last.startswith('NOT_AS_ASKED: {} does not show the crash asked for: '.format(out)))
+                    self.assertTrue(last.startswith('NOT_AS_ASKED: {} does not show the requested collision: '.format(out)))
                     self.assertIn('contact not as asked: ' if tested.contact else 'no contact', last)
         self.assertIn(3, codes)
 
@@ -220,7 +220,7 @@ class AdaptiveInjectionTest(road.RoadTest):
         attack, tested = self.reports('adaptive')
         self.assertTrue(attack.adaptive)
         self.assertEqual(attack.phase, 'driving_on')
-        self.assertEqual(attack.decision, 'the time asked for is over')
+        self.assertEqual(attack.decision, 'the requested time has passed')
         self.assertEqual((attack.report.decision, tested.decision), (attack.decision, attack.decision))
         self.assertGreater(attack.plans, 1)
         self.assertGreater(attack.decided, attack.report.contact_time)

@@ -82,7 +82,7 @@ TEST_F(LiveAttackerTest, SetsOutWithTheAnswer) {
   EXPECT_EQ(first.trajectory, toMessage(chase_.firstAttack().trajectory));
   EXPECT_TRUE(first.adaptive);
   EXPECT_EQ(first.phase, "attacking");
-  EXPECT_EQ(first.decision, "sets out");
+  EXPECT_EQ(first.decision, "initial plan");
   EXPECT_EQ(first.decided, stampOf(kNow));
   EXPECT_EQ(first.plans, 1u);
 }
@@ -102,7 +102,7 @@ TEST_F(LiveAttackerTest, PublishesItAnewWhereItDecidesAndTellsWhatItForesees) {
   const collision_forge::Attack& last = published_.back();
   EXPECT_EQ(last.trajectory, drivenBy(braking, 5.5));
   EXPECT_EQ(last.phase, "driving_on");
-  EXPECT_EQ(last.decision, "the time asked for is over");
+  EXPECT_EQ(last.decision, "the requested time has passed");
   const CollisionReport report =
       reportOf(FixedAttacker(fromMessage(last.trajectory)), egoAt(braking), chase_);
   EXPECT_TRUE(last.report.verified);
@@ -144,7 +144,7 @@ TEST_F(LiveAttackerTest, GivesUpWhereNoFrameComesAnyMore) {
   live_.watch(kClock + 2.5);
   ASSERT_EQ(published_.size(), before + 1);
   EXPECT_EQ(published_.back().phase, "driving_on");
-  EXPECT_EQ(published_.back().decision, "the ego is out of sight");
+  EXPECT_EQ(published_.back().decision, "the ego is no longer observed");
   EXPECT_NEAR(published_.back().decided.toSec(),
               kNow + 2.5 + shippedAdaptive().fairness.reaction_time, 0.1);
   live_.watch(kClock + 3.0);

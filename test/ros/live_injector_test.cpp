@@ -160,6 +160,17 @@ TEST_F(LiveInjectorTest, AtTheContactTheAttackerBeginsToSlideToAStand) {
   EXPECT_LT(attackerAt(14.0), 14.0) << "it would have got there without a contact";
 }
 
+TEST_F(LiveInjectorTest, ALongerEgoIsTouchedEarlier) {
+  is_in_the_way_ = true;
+  injector_.setEgoSize({10.0, 2.0});
+  play(9.0, 10.0);
+  injector_.setAttack(attack());
+  play(10.5, 14.0);
+  // The boxes touch at x = 14 - 5 - 2, after 0.7 s.
+  EXPECT_NEAR(attackerAt(10.6), 6.0, 1e-5);
+  EXPECT_LT(agentAt(10.8, "a").velocity.x, kSpeed - 1.0);
+}
+
 TEST_F(LiveInjectorTest, ItDrivesOnThroughTheEgoWhereThatIsAskedFor) {
   is_in_the_way_ = true;
   injector_ = injectorThat(AfterContact::kDriveOn);

@@ -100,7 +100,7 @@ TEST_F(LogSourcesTest, AgentsOfABagBeyondThemAreLeftOut) {
   }
   std::vector<std::string> warnings;
   const Scene scene = readSource(write(large), &warnings);
-  EXPECT_THAT(warnings, ElementsAre("1 agents whose box is beyond the limits of input left out "
+  EXPECT_THAT(warnings, ElementsAre("1 agents with a box beyond the input limits left out "
                                     "(first: " +
                                     id + ")"));
   EXPECT_FALSE(scene.agents.empty());

@@ -32,7 +32,7 @@ class PossibleTest(road.RoadTest):
             self.assertGreater(len(rows(result)), 10)
 
     def test_every_type_and_time_is_possible_or_has_a_reason(self):
-        table, reasons = of_the_root().stdout.split('\ndeclined\n')
+        table, reasons = of_the_root().stdout.split('\nrejected\n')
         asked = {tuple(line.split()[:2]) for line in table.splitlines()[1:]}
         declined = {tuple(line.split()[:2]) for line in reasons.splitlines()}
         self.assertEqual(len(asked) + len(declined), 25)
@@ -56,7 +56,7 @@ class PossibleTest(road.RoadTest):
     def test_nothing_possible_is_an_exit_code(self):
         result = of_the_root('--type', 'ltap', '--tta', '2')
         self.assertEqual(result.returncode, 3)
-        self.assertRegex(result.stdout, '\ndeclined\nltap  .* [A-Z_]+: ')
+        self.assertRegex(result.stdout, '\nrejected\nltap  .* [A-Z_]+: ')
 
 
 if __name__ == '__main__':

@@ -141,7 +141,7 @@ class PickleWorkerTest(unittest.TestCase):
     def test_runs_nothing(self):
         proof = self.path + '.run'
         for call in ((os.system, ('touch ' + proof,)), (eval, ('1',)), (getattr, ('', 'join')), (open, (proof, 'w'))):
-            self.assert_refused(pickle.dumps(within(Called(*call))), r'names "\w+\.\w+", which is no part of plain data')
+            self.assertEqual(self.read_value(Called(*call)), {'other': call[0].__name__})
         self.assertFalse(os.path.exists(proof))
 
     def test_refuses_what_is_cut_anywhere(self):

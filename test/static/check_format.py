@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""usage: check_format.py SOURCE_DIR: are all C++ files as clang-format would write them?"""
+"""usage: check_format.py SOURCE_DIR: check that all C++ files are formatted by clang-format."""
 import shutil
 import subprocess
 import sys

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""usage: check_launch.py SOURCE_DIR: do the launch files start every node again that ends?
+"""usage: check_launch.py SOURCE_DIR: check that the launch files restart every node that ends.
 
-All but those of ENDS, of which the launch files say why they may end.
+Nodes in ENDS are excepted; comments in the launch files say why they may end.
 """
 import sys
 import xml.etree.ElementTree
@@ -22,7 +22,7 @@ def violations(root):
 
 def main(source_dir):
     found = list(violations(Path(source_dir, 'launch')))
-    print('\n'.join(found) or 'every node that ends is started again')
+    print('\n'.join(found) or 'every node is restarted when it ends')
     return 1 if found else 0
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What check_launch.py must find, and what it must let pass."""
+"""Test that check_launch.py finds nodes without respawn."""
 import tempfile
 import unittest
 from pathlib import Path
@@ -10,7 +10,7 @@ NODE = '<node pkg="collision_forge" type="scene_encoder" name="encoder"{}/>'
 
 
 def violations_of(content):
-    """violations() of a folder with one launch file that holds this."""
+    """Return violations() of a folder with one launch file with this content."""
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, 'some.launch').write_text('<launch>{}</launch>'.format(content))
         return list(violations(Path(folder)))

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""usage: check_layering.py SOURCE_DIR: do the includes keep to the table of folders in docs/architecture.md?
+"""usage: check_layering.py SOURCE_DIR: check includes against the table of folders in docs/architecture.md.
 
-The table is the first one under the heading HEADING. Of its columns `folder` and `libraries` are read.
+The table is the first one under the heading HEADING. The check reads its columns `folder` and `libraries`.
 1. Every C++ file under src/ is src/collision_forge/FOLDER/NAME, and FOLDER (as base/map) is in the table.
-2. A file includes files of its own folder and of folders above it in the table, and no others.
-3. A library of LIBRARIES is included only by folders whose row names it, and no header of ours carries it further.
-4. No two files of one folder include each other, however far round. A header and its source count as one file.
+2. A file includes only files of its own folder and of folders above it in the table.
+3. Only folders with a library of LIBRARIES in their row include it, directly or through other headers of the tree.
+4. Files of one folder have no include cycles. A header and its source count as one file.
 """
 import itertools
 import re
@@ -37,7 +37,7 @@ def cells(line):
 
 
 def read_table(text):
-    """{folder: libraries that it may include}, in the order of the table."""
+    """Return {folder: libraries that it may include}, in the order of the table."""
     section = text.partition(HEADING + '\n')[2].partition('\n## ')[0]
     table = itertools.takewhile(lambda line: line.startswith('|'),
                                 itertools.dropwhile(lambda line: not line.startswith('|'), section.splitlines()))
@@ -49,18 +49,18 @@ def read_table(text):
 
 
 def read_includes(src):
-    """Every C++ file under src with what it includes, both as paths relative to src."""
+    """Return {C++ file under src: its includes}, as paths relative to src."""
     return {str(path.relative_to(src)): INCLUDE.findall(path.read_text(encoding='utf-8'))
             for path in sorted(src.rglob('*')) if path.suffix in ('.cpp', '.h')}
 
 
 def folder_of(file):
-    """None for a file outside of ROOT."""
+    """Return the folder of a file below ROOT, None for other files."""
     return str(PurePath(file[len(ROOT):]).parent) if file.startswith(ROOT) else None
 
 
 def brings(included, library, includes, seen):
-    """True if a header is of the library, or of ours and includes one that is, however far."""
+    """Return True if a header belongs to the library or includes, also indirectly, a header that does."""
     if included not in includes:
         return re.match(LIBRARIES[library], included) is not None
     if included in seen:
@@ -84,7 +84,7 @@ def file_violations(file, includes, table):
 
 
 def table_violations(includes, table):
-    """Libraries and folders that rows name and that are not there."""
+    """Yield rows whose folder has no file, and libraries of rows that the folder does not include."""
     used = {(folder_of(file), library) for file in includes for included in includes[file]
             for library in LIBRARIES if included not in includes and re.match(LIBRARIES[library], included)}
     folders = {folder_of(file) for file in includes}
@@ -99,7 +99,7 @@ def table_violations(includes, table):
 
 
 def cycles(includes):
-    """A cycle of files of one folder for each file that is on one, the shortest of those through it."""
+    """Yield include cycles within one folder: for each file on a cycle, the shortest one, each only once."""
     units = {}
     for file, included in includes.items():
         unit = str(PurePath(file).with_suffix(''))
@@ -135,7 +135,7 @@ def violations(source_dir):
 
 def main(source_dir):
     found = violations(source_dir)
-    print('\n'.join(found) or 'all includes keep to the table')
+    print('\n'.join(found) or 'all includes comply with the table')
     return 1 if found else 0
 
 

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""usage: check_options.py SOURCE_DIR: are the options of config/ read into their own members, and used?
+"""usage: check_options.py SOURCE_DIR: check that options of config/ are read into members of the same name, and used.
 
-1. An options.cpp reads a key into the member of the same name.
-2. Every member of a struct whose comment names config/ is used somewhere else than where it is read.
+1. Each options.cpp reads a key into the member of the same name.
+2. Every member of a struct *Options in a header is used outside the files options.cpp.
 """
 import re
 import sys
@@ -14,12 +14,12 @@ MEMBER = re.compile(r'^  [\w:<>, ]+ (\w+)(?: = [^;]+)?;', re.MULTILINE)
 
 
 def misread(options_cpp):
-    """Members that are read from a key of another name."""
+    """Return the pairs (member, key) with different names."""
     return [pair for pair in READ.findall(options_cpp) if pair[0] != pair[1]]
 
 
 def members(header):
-    """(struct, member) of the structs of options in a header."""
+    """Return (struct, member) of the structs *Options in a header."""
     return [(struct, member) for struct, body in STRUCT.findall(header) if struct.endswith('Options')
             for member in MEMBER.findall(body)]
 
@@ -36,7 +36,7 @@ def violations(root):
     for path, text in sources.items():
         for struct, member in members(text) if path.suffix == '.h' else ():
             if not re.search(r'(\.|->){}\b'.format(member), users):
-                yield '{}: nobody reads {}::{}'.format(path.relative_to(root), struct, member)
+                yield '{}: {}::{} is not used'.format(path.relative_to(root), struct, member)
 
 
 def main(source_dir):

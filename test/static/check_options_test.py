@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What check_options.py must find, and what it must let pass."""
+"""Test that check_options.py finds misread keys and the members of options."""
 import unittest
 
 from check_options import members, misread

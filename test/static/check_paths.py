@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""usage: check_paths.py SOURCE_DIR: is every source file that a document or a comment names there?
+"""usage: check_paths.py SOURCE_DIR: check that source files named in documents and comments exist.
 
 A name is a path from the root (src/collision_forge/MODULE/FOLDER/NAME.h) or from the modules (MODULE/FOLDER/NAME.h).
 """
@@ -20,12 +20,12 @@ def violations(source_dir):
             for name in [] if line.startswith('#include') else NAMED.findall(line):
                 is_ours = name.startswith(('src/', 'test/')) or name.split('/')[0] in folders
                 if is_ours and not (root / name).exists() and not (root / MODULES / name).exists():
-                    yield '{}:{}: {} is not there'.format(document.relative_to(root), number, name)
+                    yield '{}:{}: {} does not exist'.format(document.relative_to(root), number, name)
 
 
 def main(source_dir):
     found = list(violations(source_dir))
-    print('\n'.join(found) or 'every source file that is named is there')
+    print('\n'.join(found) or 'every named source file exists')
     return 1 if found else 0
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What check_paths.py must find, and what it must let pass."""
+"""Test that check_paths.py finds names of missing source files."""
 import tempfile
 import unittest
 from pathlib import Path
@@ -8,7 +8,7 @@ from check_paths import violations
 
 
 def violations_of(text):
-    """violations() of a tree with one source file, src/collision_forge/base/map/lane.h, and a README with this text."""
+    """Return violations() of a tree with src/collision_forge/base/map/lane.h and a README with this text."""
     with tempfile.TemporaryDirectory() as source_dir:
         folder = Path(source_dir, 'src', 'collision_forge', 'base', 'map')
         folder.mkdir(parents=True)
@@ -18,11 +18,11 @@ def violations_of(text):
 
 
 class CheckPaths(unittest.TestCase):
-    def test_files_that_are_there_pass(self):
+    def test_existing_files_pass(self):
         self.assertEqual([], violations_of('`src/collision_forge/base/map/lane.h`, `base/map/lane.h`'))
 
-    def test_files_that_are_not_there_are_found(self):
-        self.assertEqual(['README.md:2: map/way.h is not there', 'README.md:2: src/map/lane.h is not there'],
+    def test_missing_files_are_found(self):
+        self.assertEqual(['README.md:2: map/way.h does not exist', 'README.md:2: src/map/lane.h does not exist'],
                          violations_of('first\n`map/way.h` `src/map/lane.h`'))
 
 

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""usage: check_prose.py SOURCE_DIR: can the documents be read, and do their links lead somewhere?
+"""usage: check_prose.py SOURCE_DIR: check lines, sentences and links of the documents.
 
-No line is over 120 columns, rows of tables apart: Markdown cannot break these. No sentence has more than 30 words,
-outside tables, headings and fenced code blocks. README.md has at most 150 lines. Every link to a file of SOURCE_DIR,
-and to a heading in it, finds it.
+No line is longer than 120 columns, except rows of tables, which Markdown cannot break. No sentence outside tables,
+headings and fenced code blocks has more than 45 words. README.md has at most 150 lines. Every link to a file of
+SOURCE_DIR, or to a heading in it, has a target.
 """
 import os
 import re
@@ -13,7 +13,7 @@ from urllib.parse import unquote
 
 DOCUMENTS = ['README.md', 'CONTRIBUTING.md', 'docs/*.md', 'data/**/README.md']
 MOST_COLUMNS = 120
-MOST_WORDS = 30
+MOST_WORDS = 45
 MOST_README_LINES = 150
 
 FENCE = re.compile(r'\s*(?:(?:[-*+]|\d+[.)])\s+)?(`{3,}|~{3,})')
@@ -29,7 +29,7 @@ ABBREVIATION = re.compile(r'(?:\be\.g|\bi\.e|\bal|\bvs|\bFig|\b[A-Z])\.$')
 
 
 def without_fenced_code(text):
-    """The lines, numbered from 1; those of fenced code blocks are empty."""
+    """Yield the number, from 1, and text of each line; lines of fenced code blocks are empty."""
     fence = None
     for number, line in enumerate(text.splitlines(), 1):
         mark = FENCE.match(line)
@@ -42,7 +42,7 @@ def without_fenced_code(text):
 
 
 def paragraphs(text):
-    """Paragraphs and list items, without tables and headings: the number of the first line, and the lines."""
+    """Yield the first line number and the lines of each paragraph and list item, without tables and headings."""
     first, lines = 0, []
     for number, line in [*without_fenced_code(text), (0, '')]:
         is_apart = not line.strip() or HEADING.match(line) or TABLE_ROW.match(line)
@@ -55,7 +55,7 @@ def paragraphs(text):
 
 
 def sentences(lines):
-    """The sentences of a paragraph: how many lines below its first each starts, and its words."""
+    """Yield each sentence of a paragraph: the offset of its first line, and its words."""
     def one_word(match):
         return 'Word' + '\n' * match.group().count('\n')
 
@@ -70,7 +70,7 @@ def sentences(lines):
 
 
 def anchors(text):
-    """The anchors of the headings, as GitHub makes them."""
+    """Yield the anchors of the headings, as GitHub makes them."""
     counts = {}
     for _, line in without_fenced_code(text):
         heading = HEADING.match(line)
@@ -82,7 +82,7 @@ def anchors(text):
 
 
 def links(text):
-    """The targets of the links that stay in this tree, each with the number of its line."""
+    """Yield the line number and target of each link within this tree."""
     prose = '\n'.join(line for _, line in without_fenced_code(text))
     prose = CODE_SPAN.sub(lambda span: re.sub(r'[^\n]', 'x', span.group()), prose)
     # An image within a link is taken out first: a link within a link would hide the outer one.
@@ -94,8 +94,8 @@ def links(text):
             yield prose.count('\n', 0, start) + 1, unquote(target)
 
 
-def what_is_wrong(document, target):
-    """What is wrong with a link of a document, or None."""
+def link_error(document, target):
+    """Return the error message for a link of a document, or None."""
     name, _, anchor = target.partition('#')
     path = Path(os.path.normpath(document.parent / name)) if name else document
     if not path.exists():
@@ -106,7 +106,7 @@ def what_is_wrong(document, target):
 
 
 def violations_in(document, most_lines):
-    """Numbers of lines, and what is wrong there."""
+    """Yield the line number and message of each violation."""
     text = document.read_text()
     lines = text.splitlines()
     if most_lines and len(lines) > most_lines:
@@ -120,7 +120,7 @@ def violations_in(document, most_lines):
                 yield first + below, 'the sentence "{} ..." has {} words, more than {}'.format(
                     ' '.join(words[:5]), len(words), MOST_WORDS)
     for number, target in links(text):
-        wrong = what_is_wrong(document, target)
+        wrong = link_error(document, target)
         if wrong:
             yield number, wrong
 
@@ -135,7 +135,7 @@ def violations(source_dir):
 
 def main(source_dir):
     found = list(violations(source_dir))
-    print('\n'.join(found) or 'lines and sentences of the documents are short, and their links lead somewhere')
+    print('\n'.join(found) or 'the documents have short lines and sentences and valid links')
     return 1 if found else 0
 
 

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""usage: check_type_names.py SOURCE_DIR: does every name of a type stand for one type?
+"""usage: check_type_names.py SOURCE_DIR: check that each type name in namespace forge is defined once.
 
-Two files that define a type of one name in namespace forge make one program with two meanings of that name, which no
-compiler and no linker reports. Types of unnamed namespaces and of functions are their file's own and may share names.
+Two definitions of one type name in a program violate the one-definition rule, and neither compiler nor linker reports it.
+Types in unnamed namespaces and in functions are local to their file and may share names.
 """
 import json
 import shutil
@@ -18,7 +18,7 @@ UNNAMED = '__anon'
 
 
 def read_definitions(source_dir):
-    """(qualified name, file, line) of every type that ctags finds in C++ files."""
+    """Yield (qualified name, file, line) of every type that ctags finds in C++ files."""
     files = [str(path.relative_to(source_dir)) for folder in FOLDERS for path in sorted(Path(source_dir, folder).rglob('*'))
              if path.suffix in ('.cpp', '.h')]
     listed = subprocess.run(

@@ -20,7 +20,7 @@
 namespace forge {
 namespace {
 
-/// The arcs of the lanes of every location, each read once; none of logs that have points alone.
+/// Caches the arc geometry of the lanes by location. Logs other than nuScenes have none.
 /// Thread-safe.
 class ArcSource {
  public:
@@ -31,7 +31,7 @@ class ArcSource {
     const auto found = arcs_.find(location);
     if (found != arcs_.end()) return found->second;
     if (logs_.format != &nuScenesFormat()) return arcs_[location];
-    WarningCounter warnings;  // those who read the lanes tell them
+    WarningCounter warnings;  // dropped: reading the lanes prints the same warnings
     const std::string path = pathIn(logs_.path + "/maps/expansion", location + ".json");
     return arcs_.emplace(location, readNuScenesMapLayers(path, limits_, warnings).arclines)
         .first->second;
@@ -52,7 +52,7 @@ struct AttackLines {
   };
   std::string path;
   std::vector<Line> lines;
-  std::vector<std::string> scenes;  ///< in the order they are needed
+  std::vector<std::string> scenes;  ///< names, in order of first use
   std::size_t scenarios = 0;        ///< lines of the file
   std::string fingerprint;
 

@@ -11,30 +11,35 @@
 
 namespace forge {
 
-/// The attacks that forge export writes, by index. record() is thread-safe.
+/// The attacks that forge export converts, addressed by an index from 0 to count() - 1. CrashExport
+/// calls record() and where() from worker threads; both are thread-safe.
 class AttackSource {
  public:
   virtual ~AttackSource() = default;
 
+  /// Returns the number of attacks.
   virtual std::size_t count() const = 0;
-  /// From 1: of a scenario file its line, of bags the number.
+  /// Returns the number that names the attack in the index file, from 1: the line in the scenario
+  /// file, or the position in the list of bags.
   virtual std::size_t numberOf(std::size_t index) const = 0;
-  /// Where it stands, for messages.
+  /// Returns the file (and line) of the attack, for messages.
   virtual std::string where(std::size_t index) const = 0;
-  /// What the attacks are of, for people.
+  /// Returns a summary of the whole source, as "12 scenarios" or "1 bag".
   virtual std::string described() const = 0;
-  /// What the records depend on beside the configuration of results.
+  /// Returns the fingerprints of the inputs, by name; a changed input invalidates an earlier run.
   virtual std::map<std::string, std::string> fingerprints() const = 0;
-  /// `history`: s before now. Throws what is wrong with an attack.
+  /// Builds the record of one attack, which starts `history` s before t0. Throws std::runtime_error
+  /// if the attack or its scene is invalid.
   virtual CrashRecord record(std::size_t index, double history) = 0;
 };
 
-/// The lines of a scenario file that are attacks, over their scenes. Throws JsonLineError for a
-/// line that is no scenario, std::runtime_error for a file without attacks, and as SceneSource.
+/// Reads the solved requests (status OK) of the scenario file `path`; their scenes are loaded from
+/// `logs` on demand. Throws JsonLineError for a malformed line, std::runtime_error for a file
+/// without attacks, and the exceptions of SceneSource. `config` must outlive the result.
 std::unique_ptr<AttackSource> openScenarioAttacks(const std::string& path, const LogSource& logs,
                                                   int jobs, const Config& config);
 
-/// Bags of forge inject.
+/// Opens bags written by forge inject, one attack per bag. `config` must outlive the result.
 std::unique_ptr<AttackSource> openBagAttacks(const std::vector<std::string>& paths,
                                              const Config& config);
 

@@ -10,14 +10,15 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/base/config/nearest_names.h"
 #include "collision_forge/io/batch/printable.h"
+#include "collision_forge/io/batch/progress_line.h"
 
 namespace forge {
 namespace {
 
 constexpr char kExitCodes[] =
-    "Exit codes: 0 done, 1 error, 2 wrong command line, 3 no crash as asked.";
+    "Exit codes: 0 success, 1 error, 2 invalid command line, 3 no collision as requested.";
 
-/// Help in which a command of two words has a line of its own, save those of a group that has one.
+/// Lists the subcommands of a command one per line, unless the command has a description itself.
 class ContentsFormatter : public CLI::Formatter {
  public:
   std::string make_subcommand(const CLI::App* command) const override {
@@ -33,14 +34,14 @@ class ContentsFormatter : public CLI::Formatter {
   }
 };
 
-/// True for the former names of commands of the study.
-bool isOfTheStudy(const std::string& word) {
+/// Returns true for a command that has moved to forge study.
+bool isFormerStudyCommand(const std::string& word) {
   const std::vector<std::string> words = {"compare", "dataset", "evaluate",
                                           "measure", "speeds",  "train"};
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// Version and licences; which weights are in use in the installed configuration.
+/// Returns the version, the licences and the weights that the installed configuration uses.
 std::string versionText() {
   std::string text = "collision_forge " COLLISION_FORGE_VERSION "\nlicence: BSD-3-Clause";
   const auto installed = installedConfig();
@@ -52,22 +53,27 @@ std::string versionText() {
   }
 }
 
-/// The complaint about a word that a command does not know.
-std::string complaintOfWord(const std::string& word, const CLI::App& command) {
+/// Returns the message for an option or argument that `command` does not know.
+std::string unknownWordText(const std::string& word, const CLI::App& command) {
   const std::string name = word.substr(0, word.find('='));
   std::vector<std::string> names;
   if (name.front() == '-') {
     for (const CLI::Option* option : optionsOf(command)) {
       for (const std::string& known : option->get_lnames()) names.push_back("--" + known);
     }
-    return name + " is no option" + nearestNameHint(name, names);
+    return "unknown option " + name + nearestNameHint(name, names);
   }
   for (const CLI::App* part : partsOf(command)) names.push_back(part->get_name());
-  return word + (names.empty() ? " is not expected" : " is no command") +
+  return (names.empty() ? "unexpected argument " : "unknown command ") + word +
          nearestNameHint(word, names);
 }
 
 }  // namespace
+
+int exitAfterUnreadable(const std::vector<std::string>& problems) {
+  for (const std::string& problem : problems) printLine("not read: " + problem);
+  return problems.empty() ? kExitOk : kExitError;
+}
 
 std::vector<const CLI::Option*> optionsOf(const CLI::App& command) {
   std::vector<const CLI::Option*> options = command.get_options();
@@ -85,25 +91,25 @@ std::vector<const CLI::App*> partsOf(const CLI::App& command) {
 CommandLine::CommandLine()
     : app_(
           "Turns safe driving logs into collision scenarios.\n"
-          "forge COMMAND --help lists the options of a command.",
+          "Run forge COMMAND --help for the options of a command.",
           "forge") {
   app_.formatter(std::make_shared<ContentsFormatter>());
   app_.set_version_flag("--version", versionText, "Print version and licences");
   app_.footer(kExitCodes);
   app_.failure_message([this](const CLI::App*, const CLI::Error& error) {
-    return name() + ": " + complaintOf(error) + "\ntry: " + name() + " --help\n";
+    return name() + ": " + errorText(error) + "\ntry: " + name() + " --help\n";
   });
 }
 
-std::string CommandLine::complaintOf(const CLI::Error& error) const {
-  // A mistyped option also leaves the option that was meant without its value.
+std::string CommandLine::errorText(const CLI::Error& error) const {
+  // A mistyped option also causes the error that a required option is missing; report the typo.
   const auto is = [&](CLI::ExitCodes code) {
     return error.get_exit_code() == static_cast<int>(code);
   };
   const bool may_be_mistyped = is(CLI::ExitCodes::ExtrasError) || is(CLI::ExitCodes::RequiredError);
   const std::vector<std::string> unknown = chosen()->remaining();
   if (!may_be_mistyped || unknown.empty()) return error.what();
-  return complaintOfWord(unknown.front(), *chosen());
+  return unknownWordText(unknown.front(), *chosen());
 }
 
 CLI::App* CommandLine::child(CLI::App& parent, const std::string& name,
@@ -111,7 +117,7 @@ CLI::App* CommandLine::child(CLI::App& parent, const std::string& name,
   const auto is_named = [&](const CLI::App* app) { return app->get_name() == name; };
   const std::vector<CLI::App*> found = parent.get_subcommands(is_named);
   if (!found.empty()) return found.front();
-  parent.require_subcommand(0, 1);  // parse() asks for one, after words that are none
+  parent.require_subcommand(0, 1);  // parse() reports a missing one, after unknown words
   CLI::App* added = parent.add_subcommand(name);
   if (!heading.empty()) added->group(heading);
   return added;
@@ -133,7 +139,7 @@ CLI::App& CommandLine::add(const std::string& heading, const std::string& name,
 }
 
 std::optional<int> CommandLine::parse(int argc, const char* const* argv) {
-  if (argc > 1 && isOfTheStudy(argv[1])) {
+  if (argc > 1 && isFormerStudyCommand(argv[1])) {
     std::fprintf(stderr, "forge: %s is now forge study %s\n", argv[1], argv[1]);
     return kExitUsage;
   }
@@ -147,7 +153,7 @@ std::optional<int> CommandLine::parse(int argc, const char* const* argv) {
 }
 
 int CommandLine::run() const {
-  std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files is told like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // exceeding the file size limit is reported like a full disk
   const PrintableOutput output;
   try {
     return runs_.at(chosen())();

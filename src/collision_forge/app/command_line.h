@@ -9,63 +9,68 @@
 
 namespace forge {
 
-/// Exit codes of every command. kExitNoAttack: no crash as it was asked for; forge inject writes
-/// the bag all the same where there is an attack that does not crash into the recorded ego as
-/// asked.
+/// Exit codes of every command. kExitNoAttack: no collision as requested. In this case forge inject
+/// still writes the bag if an attack exists that misses the recorded ego or hits it differently.
 enum ExitCode { kExitOk = 0, kExitError = 1, kExitUsage = 2, kExitNoAttack = 3 };
 
-/// The command line of forge: its commands, and the one that a line asks for.
+/// Prints "not read: PROBLEM" for each scene that could not be read. Returns kExitOk if there is
+/// none, else kExitError.
+int exitAfterUnreadable(const std::vector<std::string>& problems);
+
+/// The command line of forge: holds the commands, parses the arguments, runs the selected command.
 class CommandLine {
  public:
-  /// Does a command's work and returns an exit code, or throws.
+  /// Runs a command and returns an ExitCode. An exception becomes a message and kExitError.
   using Run = std::function<int()>;
 
   CommandLine();
 
-  /// A command with its line in the table of contents, under `heading`. `name` is one or more
-  /// words, as "completion bash"; the last one is the command's own. The options that are added to
-  /// what is returned are read before `run` is called.
+  /// Adds a command and returns its CLI11 app, to which the caller adds options; these are parsed
+  /// before `run` is called. `name`: one or more words, as "completion bash"; missing parent
+  /// commands are created. `heading` and `text` are its section and its line in forge --help.
   CLI::App& add(const std::string& heading, const std::string& name, const std::string& text,
                 Run run);
 
-  /// A command that only holds others, which add() adds as "NAME ...".
+  /// Adds a command that does nothing itself; add() adds its subcommands as "NAME ...".
   void addGroup(const std::string& heading, const std::string& name, const std::string& text);
 
-  /// Reads a line. Empty when a command is to be run, which run() then does; else what is asked for
-  /// has been printed, or what is wrong, and this is the exit code.
+  /// Parses the arguments. Returns nullopt if a command was selected and run() is to be called,
+  /// else the exit code after printing the help, the version or the error.
   std::optional<int> parse(int argc, const char* const* argv);
-  /// Runs the command that was read. An exception becomes a message and kExitError.
+  /// Runs the selected command; prints an exception on stderr and returns kExitError. parse() must
+  /// have returned nullopt.
   int run() const;
 
-  /// The name of the command that was read, as "forge study measure coverage".
+  /// Returns the full name of the selected command, as "forge study measure coverage".
   std::string name() const;
   const CLI::App& app() const { return app_; }
 
  private:
-  /// The command `name` of `parent`, which is added under `heading` where it is not there.
+  /// Returns the subcommand `name` of `parent`; adds it under `heading` if it does not exist.
   static CLI::App* child(CLI::App& parent, const std::string& name, const std::string& heading);
-  /// The innermost command that was read.
+  /// Returns the innermost selected command.
   const CLI::App* chosen() const;
-  /// What is wrong with a line that was refused.
-  std::string complaintOf(const CLI::Error& error) const;
+  /// Returns the message for arguments that were rejected with `error`.
+  std::string errorText(const CLI::Error& error) const;
 
   CLI::App app_;
   std::map<const CLI::App*, Run> runs_;
 };
 
-/// The commands of the product.
+/// Adds all commands except the study commands.
 void addCommands(CommandLine& line);
 
-/// The commands of a command: "coverage" of "measure". CLI11 has groups of options among them.
+/// Returns the direct subcommands of `command`, as "coverage" of "measure", without option groups,
+/// which CLI11 also stores as subcommands.
 std::vector<const CLI::App*> partsOf(const CLI::App& command);
 
-/// The options of a command, those of its groups included.
+/// Returns all options of `command`, including the options of its option groups.
 std::vector<const CLI::Option*> optionsOf(const CLI::App& command);
 
-/// A script for bash that completes the words of the command line.
+/// Returns a bash script that completes commands, options and their enumerated values.
 std::string bashCompletion(const CLI::App& app);
 
-// Each adds a command.
+// Each function adds one command; the source file of the same name implements it.
 void addConvert(CommandLine& line);
 void addInject(CommandLine& line);
 void addPossible(CommandLine& line);
@@ -77,11 +82,11 @@ void addTest(CommandLine& line);
 void addTune(CommandLine& line);
 void addCompletion(CommandLine& line);
 
-/// The commands of the study, `forge study ...`; in a build without the study, a command `study`
-/// that says so.
+/// Adds the commands `forge study ...`. A build without the study adds a command `study` that
+/// reports how to configure the build.
 void addStudyCommands(CommandLine& line);
 
-// The headings of the table of contents.
+// The section headings of forge --help.
 inline const std::string kMakingCollisions = "Make collisions";
 inline const std::string kPlanners = "Test planners";
 inline const std::string kOther = "Other";

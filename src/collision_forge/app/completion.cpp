@@ -6,7 +6,7 @@
 namespace forge {
 namespace {
 
-/// The words that an option takes, "train val test"; empty for one that takes anything.
+/// Returns the enumerated values of an option, as "train val test"; "" if it accepts any value.
 std::string wordsOf(const CLI::Option& option) {
   const std::string type = option.get_type_name();  // as "TEXT:{train,val,test}"
   const std::size_t open = type.find('{');
@@ -16,13 +16,14 @@ std::string wordsOf(const CLI::Option& option) {
   return words;
 }
 
-/// What may follow a command, and what may follow its options, as branches of two `case`.
+/// Writes the branches of two bash `case` statements: the words that may follow a command (`next`)
+/// and the values that may follow its options (`values`); recurses into subcommands.
 void describe(const CLI::App& command, const std::string& name, std::ostream& next,
               std::ostream& values) {
   next << "    '" << name << "') words='";
   for (const CLI::App* part : partsOf(command)) next << part->get_name() << " ";
   for (const CLI::Option* option : optionsOf(command)) {
-    for (const std::string& word : option->get_lnames()) {  // none: files, which bash completes
+    for (const std::string& word : option->get_lnames()) {  // positional arguments have none
       next << "--" << word << " ";
       if (option->get_items_expected_max() == 0) continue;  // a flag
       values << "    '" << name << " --" << word << "') words='" << wordsOf(*option) << "' ;;\n";
@@ -59,8 +60,8 @@ std::string bashCompletion(const CLI::App& app) {
 
 void addCompletion(CommandLine& line) {
   const CLI::App& app = line.app();
-  line.add(kOther, "completion bash", "Prints a script that completes forge's words in bash.",
-           [&app] {
+  line.add(kOther, "completion bash",
+           "Prints a script for the completion of forge commands in bash.", [&app] {
              std::cout << bashCompletion(app);
              return kExitOk;
            });

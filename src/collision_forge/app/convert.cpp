@@ -28,25 +28,25 @@ struct Arguments {
   std::vector<std::string> scenes;
   std::string out;
   ConfigFolder config;
-  std::string topics;  ///< the mapping of others' bags; empty: the source is not of such
-  std::string map;
+  std::string topics;  ///< topic mapping of third-party bags; empty: `logs` has none
+  std::string map;     ///< map expansion file of third-party bags; empty: /lane_map of each bag
   int jobs = defaultJobs();
   bool force = false;
   bool to_scenario_net = false;
-  RowTimes rows = RowTimes::kEveryStep;  ///< of ScenarioNet
+  RowTimes rows = RowTimes::kEveryStep;  ///< time stamps of ScenarioNet rows
 };
 
-/// The file of a scene.
+/// Returns the path of the output file of a scene.
 std::string resultPath(const Arguments& arguments, const std::string& scene) {
   return pathIn(arguments.out, arguments.to_scenario_net ? scenarioNetFile(scene) : scene + ".bag");
 }
 
-/// True for a scene that has its file: one has its name only when it is complete.
+/// Returns true if the output file exists; files get their final name only when complete.
 bool isConverted(const Arguments& arguments, const std::string& scene) {
   return !arguments.force && std::filesystem::exists(resultPath(arguments, scene));
 }
 
-/// The map around everything that was recorded.
+/// Returns the part of the map within `radius` (m) of the recorded ego path.
 LaneMap mapAround(const NuScenesRecording& recording, const LaneMap& map, double radius) {
   std::vector<Vector2> points;
   for (const NuScenesEgoPose& pose : recording.ego_poses) {
@@ -79,7 +79,7 @@ std::unique_ptr<SceneReader> openLogs(const Arguments& arguments, const Config& 
   const bool is_folder = std::filesystem::is_directory(source);
   if (std::filesystem::equivalent(is_folder ? source : source.parent_path(), arguments.out)) {
     throw std::runtime_error(arguments.out +
-                             ": has the bags that are read; write to another --out");
+                             ": this folder holds the input bags; choose another --out");
   }
   return openForeignBags(arguments.logs.path, {readTopicMapping(arguments.topics), arguments.map},
                          reading);
@@ -138,22 +138,22 @@ void addConvert(CommandLine& line) {
   addSource(app, arguments->logs)->required();
   CLI::Option* const topics =
       app.add_option("--topics", arguments->topics,
-                     "mapping of the topics of others' bags, as config/topics_autoware.yaml")
+                     "topic mapping of third-party bags, e.g. config/topics_autoware.yaml")
           ->check(CLI::ExistingFile);
   app.add_option("--map", arguments->map,
-                 "map expansion of these bags; /lane_map in each by default")
+                 "map expansion file for third-party bags; default: /lane_map in each bag")
       ->check(CLI::ExistingFile)
       ->needs(topics);
   addScenes(app, arguments->scenes);
-  addOut(app, arguments->out, "folder for the files, one a scene");
+  addOut(app, arguments->out, "output folder, one file per scene");
   addChoice<bool>(app, "--to", arguments->to_scenario_net, {{"bag", false}, {"scenarionet", true}},
-                  "what is written");
+                  "output format");
   addChoice<RowTimes>(app, "--rows", arguments->rows,
                       {{"even", RowTimes::kEveryStep}, {"recorded", RowTimes::kAsRecorded}},
                       "of ScenarioNet; even: every step of export.yaml, as MetaDrive replays; "
                       "recorded: when something was recorded, so that nothing is lost");
-  addJobs(app, arguments->jobs, "scenes at a time");
-  app.add_flag("--force", arguments->force, "convert again what has been converted");
+  addJobs(app, arguments->jobs, "scenes converted in parallel");
+  app.add_flag("--force", arguments->force, "convert scenes again that were converted before");
   addConfig(app, arguments->config);
 }
 

@@ -33,12 +33,12 @@ struct Arguments {
   int jobs = defaultJobs();
 };
 
-/// A line of the index: what was written of one attack.
+/// A line of index.jsonl: one exported attack.
 struct IndexEntry {
   std::size_t line = 0;  ///< AttackSource::numberOf()
   ExportedCrash crash;
-  double now = 0.0;               ///< s of the record, as the next
-  std::optional<double> contact;  ///< with the ego as it was recorded
+  double now = 0.0;               ///< s, t0 on the record's clock
+  std::optional<double> contact;  ///< s on that clock, with the recorded ego; empty: no contact
   std::vector<std::string> files;
 };
 
@@ -75,7 +75,7 @@ IndexEntry readIndexLine(const std::string& where, const std::string& text) {
   return entry;
 }
 
-/// One run over attacks.
+/// Exports all attacks of a source; resumes an interrupted run.
 class CrashExport {
  public:
   CrashExport(const Arguments& arguments, const Config& config, AttackSource& attacks)
@@ -105,7 +105,7 @@ class CrashExport {
   }
 
  private:
-  /// What the files depend on.
+  /// Returns the fingerprints of all inputs of the files.
   ResumableFile::Options options() const {
     ResumableFile::Options options = fingerprintsOf(config_, config_.folder);
     for (const auto& [name, value] : attacks_.fingerprints()) options[name] = value;
@@ -115,7 +115,7 @@ class CrashExport {
     return options;
   }
 
-  /// Writes the files of an attack; returns its line of the index.
+  /// Writes the files of one attack and returns its line of index.jsonl.
   std::string write(std::size_t index) {
     try {
       const double history = arguments_.ego_free ? 0.0 : config_.exports.history;
@@ -126,15 +126,17 @@ class CrashExport {
           {attacks_.numberOf(index), crash, record.now, record.contact, writer_->write(record)});
     } catch (const std::exception& error) {
       const std::string what = error.what(), where = attacks_.where(index);
-      const bool is_told = what.compare(0, where.size(), where) == 0;
-      throw std::runtime_error(is_told ? what : where + " cannot be exported: " + what);
+      const bool names_attack = what.compare(0, where.size(), where) == 0;
+      throw std::runtime_error(names_attack ? what : where + " cannot be exported: " + what);
     }
   }
 
   void take(std::size_t index, const IndexEntry& entry, const std::string& where) {
     if (entry.line != attacks_.numberOf(index)) {
-      throw std::runtime_error(where + ": is of " + std::to_string(entry.line) + ", not of " +
-                               attacks_.where(index));
+      throw std::runtime_error(where + ": line = " + std::to_string(entry.line) + " instead of " +
+                               std::to_string(attacks_.numberOf(index)) + " (" +
+                               attacks_.where(index) +
+                               "): index.jsonl belongs to other attacks; choose another --out");
     }
     if (!entry.contact) ++without_contact_;
     crashes_.push_back(entry.crash);
@@ -144,8 +146,8 @@ class CrashExport {
     std::cout << counted(crashes_.size(), "attack") << " of " << attacks_.described() << " in "
               << arguments_.out << "\n";
     if (without_contact_ == 0) return;
-    std::cout << without_contact_ << " of them do not touch the ego as it was recorded; they end "
-              << "where the recording or the trajectory does\n";
+    std::cout << without_contact_ << " of them have no contact with the recorded ego and end with "
+              << "the recording or the attacker's trajectory\n";
   }
 
   const Arguments& arguments_;
@@ -179,29 +181,32 @@ void addExport(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app =
       line.add(kMakingCollisions, "export",
-               "Writes attacks and bags in formats of other tools; goes on where a run stopped.",
+               "Exports attacks and bags to the formats of other tools; resumes interrupted runs.",
                [arguments] { return exportAny(*arguments); });
-  app.add_option("--to", arguments->format, "format")->required()->transform(oneOf(formats()));
-  CLI::Option_group* source = app.add_option_group("what is exported");
+  app.add_option("--to", arguments->format, "output format")
+      ->required()
+      ->transform(oneOf(formats()));
+  CLI::Option_group* source = app.add_option_group("input");
   CLI::Option* scenarios = source
                                ->add_option("--scenarios", arguments->scenarios,
-                                            "scenario file of forge generate; not with mcap")
+                                            "scenario file of forge generate; not for mcap")
                                ->check(CLI::ExistingFile);
   source
       ->add_option("--bag", arguments->bags,
-                   "bags of forge inject; with mcap also those of forge convert")
+                   "bags of forge inject; for mcap also bags of forge convert")
       ->check(CLI::ExistingFile);
   source->require_option(1);
-  scenarios->needs(addSource(app, arguments->logs, "scenes that the scenarios are of"));
-  addChoice<bool>(app, "--ego", arguments->ego_free, {{"recorded", false}, {"free", true}},
-                  "who drives the ego: as recorded, or free, the tool that reads the file; then "
-                  "it begins at now");
+  scenarios->needs(addSource(app, arguments->logs, "recorded scenes of the scenario file"));
+  addChoice<bool>(
+      app, "--ego", arguments->ego_free, {{"recorded", false}, {"free", true}},
+      "ego motion; recorded: replays the recording; free: the importing tool drives the ego from "
+      "t0, where the file starts");
   app.parse_complete_callback([arguments] {
     if (arguments->format != kMcap || arguments->scenarios.empty()) return;
-    throw CLI::ValidationError("--to", "mcap is made of bags, by --bag");
+    throw CLI::ValidationError("--to", "mcap needs --bag; it cannot be made from --scenarios");
   });
-  addOut(app, arguments->out, "folder to write; see docs/export.md");
-  addJobs(app, arguments->jobs, "attacks at a time, in every rank of mpirun");
+  addOut(app, arguments->out, "output folder; see docs/export.md");
+  addJobs(app, arguments->jobs, "attacks exported in parallel on each MPI rank");
   addConfig(app, arguments->config);
 }
 

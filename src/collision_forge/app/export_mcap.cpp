@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file of each bag, in their order.
+/// Returns the output file of each bag, in the same order.
 std::vector<fs::path> filesOf(const std::vector<std::string>& bags, const fs::path& out) {
   std::map<fs::path, std::string> bag_of;
   std::vector<fs::path> files;
@@ -28,13 +28,14 @@ std::vector<fs::path> filesOf(const std::vector<std::string>& bags, const fs::pa
     files.push_back(out / (fs::path(bag).stem().string() + ".mcap"));
     const auto [other, is_new] = bag_of.emplace(files.back(), bag);
     if (is_new) continue;
-    throw std::invalid_argument("--bag " + other->second + " and " + bag + " would both become " +
-                                files.back().string());
+    throw std::invalid_argument("--bag " + other->second + " and " + bag +
+                                " have the same output file " + files.back().string() +
+                                "; export them to different folders");
   }
   return files;
 }
 
-/// Returns what went wrong, or nothing.
+/// Returns "" on success, else the error message.
 std::string exportOne(const std::string& bag, const std::string& file, const Config& config) {
   ProgressLine progress(fs::path(bag).filename().string());
   try {
@@ -69,7 +70,7 @@ int exportMcap(const std::vector<std::string>& bags, const std::string& out, con
   const fs::path layout = fs::path(out) / "layout.json";
   if (written + before > 0 && !fs::exists(layout)) writeText(layout.string(), foxgloveLayout());
   std::cout << written << " of " << counted(bags.size(), "bag") << " exported to " << out;
-  if (before > 0) std::cout << ", " << before << " before";
+  if (before > 0) std::cout << ", " << before << " exported before";
   std::cout << "\n";
   return written + before == bags.size() ? kExitOk : kExitError;
 }

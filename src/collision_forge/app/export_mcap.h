@@ -7,10 +7,10 @@ namespace forge {
 
 struct Config;
 
-/// Writes each bag as FOLDER/NAME.mcap, and FOLDER/layout.json for Foxglove and Lichtblick. A file
-/// that is there is complete, and is not written again. What cannot be exported is told on stderr,
-/// and the others go on. Returns an exit code. Throws std::invalid_argument for two bags of one
-/// name.
+/// Converts each bag to OUT/NAME.mcap and writes OUT/layout.json for Foxglove and Lichtblick. Skips
+/// MCAP files that exist: a file gets its name only when it is complete. Reports bags that cannot
+/// be converted on stderr and continues with the next one. Returns kExitError if any bag failed,
+/// else kExitOk. Throws std::invalid_argument for two bags of the same name.
 int exportMcap(const std::vector<std::string>& bags, const std::string& out, const Config& config);
 
 }  // namespace forge

@@ -39,13 +39,13 @@ struct Arguments {
   Format format = Format::kJsonl;
   int jobs = defaultJobs();
 
-  /// The file of scenarios.
+  /// Returns the path of the scenario file.
   std::string scenarios() const {
     return format == Format::kJsonl ? out : (fs::path(out) / "scenarios.jsonl").string();
   }
 };
 
-/// What the answers depend on.
+/// Returns the fingerprints of all inputs of the scenarios.
 ResumableFile::Options runOptions(const Arguments& arguments, const Config& config,
                                   const std::vector<SceneRequest>& requests) {
   ResumableFile::Options options = inputsOf(config, arguments.logs);
@@ -56,11 +56,9 @@ ResumableFile::Options runOptions(const Arguments& arguments, const Config& conf
   return options;
 }
 
-/// The list with the mode and the controls of this run, and the names of its scenes in the order
-/// they are needed.
 struct RequestList {
-  std::vector<SceneRequest> requests;
-  std::vector<std::string> scenes;
+  std::vector<SceneRequest> requests;  ///< with the mode and the controls of the command line
+  std::vector<std::string> scenes;     ///< names, in order of first use
 };
 
 RequestList readList(const Arguments& arguments, const Config& config) {
@@ -77,27 +75,26 @@ RequestList readList(const Arguments& arguments, const Config& config) {
   return list;
 }
 
-/// Throws for a line that answers something else.
+/// Throws std::runtime_error if the scenario at `where` belongs to a request other than `request`.
 void checkAnswer(const std::string& where, const SceneRequest& asked, const SceneRequest& request) {
   if (requestLine(asked) == requestLine(request) && asked.request.mode == request.request.mode) {
     return;
   }
-  throw std::runtime_error(where + ": answers " + requestLine(asked) + ", not " +
-                           requestLine(request));
+  throw std::runtime_error(where + ": belongs to the request " + requestLine(asked) +
+                           " instead of " + requestLine(request) + "; choose another --out");
 }
 
-/// Clips are written when all scenarios are: without these
-/// they are of something else, and would be taken for clips of this run.
+/// Rejects an output folder with clips but without a scenario file. Clips are written after all
+/// scenarios, so existing clips without scenarios belong to another run.
 void checkFolder(const Arguments& arguments) {
   const std::string clips = CollideExporter::folderIn(arguments.out);
   if (!fs::exists(arguments.scenarios()) && fs::exists(clips) && !fs::is_empty(clips)) {
-    throw std::runtime_error(clips + ": holds clips already, but there is no " +
-                             arguments.scenarios() +
-                             " that they are of; remove them, or write elsewhere");
+    throw std::runtime_error(clips + ": contains clips of another run (" + arguments.scenarios() +
+                             " is missing); delete them or choose another --out");
   }
 }
 
-/// Of the scenarios, or the folder that they are in, and of the page.
+/// Locks the scenario file, or its folder for csv-collide, and the report folder.
 OutputLocks lockOutputs(const Arguments& arguments) {
   OutputLocks locks =
       lockFolders({arguments.format == Format::kCsvCollide ? arguments.out : "", arguments.report});
@@ -107,7 +104,7 @@ OutputLocks lockOutputs(const Arguments& arguments) {
   return locks;
 }
 
-/// The clips of all scenarios that have none yet.
+/// Writes the missing COLLIDE clips of all solved requests.
 void exportClips(const Arguments& arguments, std::size_t count, SceneSource& scenes,
                  const InputLimits& limits) {
   const std::string path = arguments.scenarios();
@@ -152,7 +149,7 @@ int generate(const Arguments& arguments) {
       return scenarioLine(answerer.answer(asked));
     } catch (const std::exception& error) {
       throw std::runtime_error(arguments.requests + ": line " + std::to_string(index + 1) +
-                               " cannot be answered: " + error.what());
+                               " failed: " + error.what());
     }
   };
   std::size_t attacks = 0;
@@ -163,9 +160,8 @@ int generate(const Arguments& arguments) {
   };
   carryOut(run);
   if (!is_master) return kExitOk;
-  std::cout << counted(list.requests.size(), "request") << " answered in " << arguments.scenarios()
-            << ": " << counted(attacks, "attack") << ", " << list.requests.size() - attacks
-            << " declined\n";
+  std::cout << counted(list.requests.size(), "request") << " in " << arguments.scenarios() << ": "
+            << attacks << " solved, " << list.requests.size() - attacks << " rejected\n";
   if (arguments.format == Format::kCsvCollide) {
     exportClips(arguments, list.requests.size(), scenes, config.input_limits);
   }
@@ -180,22 +176,23 @@ int generate(const Arguments& arguments) {
 void addGenerate(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(kMakingCollisions, "generate",
-                           "Answers a list of requests; goes on where a run stopped.",
+                           "Makes collision scenarios from a list of requests; resumes interrupted "
+                           "runs.",
                            [arguments] { return generate(*arguments); });
   addSource(app, arguments->logs)->required();
-  app.add_option("--requests", arguments->requests, "list of forge requests")->required();
+  app.add_option("--requests", arguments->requests, "request list of forge requests")->required();
   addOut(app, arguments->out,
-         "scenarios to write, a JSON line a request; with csv-collide a folder");
+         "output scenario file, one JSON line per request; for csv-collide an output folder");
   addChoice<Format>(app, "--format", arguments->format,
                     {{"jsonl", Format::kJsonl}, {"csv-collide", Format::kCsvCollide}},
-                    "jsonl; csv-collide: scenarios.jsonl and a clip of COLLIDE's layout an attack, "
-                    "in trajectory/val");
+                    "output format; csv-collide: scenarios.jsonl and, for each attack, a clip in "
+                    "COLLIDE's layout in trajectory/val");
   addMethod(app, arguments->method, arguments->config);
   addMode(app, arguments->mode, true);
   addAttacker(app, arguments->controls);
   addControls(app, arguments->controls);
   addAlternatives(app, arguments->controls);
-  addJobs(app, arguments->jobs, "requests at a time, in every rank of mpirun");
+  addJobs(app, arguments->jobs, "requests processed in parallel on each MPI rank");
   addReportOption(app, arguments->report);
   addConfig(app, arguments->config);
 }

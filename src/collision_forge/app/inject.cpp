@@ -48,34 +48,34 @@ struct Arguments {
   std::optional<double> seconds_after_stand;
 };
 
-/// What the bag shows after the contact with the recorded ego.
+/// Returns a sentence on the content of the output bag after the contact with the recorded ego.
 std::string aftermathOf(AfterContact after, bool has_contact, const AttackedBagOptions& options) {
-  if (!has_contact) return "without contact: the bag goes on, the ego drives as recorded";
+  if (!has_contact) return "no contact: the bag continues, the ego drives as recorded";
   std::ostringstream text;
   text << "after the contact: ";
   switch (after) {
     case AfterContact::kStop:
-      text << "both slide to a stand; /tf and odom are rewritten; the bag ends "
-           << options.seconds_after_stand << " s after both stand";
+      text << "both brake to a standstill; /tf and odom are rewritten; the bag ends "
+           << options.seconds_after_stand << " s after both have stopped";
       break;
     case AfterContact::kEnd:
       text << "the bag ends " << options.end_time << " s later";
       break;
     case AfterContact::kDriveOn:
-      text << "the ego drives on as recorded, the attacker its trajectory to the end";
+      text << "the ego continues as recorded, the attacker to the end of its trajectory";
       break;
   }
   return text.str();
 }
 
-/// Returns the exit code for an attack that was written; where the recorded ego is not hit as
-/// asked, prints so on stderr.
+/// Returns the exit code after the bag was written. If the attack does not hit the recorded ego as
+/// requested, prints the difference on stderr.
 int exitCodeOf(const collision_forge::CollisionReport& tested, const Arguments& arguments) {
   if (tested.verified) return kExitOk;
   std::cout.flush();
   std::cerr << "NOT_AS_ASKED: " << printable(arguments.out)
-            << " does not show the crash asked for: " << outcomeWords(tested)
-            << (arguments.mode == Mode::kReplay ? "" : " (--mode replay knows the recorded future)")
+            << " does not show the requested collision: " << outcomeWords(tested)
+            << (arguments.mode == Mode::kReplay ? "" : " (--mode replay uses the recorded future)")
             << "\n";
   return kExitNoAttack;
 }
@@ -89,38 +89,43 @@ bool isSameFile(const fs::path& a, const fs::path& b) {
   return fs::weakly_canonical(a) == fs::weakly_canonical(b);
 }
 
-/// Throws for a picture that would replace a bag, and for one that cannot be written.
+/// Throws if `picture` names one of the bags or cannot be written.
 void checkPicture(const std::string& picture, const Arguments& arguments) {
   for (const auto& [option, bag] : {std::pair{"--bag", arguments.bag}, {"--out", arguments.out}}) {
     if (isSameFile(picture, bag)) {
-      throw std::invalid_argument("--draw would write " + picture + ", the bag of " + option);
+      throw std::invalid_argument("--draw would overwrite " + picture + ", the bag of " + option +
+                                  "; choose another name");
     }
   }
   const fs::path folder = fs::absolute(picture).parent_path();
   if (!fs::is_directory(folder) || access(folder.c_str(), W_OK | X_OK) != 0) {
     throw std::runtime_error("cannot draw " + picture + ": " + folder.string() +
-                             " is no folder that can be written to");
+                             " is not a writable folder");
   }
-  if (fs::is_directory(picture)) throw std::runtime_error("cannot draw " + picture + ": a folder");
+  if (fs::is_directory(picture)) {
+    throw std::runtime_error("cannot draw " + picture + ": it is a folder");
+  }
 }
 
-/// So that nothing is written, or lost, where not all can be written.
+/// Checks all output paths before anything is written.
 void checkOutputs(const Arguments& arguments) {
   if (isSameFile(arguments.bag, arguments.out)) {
-    throw std::invalid_argument("--out names the input bag " + arguments.bag);
+    throw std::invalid_argument("--out names the input bag " + arguments.bag +
+                                "; choose another file");
   }
   if (arguments.draw.empty()) return;
   for (const char* ending : {".png", ".gif"}) checkPicture(arguments.draw + ending, arguments);
 }
 
-/// Without plans where the attacker does not react.
+/// Runs the request. The plans of the result are empty except in mode adaptive.
 AdaptiveAnswer answerOf(const MethodMaker& maker, const Moment& moment, const Scene& scene,
                         const CollisionRequest& request, const Arguments& arguments,
                         const Config& config) {
   if (request.mode == Mode::kAdaptive) {
     const AttackerSetup setup{maker.egoFutures(), config.attack, config.adaptive};
     return withoutMisses(
-        answerAdaptively(*maker.make(), moment, scene, config.ego_vehicle, request, setup),
+        answerAdaptively(*maker.make(), moment, scene,
+                         egoVehicleOf(scene, config.ego_vehicle.center_offset), request, setup),
         request);
   }
   return {attackOf(generateCollision(*maker.make(), moment, request, config.attack.prediction),
@@ -129,7 +134,7 @@ AdaptiveAnswer answerOf(const MethodMaker& maker, const Moment& moment, const Sc
           {}};
 }
 
-/// What is written into the bag.
+/// The attack and its check against the recording, as written into the bag.
 struct TestedAttack {
   const Realization& attack;
   const std::vector<AttackerPlan>& plans;
@@ -151,7 +156,7 @@ collision_forge::AttackRequest requestMessage(const TestedAttack& attack,
   return message;
 }
 
-/// Returns what it wrote.
+/// Writes the output bag and returns the messages written into it.
 BagAttack writeAttackedBag(const TestedAttack& attack, const Scene& scene,
                            const std::string& method, const Arguments& arguments,
                            const Config& config) {
@@ -187,7 +192,7 @@ int inject(const Arguments& arguments) {
   if (const Status* refusal = std::get_if<Status>(&parsed)) return refuse(*refusal);
   CollisionRequest request = std::get<CollisionRequest>(parsed);
   arguments.controls.applyTo(request);
-  // All of them: the others are sorted by how sure they are.
+  // Alternatives are sorted by confidence, so request all of them before choosing one.
   request.alternatives = arguments.alternative == 1 ? 1 : kMaxAlternatives;
   const IndexedScene recording = readRecording(arguments.bag, config);
   const Scene& scene = recording.scene;
@@ -228,44 +233,47 @@ int inject(const Arguments& arguments) {
 void addInject(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(kMakingCollisions, "inject",
-                           "Makes an agent of a bag crash into the ego, and writes that bag.",
+                           "Makes an agent of a bag collide with the ego and writes the new bag.",
                            [arguments] { return inject(*arguments); });
   auto& request = arguments->request;
-  app.add_option("--bag", arguments->bag, "recorded bag, as from forge convert")->required();
-  app.add_option("--type", request.collision_type, "one of " + collisionTypeWords())
+  app.add_option("--bag", arguments->bag, "recorded bag, as written by forge convert")->required();
+  app.add_option("--type", request.collision_type,
+                 "requested collision type: " + collisionTypeWords())
       ->required()
       ->check(checkType);
-  app.add_option("--tta", request.tta, "seconds from now to impact")->required();
-  app.add_option("--now", arguments->now,
-                 "seconds from the bag's first frame; the frame at or before")
+  app.add_option("--tta", request.tta, "time to attack, s: time from t0 to contact")->required();
+  app.add_option(
+         "--now", arguments->now,
+         "time of the request t0, s from the bag's first frame; uses the frame at or before")
       ->required();
   addAttacker(app, arguments->controls);
   addControls(app, arguments->controls);
   app.add_option("--alternative", arguments->alternative,
-                 "which of the attacks that differ in attacker or manoeuvre; 1, the default: the "
-                 "method's own; from 2 on the others, the surest first")
+                 "which attack to write; 1 (default): the first choice of the method; 2 and more: "
+                 "alternatives with another attacker or manoeuvre, highest confidence first")
       ->check(CLI::Range(1, kMaxAlternatives));
   addMethod(app, arguments->method, arguments->config);
   addMode(app, arguments->mode, true);
-  addSeed(app, request.seed, "of the variations tried");
+  addSeed(app, request.seed, "random seed of the candidates");
   addChoice<AfterContact>(
       app, "--after-contact", arguments->after_contact,
       {{"stop", AfterContact::kStop},
        {"end", AfterContact::kEnd},
        {"drive_on", AfterContact::kDriveOn}},
-      "what the bag shows then; stop: both slide to a stand, the ego's /tf and odom are rewritten; "
-      "end: it ends shortly after; drive_on: the ego drives on as recorded");
+      "content of the bag after the contact; stop: both vehicles brake to a standstill, the ego's "
+      "/tf and odom are rewritten; end: the bag ends shortly after; drive_on: the ego continues as "
+      "recorded");
   app.add_option("--seconds-after-stand", arguments->seconds_after_stand,
-                 "how long bag and animation go on after both vehicles stand; default: "
-                 "seconds_after_stand of attacked_bag.yaml")
+                 "time, s, that bag and animation continue after both vehicles have stopped; "
+                 "default: seconds_after_stand of attacked_bag.yaml")
       ->check(CLI::NonNegativeNumber);
-  addOut(app, arguments->out, "bag to write");
-  app.add_option("--draw", arguments->draw, "also draw to this name + .png and .gif");
+  addOut(app, arguments->out, "output bag");
+  app.add_option("--draw", arguments->draw, "also write pictures to this name + .png and .gif");
   addConfig(app, arguments->config);
   app.footer(
-      "Exit codes: 0 done, 1 error, 2 wrong command line, 3 no crash as asked. With 3 either no "
-      "attack is possible, or the bag is written all the same, but its attack does not hit the "
-      "recorded ego as asked; then the last line says so.");
+      "Exit codes: 0 success, 1 error, 2 invalid command line, 3 no collision as requested. With "
+      "3, either no attack is possible, or the bag is written but its attack does not hit the "
+      "recorded ego as requested; the last line then says so.");
 }
 
 }  // namespace forge

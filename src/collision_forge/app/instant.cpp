@@ -12,7 +12,7 @@ double frameTimeOf(const Scene& scene, double now) {
   const double start = scene.frame_times.front();
   const auto frame = lastFrameTime(scene, start + now);
   if (!frame || !(start + now <= scene.frame_times.back())) {
-    throw std::invalid_argument("--now " + numberText(now) + " is outside the recording, 0 to " +
+    throw std::invalid_argument("--now " + numberText(now) + " is outside the recording: 0 to " +
                                 numberText(scene.frame_times.back() - start) + " s");
   }
   return *frame;

@@ -7,11 +7,12 @@
 
 namespace forge {
 
-/// The time of the frame at or before `now` seconds after the scene's first. Throws
-/// std::invalid_argument, naming --now, outside the recording.
+/// Returns the time (s, the scene's clock) of the last frame at or before `now`, which is in s from
+/// the scene's first frame. Throws std::invalid_argument, naming --now, for a `now` outside the
+/// recording.
 double frameTimeOf(const Scene& scene, double now);
 
-/// A bag, its oddities said on stderr. Throws BagError.
+/// Reads a bag and indexes its lanes; prints warnings on stderr. Throws BagError.
 IndexedScene readRecording(const std::string& bag, const Config& config);
 
 }  // namespace forge

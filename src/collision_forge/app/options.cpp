@@ -23,7 +23,7 @@
 namespace forge {
 namespace {
 
-/// Empty where ROS does not know the package.
+/// Returns the path of the package, or "" if ROS does not find it.
 const std::string& packageFolder() {
 #ifdef COLLISION_FORGE_WITHOUT_ROS
   static const std::string folder;
@@ -34,14 +34,14 @@ const std::string& packageFolder() {
 }
 
 #ifdef COLLISION_FORGE_WITHOUT_ROS
-/// Bags are not read here.
+/// A build without ROS cannot read bags.
 LogSource logSourceAt(const std::string& path, const std::string& version) {
   const LogFormat& scenario_net = scenarioNetFormat();
   return {path, version, scenario_net.accepts(path) ? &scenario_net : &nuScenesFormat()};
 }
 #endif
 
-/// The names of the values, each with its value.
+/// Returns the pairs (name, value) of `values`.
 template <typename Value, typename Values>
 std::vector<std::pair<std::string, std::optional<Value>>> wordsOf(const Values& values) {
   std::vector<std::pair<std::string, std::optional<Value>>> words;
@@ -98,41 +98,41 @@ void RequestControls::applyTo(CollisionRequest& request) const {
 
 void addAttacker(CLI::App& app, RequestControls& controls) {
   app.add_option("--attacker", controls.attacker,
-                 "agent id, or any, existing (a recorded vehicle) or new (one is added)");
+                 "attacker: an agent id, any, existing (a recorded vehicle) or new (an added one)");
 }
 
 void addControls(CLI::App& app, RequestControls& controls) {
-  addChoice<std::optional<bool>>(app, "--believable", controls.believable,
-                                 {{"true", true}, {"false", false}},
-                                 "true: the attacker drives as drivers do until it attacks; false: "
-                                 "as it can; default: crash_definition.yaml");
+  addChoice<std::optional<bool>>(
+      app, "--believable", controls.believable, {{"true", true}, {"false", false}},
+      "true: the attacker drives plausibly, like recorded drivers, until it attacks; false: any "
+      "motion within its limits; default: crash_definition.yaml");
   addChoice<std::optional<LimitSet>>(
       app, "--limits", controls.limits,
       wordsOf<LimitSet>(std::vector<LimitSet>{LimitSet::kDrivable, LimitSet::kStrict}),
-      "of vehicle_limits.yaml; drivable: by the attacker's class; strict: the same for all, "
-      "requires --believable false; default: crash_definition.yaml");
+      "limits of the attacker's motion (vehicle_limits.yaml); drivable: per class; strict: the "
+      "same for all classes, requires --believable false; default: crash_definition.yaml");
   addChoice<std::optional<AgentClass>>(app, "--attacker-class", controls.attacker_class,
                                        wordsOf<AgentClass>(kAttackerClasses),
-                                       "of the attacker; any by default");
+                                       "class of the attacker; default: any");
   addChoice<std::optional<Manoeuvre>>(
       app, "--manoeuvre", controls.manoeuvre, wordsOf<Manoeuvre>(kManoeuvres),
-      "what the attacker does, any by default; " + manoeuvresByType())
+      "manoeuvre of the attacker; default: any; " + manoeuvresByType())
       ->get_validator()
       ->description("");
   addChoice<std::optional<Side>>(
       app, "--ego-side", controls.ego_side,
       wordsOf<Side>(std::vector<Side>{Side::kFront, Side::kRear, Side::kLeft, Side::kRight}),
-      "of the ego, where it is touched; any by default");
+      "side of the ego that is hit; default: any");
   addRange(app, "--impact-speed", controls.impact_speed,
-           "least and greatest, m/s, of the relative velocity at contact; any by default");
+           "range of the relative speed at contact, m/s; default: any");
   addRange(app, "--overlap", controls.overlap,
-           "least and greatest share, 0 to 1, of the ego's touched side that the attacker covers; "
-           "any by default");
+           "range of the share, 0 to 1, of the ego's hit side that the attacker covers; default: "
+           "any");
 }
 
 void addAlternatives(CLI::App& app, RequestControls& controls) {
   app.add_option("--alternatives", controls.alternatives,
-                 "attacks asked for, which differ in attacker or manoeuvre; 1 by default")
+                 "number of attacks per request that differ in attacker or manoeuvre; default: 1")
       ->check(CLI::Range(1, kMaxAlternatives));
 }
 
@@ -141,19 +141,17 @@ CLI::Option* addSource(CLI::App& app, LogSource& logs, const std::string& text) 
       app.add_option_function<std::string>(
              "--source,--dataroot",
              [&logs](const std::string& path) { logs = logSourceAt(path, logs.version); },
-             text + ": a nuScenes root, a ScenarioNet folder, a bag or a folder of bags")
+             text + ": nuScenes root, ScenarioNet folder, bag, or folder of bags")
           ->type_name("PATH")
           ->check(CLI::ExistingPath);
-  app.add_option(
-         "--version", logs.version,
-         "folder of the tables in a nuScenes root, as v1.0-mini; may be left out where there "
-         "is one alone")
+  app.add_option("--version", logs.version,
+                 "table folder in a nuScenes root, e.g. v1.0-mini; optional if there is only one")
       ->needs(source);
   return source;
 }
 
 CLI::Option* addScenes(CLI::App& app, std::vector<std::string>& scenes) {
-  return app.add_option("--scene", scenes, "names of scenes; all by default");
+  return app.add_option("--scene", scenes, "names of scenes; default: all");
 }
 
 std::optional<ConfigFolder> installedConfig() {
@@ -169,8 +167,8 @@ void addConfig(CLI::App& app, ConfigFolder& config) {
   };
   app.add_option_function<std::string>(
          "--config", use,
-         installed ? "folder with the files and keys that differ from the installed configuration"
-                   : "folder with the configuration files")
+         installed ? "folder with files and keys that override the installed configuration"
+                   : "folder with the complete configuration")
       ->check(CLI::ExistingDirectory)
       ->required(!installed);
 }
@@ -189,10 +187,9 @@ CLI::Option* addMethod(CLI::App& app, std::string& method, const ConfigFolder& c
   });
   std::string known;
   for (const std::string& name : builtInMethods().names()) known += name + ", ";
-  return app.add_option(
-      "--method", method,
-      "how attacks are made: " + known +
-          "or one of the libraries in methods.yaml; by default the suite's own way");
+  return app.add_option("--method", method,
+                        "method that makes attacks: " + known +
+                            "or a library of methods.yaml; default: the built-in search");
 }
 
 void checkMethod(const std::string& option, const std::string& method, const ConfigFolder& config) {
@@ -201,7 +198,7 @@ void checkMethod(const std::string& option, const std::string& method, const Con
   } catch (const std::invalid_argument& error) {
     throw CLI::ValidationError(option, error.what());
   } catch (const std::runtime_error&) {
-    return;  // the run reads the configuration again and says what is wrong with it
+    return;  // the run loads the configuration again and reports its errors
   }
 }
 
@@ -219,19 +216,20 @@ std::string checkType(const std::string& name) {
 void addMode(CLI::App& app, Mode& mode, bool may_adapt) {
   if (!may_adapt) {
     addChoice<Mode>(app, "--mode", mode, {{"history", Mode::kHistory}, {"replay", Mode::kReplay}},
-                    "replay: the recorded future is known; history: only the frames up to now are");
+                    "information of the attack search; replay: the recorded future; history: only "
+                    "frames up to t0");
     return;
   }
   addChoice<Mode>(
       app, "--mode", mode,
       {{"history", Mode::kHistory}, {"replay", Mode::kReplay}, {"adaptive", Mode::kAdaptive}},
-      "replay: the recorded future is known; history: only the frames up to now are; adaptive: as "
-      "history, and the attacker replans at every frame that comes");
+      "information of the attack search; replay: the recorded future; history: only frames up to "
+      "t0; adaptive: as history, and the attacker replans at every new frame");
 }
 
 void addPlannerFile(CLI::App& app, std::string& file) {
   app.add_option("--planner-file", file,
-                 "TorchScript file of the planner torchscript (default: that of planners.yaml)");
+                 "TorchScript file of the planner torchscript (default: file of planners.yaml)");
 }
 
 void usePlannerFile(const std::string& file, const std::vector<std::string>& planners,
@@ -250,9 +248,10 @@ void addPlannerFingerprint(ResumableFile::Options& options,
 }
 
 void addBackground(CLI::App& app, Background& background) {
-  addChoice<Background>(app, "--background", background,
-                        {{"replay", Background::kReplay}, {"idm", Background::kIdm}},
-                        "the others: replay, or idm (they brake for who is in their way)");
+  addChoice<Background>(
+      app, "--background", background, {{"replay", Background::kReplay}, {"idm", Background::kIdm}},
+      "motion of other agents; replay: as recorded; idm: reactive, they brake for vehicles ahead "
+      "(IDM)");
 }
 
 ResumableFile::Options inputsOf(const Config& config, const LogSource& logs) {
@@ -270,7 +269,7 @@ void addWeightsOf(const std::string& method, const Config& config,
 NuScenesProgress showReading() {
   if (!isMaster()) return {};
   const auto line = std::make_shared<ProgressLine>("tables");
-  return [line](std::uint64_t done, std::uint64_t total) {  // bytes, of which nobody wants a rate
+  return [line](std::uint64_t done, std::uint64_t total) {  // bytes; show the share, not a rate
     line->show(static_cast<double>(done) / static_cast<double>(total));
   };
 }

@@ -17,16 +17,17 @@
 #include "collision_forge/planner_test/settings/config.h"
 #include "collision_forge/planner_test/trials/traffic.h"
 
-/// Options that several commands have, each defined once.
+/// Command-line options that several commands share. Each function adds the options named in its
+/// comment and stores parsed values in the argument, which must outlive the parsing.
 namespace forge {
 
-/// Returns a check of an option that takes one of a few words, in capitals or not. As a transform
-/// it hands on the word as it stands in `words`. The complaint about another word lists the words,
-/// and names the one that was most likely meant.
+/// Returns a case-insensitive CLI11 validator for an option whose value is one of `words`. Used as
+/// a transform, it replaces the value by its spelling in `words`. The error for another value lists
+/// `words` and suggests the nearest one.
 CLI::Validator oneOf(const std::vector<std::string>& words);
 
-/// One of a few words, in capitals or not, each with its value; the value that `value` has is the
-/// default.
+/// Adds an option that accepts one of the words of `choices` (case-insensitive) and stores the
+/// value paired with it. The current content of `value` is the default.
 template <typename Value>
 CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value,
                        const std::vector<std::pair<std::string, Value>>& choices,
@@ -46,19 +47,19 @@ CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value,
       ->default_str(default_word);
 }
 
-/// What the command line says about requests; what is empty stays as it is.
+/// Request fields that the command line overrides. Empty fields leave the request unchanged.
 struct RequestControls {
-  std::string attacker;  ///< an id, or any, existing or new
-  std::optional<bool> believable;
-  std::optional<LimitSet> limits;
+  std::string attacker;            ///< agent id, or "any", "existing", "new"; empty: unchanged
+  std::optional<bool> believable;  ///< attacker must drive plausibly until it attacks
+  std::optional<LimitSet> limits;  ///< vehicle limits of the attacker
   std::optional<AgentClass> attacker_class;
-  std::optional<Manoeuvre> manoeuvre;
-  std::optional<Side> ego_side;
-  std::optional<Range> impact_speed;
-  std::optional<Range> overlap;
-  std::optional<int> alternatives;
+  std::optional<Manoeuvre> manoeuvre;  ///< of the attacker
+  std::optional<Side> ego_side;        ///< side of the ego that is hit
+  std::optional<Range> impact_speed;   ///< m/s, relative speed at contact
+  std::optional<Range> overlap;        ///< share 0..1 of the ego's hit side that is covered
+  std::optional<int> alternatives;     ///< number of attacks per request
 
-  /// Says so in the request.
+  /// Overwrites the fields of `request` for which a value was given.
   void applyTo(CollisionRequest& request) const;
 };
 /// --attacker.
@@ -69,59 +70,59 @@ void addControls(CLI::App& app, RequestControls& controls);
 /// --alternatives.
 void addAlternatives(CLI::App& app, RequestControls& controls);
 
-/// --source, whose older name is --dataroot, and --version. Gives the first; required by none.
+/// --source (older name: --dataroot) and --version. Returns the option --source, which is optional;
+/// a command that needs it calls required() on it. `text` begins its help.
 CLI::Option* addSource(CLI::App& app, LogSource& logs, const std::string& text = "recorded scenes");
-/// --scene, all by default.
+/// --scene, the names of scenes; empty: all.
 CLI::Option* addScenes(CLI::App& app, std::vector<std::string>& scenes);
 
-/// The package's own configuration; empty where ROS does not know the package (its environment is
-/// not sourced), or in a build without ROS.
+/// Returns the configuration that is installed with the package, or nullopt if ROS does not find
+/// the package (its environment is not sourced) and in a build without ROS.
 std::optional<ConfigFolder> installedConfig();
-/// --config, a folder that is laid over the installedConfig(). Without one the option is required
-/// and names a complete folder.
+/// --config, a folder whose files and keys override installedConfig(). Without an installed
+/// configuration the option is required and names a complete folder.
 void addConfig(CLI::App& app, ConfigFolder& config);
 /// --out, required.
 void addOut(CLI::App& app, std::string& out, const std::string& text);
-/// --jobs, from 1 to 256.
+/// --jobs, number of threads, 1 to 256.
 void addJobs(CLI::App& app, int& jobs, const std::string& text);
 /// --seed.
 CLI::Option* addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text);
-/// Says what is wrong with the name of a collision type, for a check of an option.
+/// CLI11 validator: returns "" for the name of a collision type, else the error message.
 std::string checkType(const std::string& name);
-/// --mode, history or replay; the value that `mode` has is the default. Commands that make
-/// collisions of recordings default to replay, commands that measure methods to history.
-/// `may_adapt`: mode adaptive is one of them.
+/// --mode; the current content of `mode` is the default. Commands that make collisions default to
+/// replay, commands that measure methods to history. `may_adapt`: adaptive is allowed, too.
 void addMode(CLI::App& app, Mode& mode, bool may_adapt);
-/// --method of attack, one that the configuration knows; empty: the suite's own. Both must outlive
-/// the reading of the line.
+/// --method, checked by checkMethod() when all options are parsed; empty: the built-in default.
 CLI::Option* addMethod(CLI::App& app, std::string& method, const ConfigFolder& config);
-/// Throws CLI::ValidationError for an unknown method of that option, naming the known ones.
+/// Throws CLI::ValidationError, naming `option` and the known methods, if `method` is neither built
+/// in nor listed in methods.yaml. Ignores an invalid configuration, which the run itself reports.
 void checkMethod(const std::string& option, const std::string& method, const ConfigFolder& config);
-/// --planner-file: a learned planner in place of the one that the configuration names.
+/// --planner-file: TorchScript file that replaces the file named in planners.yaml.
 void addPlannerFile(CLI::App& app, std::string& file);
-/// Puts the file of --planner-file, if one is given and its licence is allowed, into the options of
-/// planners. Where one of the planners is learned, its file is tried: throws PlannerFileError
-/// before the work begins.
+/// Stores `file` (if not empty) in config.planners after checking that its licence is allowed. If
+/// `planners` contains "torchscript", loads the planner once, so that an unusable file throws
+/// PlannerFileError before the work begins.
 void usePlannerFile(const std::string& file, const std::vector<std::string>& planners,
                     Config& config);
-/// What results of these planners depend on besides the configuration: the learned one's file.
+/// Adds the fingerprint of the TorchScript file to `options` if `planners` contains "torchscript".
 void addPlannerFingerprint(ResumableFile::Options& options,
                            const std::vector<std::string>& planners,
                            const PlannerOptions& settings);
-/// --background of tests of planners, replay or idm.
+/// --background: how other agents move in a planner test, replay or idm.
 void addBackground(CLI::App& app, Background& background);
 
-/// What every result over logs depends on: configuration, models and the source of logs.
+/// Returns the fingerprints of all inputs of a run over logs: configuration, models, logs. A run is
+/// resumed only if they are unchanged.
 ResumableFile::Options inputsOf(const Config& config, const LogSource& logs);
-/// Adds the weights of a learned baseline, which its results depend on besides; nothing for other
-/// methods.
+/// Adds the fingerprint of the weights of `method` if it is a learned baseline.
 void addWeightsOf(const std::string& method, const Config& config, ResumableFile::Options& options);
 
-/// Shows on stderr how far the reading of nuScenes tables is; nothing on other ranks than the
-/// master.
+/// Returns a callback that shows the progress of reading nuScenes tables on stderr; an empty
+/// function on ranks other than the master.
 NuScenesProgress showReading();
 
-/// Says on stderr what is odd about something that was read.
+/// Prints each warning on stderr as "warning: SUBJECT: WARNING".
 void printWarnings(const std::string& subject, const std::vector<std::string>& warnings);
 
 }  // namespace forge

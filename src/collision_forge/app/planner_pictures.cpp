@@ -6,7 +6,7 @@
 namespace forge {
 namespace {
 
-/// In place of how they were recorded.
+/// Replaces the recorded states of `agents` by the driven ones, by id.
 void show(const std::vector<Track>& driven, std::vector<Track>& agents) {
   for (Track& agent : agents) {
     if (const Track* as_driven = findTrack(driven, agent.id)) agent.states = as_driven->states;

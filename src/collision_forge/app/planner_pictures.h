@@ -8,18 +8,19 @@
 #include "collision_forge/planner_test/settings/config.h"
 #include "collision_forge/planner_test/trials/planner_result.h"
 
-/// Pictures of planners under test.
+/// Pictures (PNG and GIF) of planner tests.
 namespace forge {
 
-/// The hit of a planner: the ego and the attacker as they drove up to the contact of the row's
-/// outcome, which must be one with the attacker and have its motions, and what follows it.
+/// Returns the view of a collision in a planner test: ego and attacker as driven up to the contact,
+/// then their post-crash motion. `row.outcome` must hold a contact with the attacker and the driven
+/// motions (see KeptDrives).
 ScenarioView viewOfHit(const PlannerCase& one, const PlannerRow& row, const Config& config);
 
-/// The escape from that hit, which the row must have: what the ego could have done instead, and the
-/// attacker as it reacts to that.
+/// Returns the view of the evasive manoeuvre that would have avoided the collision, with the
+/// attacker's reaction to it. `row.escape_drive` must be set.
 ScenarioView viewOfEscape(const PlannerCase& one, const PlannerRow& row);
 
-/// PATH.png and PATH.gif.
+/// Writes PATH.png and PATH.gif.
 void drawView(const std::string& path, const ScenarioView& view, const DrawingOptions& drawing);
 
 }  // namespace forge

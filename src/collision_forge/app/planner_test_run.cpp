@@ -34,7 +34,7 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-/// How long the planners computed in this process, by rowName().
+/// Sums the computing time of the planners in this process, by rowName(). Thread-safe add().
 class PlanningTimes {
  public:
   void add(const PlannerTestResult& result) {
@@ -46,7 +46,7 @@ class PlanningTimes {
     }
   }
 
-  /// Milliseconds a call in the mean, of those that were called.
+  /// Returns the mean ms per call of each planner that was called at least once.
   std::map<std::string, double> means() const {
     std::map<std::string, double> found;
     for (const auto& [row, sum] : sums_) {
@@ -87,7 +87,7 @@ Config loadTestConfig(const PlannerTestArguments& arguments) {
   return config;
 }
 
-/// Prints how each planner did, and where more is.
+/// Prints the rates of each planner and the names of the output files.
 void printSummary(const std::vector<PlannerTestResult>& results, const PlanningTimes& times,
                   const TestPlan& plan, const std::string& folder) {
   const auto is_tested = [](const PlannerTestResult& result) { return result.isTested(); };
@@ -95,18 +95,18 @@ void printSummary(const std::vector<PlannerTestResult>& results, const PlanningT
   std::cout << tested << " of " << counted(results.size(), "case") << " tested\n"
             << summaryText(summarizePlanners(results, rowNames(plan)), times.means()) << "in "
             << folder
-            << ": table.md (rates by type and time, and why cases were not tested), results.csv, "
-               "worst/ (pictures)\n";
+            << ": table.md (rates by type and TTA, reasons of untested cases), results.csv, worst/ "
+               "(pictures)\n";
 }
 
-/// Throws where there is nothing to report on.
+/// Throws std::runtime_error if no case was tested.
 void checkTested(const std::vector<PlannerTestResult>& results, const std::string& path) {
   const auto isTested = [](const PlannerTestResult& result) { return result.isTested(); };
   if (std::any_of(results.begin(), results.end(), isTested)) return;
   const PlannerTestResult& first = results.front();
-  throw std::runtime_error(path + ": none of the cases could be tested (" +
-                           std::to_string(results.size()) + "); the first, " + first.name + ": " +
-                           first.status + ": " + first.message);
+  throw std::runtime_error(path + ": no case could be tested (" + std::to_string(results.size()) +
+                           " tried); the first one, " + first.name + ": " + first.status + ": " +
+                           first.message);
 }
 
 }  // namespace
@@ -193,16 +193,17 @@ void PlannerTestRun::writePage(const std::vector<std::string>& attacks,
 }
 
 void addPlannerTestOptions(CLI::App& app, PlannerTestArguments& arguments) {
-  app.add_option("--planners", arguments.planners, "names, separated by commas")
+  app.add_option("--planners", arguments.planners, "planners to test, separated by commas")
       ->delimiter(',')
       ->transform(oneOf(plannerNames()))
       ->capture_default_str();
   addPlannerFile(app, arguments.planner_file);
   addBackground(app, arguments.background);
-  app.add_option("--worst", arguments.worst, "pictures a planner, of the hardest impacts")
+  app.add_option("--worst", arguments.worst,
+                 "number of pictures per planner, hardest impacts first")
       ->capture_default_str();
-  addOut(app, arguments.out, "folder to write; see docs/planners.md");
-  addJobs(app, arguments.jobs, "cases at a time, in every rank of mpirun");
+  addOut(app, arguments.out, "output folder; see docs/planners.md");
+  addJobs(app, arguments.jobs, "cases tested in parallel on each MPI rank");
   addReportOption(app, arguments.report);
   addConfig(app, arguments.config);
 }

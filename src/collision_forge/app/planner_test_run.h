@@ -13,43 +13,45 @@
 #include "collision_forge/planner_test/trials/planner_cases.h"
 #include "collision_forge/planner_test/trials/planner_run.h"
 
-/// A test of planners in closed loop, whatever the cases are.
+/// Closed-loop tests of planners, independent of the source of the test cases.
 namespace forge {
 
+/// The command-line arguments of a planner test.
 struct PlannerTestArguments {
   LogSource logs;
-  std::vector<std::string> planners = {"idm", "rule_based", "pdm"};
-  std::string planner_file;
-  std::vector<std::string> policies = {"fixed"};
-  Background background = Background::kReplay;
-  std::size_t worst = 3;
-  std::string out;
-  std::string report;
+  std::vector<std::string> planners = {"idm", "rule_based", "pdm"};  ///< names of plannerNames()
+  std::string planner_file;                       ///< TorchScript file; empty: planners.yaml's
+  std::vector<std::string> policies = {"fixed"};  ///< attacker policies: "fixed", "adaptive"
+  Background background = Background::kReplay;    ///< motion of other agents
+  std::size_t worst = 3;                          ///< pictures per planner and policy
+  std::string out;                                ///< output folder
+  std::string report;                             ///< folder of the HTML report; empty: none
   ConfigFolder config;
-  int jobs = defaultJobs();
+  int jobs = defaultJobs();  ///< threads
 };
 
-/// --planners, --planner-file, --background, --worst, --out, --jobs, --report and --config.
+/// Adds --planners, --planner-file, --background, --worst, --out, --jobs, --report and --config.
 void addPlannerTestOptions(CLI::App& app, PlannerTestArguments& arguments);
 
-/// Reads the configuration and holds the locks of the output folders.
+/// One run of a planner test. Holds the configuration and the locks of the output folders.
 class PlannerTestRun {
  public:
-  /// Throws ConfigError, PlannerFileError, and what lockFolders() throws.
+  /// Throws ConfigError, PlannerFileError, and the exceptions of lockFolders().
   explicit PlannerTestRun(PlannerTestArguments arguments);
 
   const Config& config() const { return config_; }
   const TestPlan& plan() const { return plan_; }
   const std::string& resultsPath() const { return results_path_; }
 
-  /// Drives the planners through the cases, or goes on where a run stopped. `fingerprints`: what
-  /// the results depend on beside the configuration, the logs, the cases and the planners. The
-  /// master writes tables and pictures to OUT, prints the summary and returns the results; other
-  /// ranks return none. Throws std::runtime_error where no case could be tested.
+  /// Tests the planners on all cases; resumes an interrupted run. `fingerprints`: inputs of the
+  /// results besides configuration, logs, cases and planners. The master writes tables and pictures
+  /// to OUT, prints the summary and returns the results; other ranks return an empty vector. Throws
+  /// std::runtime_error if no case could be tested.
   std::vector<PlannerTestResult> run(const PlannerCases& cases,
                                      const ResumableFile::Options& fingerprints = {}) const;
 
-  /// Writes the page of --report, where it is asked for, of `attacks` and of the results.
+  /// Writes the HTML report of the results and of `attacks` (scenario files over `logs`) if
+  /// --report was given.
   void writePage(const std::vector<std::string>& attacks, const LogSource& logs) const;
 
  private:

@@ -28,13 +28,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The planners.yaml that is tuned.
+/// The planners.yaml whose values are tuned.
 struct PlannersFile {
   std::string path = "planners.yaml";
   std::string text;
 };
 
-/// Everything that every rank works with.
+/// The inputs of a tuning run, the same on every rank.
 struct Tuning {
   const TuningArguments& arguments;
   const Config& config;
@@ -58,7 +58,7 @@ Tuning openTuning(const TuningArguments& arguments, const Config& config, Tuning
   return {arguments, config, file, std::move(variants), std::move(cases)};
 }
 
-/// What the results of both parts depend on.
+/// Returns the fingerprints of all inputs of training and test results.
 ResumableFile::Options runOptions(const Tuning& tuning) {
   const TuningArguments& arguments = tuning.arguments;
   ResumableFile::Options options = inputsOf(tuning.config, arguments.logs);
@@ -77,7 +77,7 @@ ResumableFile::Options runOptions(const Tuning& tuning) {
   return options;
 }
 
-/// What is driven, for the file OUT/NAME.jsonl.
+/// Returns the run that writes OUT/NAME.jsonl.
 Run partRun(const Tuning& tuning, const std::string& name, const PlannerCases& cases) {
   Run run;
   run.path = (fs::path(tuning.arguments.out) / (name + ".jsonl")).string();
@@ -87,7 +87,7 @@ Run partRun(const Tuning& tuning, const std::string& name, const PlannerCases& c
   return run;
 }
 
-/// Drives every variant through the training cases; results on the master.
+/// Tests every variant on the training cases. Returns the results on the master, else nothing.
 std::vector<PlannerTestResult> driveVariants(const Tuning& tuning) {
   return testCases(partRun(tuning, "train", *tuning.cases.train), *tuning.cases.train,
                    [&](const PlannerCase& one) {
@@ -97,14 +97,15 @@ std::vector<PlannerTestResult> driveVariants(const Tuning& tuning) {
                    });
 }
 
-/// The default and the tuned one.
+/// Returns the default and the best variant, named "tuned".
 std::vector<PlannerVariant> comparedVariants(const Tuning& tuning, std::size_t best) {
   std::vector<PlannerVariant> pair = {tuning.variants.front(), tuning.variants[best]};
   pair.back().name = "tuned";
   return pair;
 }
 
-/// Drives default and tuned planner through the held-out cases; results on the master.
+/// Tests default and tuned planner on the test cases. Returns the results on the master, else
+/// nothing.
 std::vector<PlannerTestResult> compare(const Tuning& tuning, std::size_t best) {
   const std::vector<PlannerVariant> pair = comparedVariants(tuning, best);
   return testCases(
@@ -114,11 +115,13 @@ std::vector<PlannerTestResult> compare(const Tuning& tuning, std::size_t best) {
       });
 }
 
-/// The index of the best variant; writes how all did.
+/// Returns the index of the best variant and writes the scores of all to variants.csv.
 std::size_t chooseBest(const Tuning& tuning, const std::vector<PlannerTestResult>& results) {
   const auto scores = scoreVariants(results, tuning.variants);
   const auto best = bestVariant(scores);
-  if (!best) throw std::runtime_error("there is no avoidable crash to tune on");
+  if (!best) {
+    throw std::runtime_error("the training scenarios contain no avoidable collision to tune on");
+  }
   writeText(tuning.arguments.out + "/variants.csv", scoresCsv(tuning.variants, scores, *best));
   return *best;
 }
@@ -170,7 +173,7 @@ int tunePlanner(const TuningArguments& arguments,
     train = driveVariants(tuning);
     return isMaster() ? chooseBest(tuning, train) : 0;
   });
-  if (!best) return kExitError;  // the master tells why
+  if (!best) return kExitError;  // the master reports the reason
   const std::vector<PlannerTestResult> test = compare(tuning, *best);
   if (!isMaster()) return kExitOk;
   report(tuning, *best, train, test);
@@ -181,16 +184,17 @@ int tunePlanner(const TuningArguments& arguments,
 }
 
 void addTuningOptions(CLI::App& app, TuningArguments& arguments) {
-  app.add_option("--planner", arguments.planner, "name")
+  app.add_option("--planner", arguments.planner, "planner to tune")
       ->transform(oneOf(plannerNames()))
       ->capture_default_str();
   addPlannerFile(app, arguments.planner_file);
-  app.add_option("--grid", arguments.grid, "values to try (default: tuning.yaml of --config)")
+  app.add_option("--grid", arguments.grid,
+                 "YAML file with the values to try (default: tuning.yaml of --config)")
       ->check(CLI::ExistingFile);
   addSource(app, arguments.logs)->required();
   addBackground(app, arguments.background);
-  addOut(app, arguments.out, "folder to write; see docs/planners.md");
-  addJobs(app, arguments.jobs, "cases at a time, in every rank of mpirun");
+  addOut(app, arguments.out, "output folder; see docs/planners.md");
+  addJobs(app, arguments.jobs, "cases tested in parallel on each MPI rank");
   addReportOption(app, arguments.report);
   addConfig(app, arguments.config);
 }

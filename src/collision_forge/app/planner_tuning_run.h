@@ -13,37 +13,39 @@
 #include "collision_forge/planner_test/trials/planner_cases.h"
 #include "collision_forge/planner_test/trials/traffic.h"
 
-/// The tuning of a planner, whatever the cases are.
+/// Grid search over the parameters of a planner, independent of the source of the test cases.
 namespace forge {
 
+/// The command-line arguments of a tuning run.
 struct TuningArguments {
   std::string planner = "pdm";
-  std::string planner_file;
-  std::string grid;  ///< empty: tuning.yaml of the configuration
+  std::string planner_file;  ///< TorchScript file; empty: planners.yaml's
+  std::string grid;          ///< YAML file with the values; empty: tuning.yaml of the configuration
   LogSource logs;
-  Background background = Background::kReplay;
-  std::string out;
-  std::string report;
+  Background background = Background::kReplay;  ///< motion of other agents
+  std::string out;                              ///< output folder
+  std::string report;                           ///< folder of the HTML report; empty: none
   ConfigFolder config;
-  int jobs = defaultJobs();
+  int jobs = defaultJobs();  ///< threads
 };
 
-/// The cases that a planner is tuned on and those that it is compared on; no scene is in both.
+/// Training and test cases of a tuning run. No scene may be in both.
 struct TuningCases {
-  std::unique_ptr<PlannerCases> train;
-  std::unique_ptr<PlannerCases> test;
-  /// Scenario files of `test` for the page of --report.
-  std::vector<std::string> test_files = {};
-  ResumableFile::Options fingerprints = {};  ///< what else the results depend on
+  std::unique_ptr<PlannerCases> train;       ///< used to choose the best variant
+  std::unique_ptr<PlannerCases> test;        ///< used to compare it with the default
+  std::vector<std::string> test_files = {};  ///< scenario files of `test`, for the HTML report
+  ResumableFile::Options fingerprints = {};  ///< further inputs of the results
 };
 
-/// Tunes a planner on the cases that `open` returns, or goes on where a run stopped; writes
-/// planners.yaml, tables and the page to the folders of `arguments`. Returns an exit code. Throws
-/// ConfigError, PlannerFileError and what lockFolders() and `open` throw.
+/// Tunes a planner on the cases that `open` returns; resumes an interrupted run. Writes the tuned
+/// planners.yaml, tables and the HTML report to the folders of `arguments`. Called by all ranks;
+/// the master writes. Returns an exit code. Throws ConfigError, PlannerFileError and the exceptions
+/// of lockFolders() and `open`.
 int tunePlanner(const TuningArguments& arguments,
                 const std::function<TuningCases(const Config&)>& open);
 
-/// --planner, --planner-file, --grid, --source, --background, --out, --jobs, --report and --config.
+/// Adds --planner, --planner-file, --grid, --source, --background, --out, --jobs, --report,
+/// --config.
 void addTuningOptions(CLI::App& app, TuningArguments& arguments);
 
 }  // namespace forge

@@ -49,7 +49,7 @@ std::vector<CollisionType> typesOf(const Arguments& arguments) {
   return types;
 }
 
-std::string asked(const CollisionRequest& request) {
+std::string requestText(const CollisionRequest& request) {
   std::ostringstream text;
   text << std::left << std::setw(19) << toString(request.type) << std::right << std::setw(4)
        << request.tta << " s";
@@ -58,8 +58,9 @@ std::string asked(const CollisionRequest& request) {
 
 void printPossible(const CollisionRequest& request, const Realization& attack, double now) {
   const CollisionReport& report = attack.report;
-  std::cout << asked(request) << "  " << std::left << std::setw(22) << toString(report.manoeuvre)
-            << std::setw(kShortId + 4) << shortId(attack.trajectory.attacker_id) << std::setw(24)
+  std::cout << requestText(request) << "  " << std::left << std::setw(22)
+            << toString(report.manoeuvre) << std::setw(kShortId + 4)
+            << shortId(attack.trajectory.attacker_id) << std::setw(24)
             << std::string(toString(attack.trajectory.agent_class)) +
                    (attack.trajectory.isAdded() ? ", added" : "")
             << std::right << std::fixed << std::setprecision(0) << std::setw(8)
@@ -68,7 +69,7 @@ void printPossible(const CollisionRequest& request, const Realization& attack, d
             << std::defaultfloat << std::setprecision(6);
 }
 
-/// The surest first.
+/// Returns the attack and its alternatives, highest confidence first.
 std::vector<Realization> attacksOf(Realization answer) {
   std::vector<Realization> attacks = std::move(answer.alternatives);
   attacks.insert(attacks.begin(), std::move(answer));
@@ -91,7 +92,7 @@ int listPossible(const Arguments& arguments) {
   request.seed = arguments.seed;
   arguments.controls.applyTo(request);
 
-  std::ostringstream declined;
+  std::ostringstream rejected;
   std::size_t possible = 0;
   std::cout << "type                 TTA  manoeuvre             id      attacker                "
                "confidence  contact     impact\n";
@@ -102,7 +103,7 @@ int listPossible(const Arguments& arguments) {
       const Realization answer =
           generateCollision(*maker.make(), moment, request, config.attack.prediction);
       if (answer.status.code != StatusCode::kOk) {
-        declined << asked(request) << "  " << toString(answer.status.code) << ": "
+        rejected << requestText(request) << "  " << toString(answer.status.code) << ": "
                  << answer.status.message << "\n";
         continue;
       }
@@ -112,7 +113,7 @@ int listPossible(const Arguments& arguments) {
       }
     }
   }
-  if (!declined.str().empty()) std::cout << "\ndeclined\n" << declined.str();
+  if (!rejected.str().empty()) std::cout << "\nrejected\n" << rejected.str();
   return possible > 0 ? kExitOk : kExitNoAttack;
 }
 
@@ -121,27 +122,29 @@ int listPossible(const Arguments& arguments) {
 void addPossible(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(kMakingCollisions, "possible",
-                           "Lists the collisions that can be asked for at an instant.",
+                           "Lists the collisions that are feasible at one instant of a recording.",
                            [arguments] { return listPossible(*arguments); });
-  CLI::Option_group& recording = *app.add_option_group("recording", "one of them");
-  recording.add_option("--bag", arguments->bag, "recorded bag, as from forge convert");
-  CLI::Option* source = addSource(app, arguments->logs, "recorded scenes, with --scene");
+  CLI::Option_group& recording = *app.add_option_group("recording", "exactly one of these");
+  recording.add_option("--bag", arguments->bag, "recorded bag, as written by forge convert");
+  CLI::Option* source = addSource(app, arguments->logs, "recorded scenes, requires --scene");
   recording.add_option(source);
   recording.require_option(1);
-  source->needs(app.add_option("--scene", arguments->scene, "as scene-0061")->needs(source));
-  app.add_option("--now", arguments->now, "seconds from the first frame; the frame at or before")
+  source->needs(app.add_option("--scene", arguments->scene, "name of the scene, e.g. scene-0061")
+                    ->needs(source));
+  app.add_option("--now", arguments->now,
+                 "time of the request t0, s from the first frame; uses the frame at or before")
       ->required();
   app.add_option("--type", arguments->types,
-                 "collision types; default: all five: " + collisionTypeWords())
+                 "requested collision types; default: all five: " + collisionTypeWords())
       ->check(checkType);
   app.add_option("--tta", arguments->ttas,
-                 "seconds from now to impact; default: those of requests.yaml");
+                 "times to attack, s: time from t0 to contact; default: ttas of requests.yaml");
   addAttacker(app, arguments->controls);
   addControls(app, arguments->controls);
   addAlternatives(app, arguments->controls);
   addMethod(app, arguments->method, arguments->config);
   addMode(app, arguments->mode, false);
-  addSeed(app, arguments->seed, "of the variations tried");
+  addSeed(app, arguments->seed, "random seed of the candidates");
   addConfig(app, arguments->config);
 }
 

@@ -36,18 +36,18 @@ void writeReport(const ReportInputs& inputs, const std::string& folder, const Co
 
 CLI::Option* addReportOption(CLI::App& app, std::string& folder) {
   return app.add_option("--report", folder,
-                        "folder to write a page of the results to, as forge report does");
+                        "folder for an HTML report of the results, as forge report writes it");
 }
 
 void addReportCommand(CommandLine& line, const std::string& heading, const std::string& name,
                       const std::string& files, const std::vector<RowFormat>& formats) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App& app = line.add(heading, name, "Shows results on a page for the browser.",
+  CLI::App& app = line.add(heading, name, "Writes an HTML report of results.",
                            [arguments, formats] { return report(*arguments, formats); });
   app.add_option("results", arguments->inputs.files, files)->required()->check(CLI::ExistingFile);
-  addOut(app, arguments->out, "folder to write; the page is index.html in it");
+  addOut(app, arguments->out, "output folder; open its index.html in a browser");
   addSource(app, arguments->inputs.logs,
-            "scenes that the results are of, so that the page shows map and traffic, too");
+            "recorded scenes of the results, to show map and traffic in the report");
   addConfig(app, arguments->config);
 }
 

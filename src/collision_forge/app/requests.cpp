@@ -21,7 +21,7 @@
 namespace forge {
 namespace {
 
-constexpr double kMinStride = 0.01;  // s; shorter than between any two frames
+constexpr double kMinStride = 0.01;  // s, below any frame interval
 
 constexpr const char* kEach = "each";
 
@@ -40,7 +40,7 @@ struct Arguments {
   bool allowed_only = false;
 };
 
-/// How many requests there are, and how many of them the road allows.
+/// Counts the requests of a type, and how many of them the road geometry allows.
 struct RoadCount {
   std::size_t all = 0;
   std::size_t allowed = 0;
@@ -51,7 +51,7 @@ struct RoadCount {
 };
 using RoadCounts = std::map<CollisionType, RoadCount>;
 
-/// In their order, each once.
+/// Returns the distinct values in order of first occurrence.
 template <typename Value>
 std::vector<Value> withoutRepeats(const std::vector<Value>& values) {
   std::vector<Value> once;
@@ -66,7 +66,8 @@ RequestListOptions listOptions(const Arguments& arguments, const Config& config)
   options.stride = arguments.stride.value_or(options.stride);
   if (options.stride < kMinStride) {
     std::ostringstream complaint;
-    complaint << "stride = " << options.stride << " s is less than " << kMinStride << " s";
+    complaint << "--stride = " << options.stride << " s is below the minimum of " << kMinStride
+              << " s";
     throw std::invalid_argument(complaint.str());
   }
   options.min_ego_speed = arguments.min_ego_speed.value_or(options.min_ego_speed);
@@ -82,7 +83,8 @@ RequestListOptions listOptions(const Arguments& arguments, const Config& config)
   return options;
 }
 
-/// Adds the requests of a scene, all or those that the road allows, and counts them.
+/// Appends the requests of a scene to `requests` and counts them. `allowed_only`: appends only
+/// requests that the road geometry allows.
 void addRequestsOf(const IndexedScene& recording, const RequestListOptions& options,
                    const CollisionRequest& asked, bool allowed_only, const Config& config,
                    std::vector<SceneRequest>& requests, RoadCounts& counts) {
@@ -106,9 +108,10 @@ void print(const RoadCounts& counts) {
   sum.print("all");
 }
 
-/// What every request asks for besides. Throws where no type goes with that.
-CollisionRequest askedFor(const Arguments& arguments, const Config& config,
-                          const std::vector<CollisionType>& types) {
+/// Returns the fields that all requests share. Throws std::invalid_argument if they contradict
+/// every one of `types`.
+CollisionRequest sharedFields(const Arguments& arguments, const Config& config,
+                              const std::vector<CollisionType>& types) {
   CollisionRequest asked;
   asked.crash = config.crash;
   arguments.controls.applyTo(asked);
@@ -126,69 +129,76 @@ int makeRequests(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const OutputLock lock = OutputLock::ofFile(arguments.out);
   const RequestListOptions options = listOptions(arguments, config);
-  const CollisionRequest asked = askedFor(arguments, config, options.types);
+  const CollisionRequest asked = sharedFields(arguments, config, options.types);
   SceneSource scenes(arguments.logs, arguments.scenes, config, 1, {}, showReading());
   const std::vector<std::string> names = scenes.names();
   std::vector<SceneRequest> requests;
   RoadCounts counts;
   ProgressLine progress("scenes");
   std::size_t done = 0;
-  for (const std::string& name : names) {
-    addRequestsOf(*scenes.at(name), options, asked, arguments.allowed_only, config, requests,
-                  counts);
+  const std::vector<std::string> unreadable = scenes.forEach([&](const IndexedScene& scene) {
+    addRequestsOf(scene, options, asked, arguments.allowed_only, config, requests, counts);
     progress.show(++done, names.size());
-  }
+  });
+  if (unreadable.size() == names.size()) return exitAfterUnreadable(unreadable);
   if (requests.empty()) {
     throw std::runtime_error(counts.empty()
-                                 ? "no request can be made of these scenes with these options"
-                                 : "the road allows no request of these scenes with these options");
+                                 ? "these scenes and options yield no request (ego too slow, or "
+                                   "recordings too short for the TTA)"
+                                 : "the road geometry of these scenes allows no request with these "
+                                   "options; omit --allowed-only to list them");
   }
   writeRequests(arguments.out, requests, config.crash);
-  std::cout << counted(requests.size(), "request") << " over " << counted(names.size(), "scene")
-            << " written to " << arguments.out << "\n";
+  std::cout << counted(requests.size(), "request") << " over "
+            << counted(names.size() - unreadable.size(), "scene") << " written to " << arguments.out
+            << "\n";
   print(counts);
-  return kExitOk;
+  return exitAfterUnreadable(unreadable);
 }
 
-/// Accepts what is finite: CLI11's ranges let NaN pass.
+/// Rejects NaN and infinity, which the range validators of CLI11 accept.
 std::string checkFinite(const std::string& text) {
   double number = 0.0;
   const bool is_number = CLI::detail::lexical_cast(text, number);
-  return is_number && std::isfinite(number) ? "" : text + " is no finite number";
+  return is_number && std::isfinite(number) ? "" : text + " is not a finite number";
 }
 
 }  // namespace
 
 void addRequests(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App& app = line.add(kMakingCollisions, "requests",
-                           "Lists the collisions that can be asked for in recorded scenes.",
-                           [arguments] { return makeRequests(*arguments); });
+  CLI::App& app =
+      line.add(kMakingCollisions, "requests", "Lists collision requests for recorded scenes.",
+               [arguments] { return makeRequests(*arguments); });
   addSource(app, arguments->logs)->required();
   addScenes(app, arguments->scenes);
-  addOut(app, arguments->out, "list to write, for forge generate: one JSON a line");
-  app.add_option("--stride", arguments->stride, "seconds between two instants; see requests.yaml")
+  addOut(app, arguments->out, "output request list for forge generate, one JSON object per line");
+  app.add_option("--stride", arguments->stride,
+                 "time between two requests of a scene, s; default: requests.yaml")
       ->check(CLI::PositiveNumber)
       ->check(checkFinite);
-  app.add_option("--types", arguments->types, "collision types; all by default")->check(checkType);
-  app.add_option("--tta", arguments->ttas, "seconds from now to impact; see requests.yaml")
+  app.add_option("--types", arguments->types, "requested collision types; default: all")
+      ->check(checkType);
+  app.add_option("--tta", arguments->ttas,
+                 "times to attack, s: time from t0 to contact; default: requests.yaml")
       ->check(CLI::PositiveNumber)
       ->check(checkFinite);
-  app.add_option("--min-ego-speed", arguments->min_ego_speed, "m/s; see requests.yaml")
+  app.add_option("--min-ego-speed", arguments->min_ego_speed,
+                 "minimum speed of the ego at t0, m/s; default: requests.yaml")
       ->check(CLI::NonNegativeNumber)
       ->check(checkFinite);
   app.add_option("--attackers", arguments->attackers,
-                 "any vehicle, existing (a recorded one), new (one is added), or each: a request "
-                 "for every recorded one that can")
+                 "attacker; any: any vehicle; existing: a recorded vehicle; new: an added vehicle; "
+                 "each: one request per recorded vehicle that can attack")
       ->transform(oneOf({"any", "existing", "new", kEach}))
       ->capture_default_str();
   addControls(app, arguments->controls);
   addAlternatives(app, arguments->controls);
   app.add_flag(
       "--allowed-only", arguments->allowed_only,
-      "only what the road allows: some lane of the type's direction passes the ego's place "
-      "at the time asked for");
-  addSeed(app, arguments->seed, "of every request");
+      "list only requests that the road geometry allows: a lane with the direction of the type "
+      "passes the ego's position at t0 + TTA");
+  addSeed(app, arguments->seed, "random seed of every request");
   addConfig(app, arguments->config);
 }
 

@@ -4,9 +4,9 @@
 
 namespace forge {
 
-/// The configuration in `folder`, for a command whose work is dealt out: from now on ranks that
-/// are silent end the run, as ranks.yaml there says. To be called before anything asks for the
-/// ranks. Throws ConfigError.
+/// Loads the configuration of a command that distributes its work over MPI ranks. From this call
+/// on, a rank that stays silent longer than ranks.yaml allows ends the run. Must be called before
+/// the first use of the ranks. Throws ConfigError.
 Config loadRunConfig(const ConfigFolder& folder);
 
 }  // namespace forge

@@ -22,7 +22,8 @@ struct Arguments : PlannerTestArguments {
   std::string method;
 };
 
-/// Collisions that can be asked for in scenes. They come in no order of the scenes.
+/// Random collision requests for scenes, the cases of --until-hit. Their order is independent of
+/// the order of scenes, so scenes are cached.
 struct DrawnCases {
   static constexpr std::size_t kScenesKept = 64;
 
@@ -54,7 +55,7 @@ int testOnDraw(const Arguments& arguments) {
   } else {
     test.writePage({weaknesses}, arguments.logs);
   }
-  return kExitOk;
+  return exitAfterUnreadable(drawn.requests.unreadable());
 }
 
 int testOnScenarios(const Arguments& arguments) {
@@ -79,27 +80,28 @@ int test(Arguments arguments) {
 void addTest(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   arguments->policies.clear();
-  CLI::App& app =
-      line.add(kPlanners, "test", "Drives planners through crashes; goes on where a run stopped.",
-               [arguments] { return test(*arguments); });
+  CLI::App& app = line.add(
+      kPlanners, "test", "Tests planners in closed loop against attacks; resumes interrupted runs.",
+      [arguments] { return test(*arguments); });
   addSource(app, arguments->logs)->required();
-  CLI::Option_group* source = app.add_option_group("what they are driven through");
+  CLI::Option_group* source = app.add_option_group("test cases");
   source->add_option("--scenarios", arguments->scenarios, "scenario files of forge generate");
   CLI::Option* until_hit =
       source->add_flag("--until-hit", arguments->until_hit,
-                       "collisions drawn from all that can be asked for in scenes; writes the "
-                       "planners' weaknesses, the worst first");
+                       "falsification: tests randomly drawn collisions of the scenes and writes "
+                       "the weaknesses of the planners, worst first");
   source->require_option(1);
   addScenes(app, arguments->scenes)->needs(until_hit);
-  app.add_option("--tries", arguments->tries, "collisions that are tried; see planners.yaml")
+  app.add_option("--tries", arguments->tries,
+                 "number of collisions to draw; default: planners.yaml")
       ->check(CLI::PositiveNumber)
       ->needs(until_hit);
-  addSeed(app, arguments->seed, "of the draw of --until-hit")->needs(until_hit);
+  addSeed(app, arguments->seed, "random seed of --until-hit")->needs(until_hit);
   addMethod(app, arguments->method, arguments->config)->needs(until_hit);
   app.add_option("--attacker-policy", arguments->policies,
-                 "who drives the attacker, separated by commas: fixed, its trajectory as it is; "
-                 "adaptive, one that sees the ego and plans anew; by default adaptive with "
-                 "--until-hit, else fixed")
+                 "attacker policies, separated by commas; fixed: follows its planned trajectory; "
+                 "adaptive: observes the ego and replans; default: adaptive with --until-hit, else "
+                 "fixed")
       ->delimiter(',')
       ->transform(oneOf({"fixed", "adaptive"}));
   addPlannerTestOptions(app, *arguments);

@@ -28,13 +28,17 @@ TuningCases openScenarios(const Arguments& arguments, const Config& config) {
 void addTune(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(
-      kPlanners, "tune", "Finds the best numbers for a planner; goes on where a run stopped.",
+      kPlanners, "tune",
+      "Finds the best parameters of a planner by grid search; resumes interrupted runs.",
       [arguments] {
         return tunePlanner(*arguments,
                            [&](const Config& config) { return openScenarios(*arguments, config); });
       });
-  app.add_option("--train", arguments->train, "scenario files of forge generate")->required();
-  app.add_option("--test", arguments->test, "scenario files of other scenes, to compare on")
+  app.add_option("--train", arguments->train,
+                 "scenario files of forge generate, to choose the parameters")
+      ->required();
+  app.add_option("--test", arguments->test,
+                 "scenario files of other scenes, to compare tuned and default planner")
       ->required();
   addTuningOptions(app, *arguments);
 }

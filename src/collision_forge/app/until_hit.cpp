@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The hardest hit of a weakness.
+/// The hardest collision of a weakness.
 struct Shown {
   Scenario scenario;
   PlannerCase one;
@@ -79,7 +79,7 @@ std::string tableRow(int rank, const Weakness& weakness, const Shown& shown) {
          numbers + " |\n";
 }
 
-/// How many tries it took until the last weakness showed.
+/// Returns the number of tries up to the first collision of the weakness that was found last.
 std::size_t triesTo(const std::vector<Weakness>& weaknesses) {
   std::size_t last = 0;
   for (const Weakness& weakness : weaknesses) {
@@ -89,7 +89,7 @@ std::size_t triesTo(const std::vector<Weakness>& weaknesses) {
   return last;
 }
 
-/// The weakness as a line for a terminal.
+/// Returns the line that describes the weakness on the terminal.
 std::string printedLine(int rank, const Weakness& weakness, const Shown& shown) {
   const PlannerContact& contact = *shown.row.outcome.contact;
   const Avoidance& escape = shown.row.escape_drive->ego;
@@ -107,11 +107,11 @@ std::string headOf(const std::vector<Weakness>& weaknesses, std::size_t tries) {
   const std::string tried = counted(tries, "try", "tries");
   if (weaknesses.empty()) return "No weakness in " + tried + ".\n";
   return counted(weaknesses.size(), "weakness", "weaknesses") +
-         ", the hardest impact first; the last new one came with try " +
+         ", hardest impact first; the last new one was found in try " +
          std::to_string(triesTo(weaknesses)) + " of " + std::to_string(tries) + ".\n";
 }
 
-/// What is told of the weaknesses: a table in a file, and lines on the terminal.
+/// Formats the weaknesses: a Markdown table of all, and lines for the terminal.
 class WeaknessList {
  public:
   WeaknessList(const std::vector<Weakness>& weaknesses, std::size_t tries)
@@ -128,8 +128,8 @@ class WeaknessList {
   std::string table() const {
     if (count_ == 0) return head_;
     return head_ +
-           "\n| | planner | hardest hit | manoeuvre | to blame | place | impact | after | escape | "
-           "hits |\n|---|---|---|---|---|---|---|---|---|---|\n" +
+           "\n| | planner | hardest hit | manoeuvre | at fault | place | impact | after | evasive "
+           "manoeuvre | hits |\n|---|---|---|---|---|---|---|---|---|---|\n" +
            rows_;
   }
 

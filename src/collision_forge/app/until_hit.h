@@ -9,11 +9,13 @@
 
 namespace forge {
 
-/// What the results over `cases` say of the planners' weaknesses (findWeaknesses()), the worst
-/// first; `drives` has their motions. Prints the first few and writes a table of all to
-/// FOLDER/weaknesses.md; of each weakness its hardest hit: a line of a scenario file in
-/// weaknesses.jsonl, the witness that it could be escaped in witnesses.jsonl, pictures of both as
-/// weaknesses/N and weaknesses/N_escape.
+/// Reports the weaknesses of the planners (findWeaknesses()) in `results`, which were obtained on
+/// `cases`; `drives` holds the driven motions. Prints the worst ones and writes to `folder` (throws
+/// std::runtime_error if a file cannot be written):
+/// - weaknesses.md: a table of all, worst first;
+/// - weaknesses.jsonl: for each weakness its hardest collision, as a line of a scenario file;
+/// - witnesses.jsonl: for each the evasive manoeuvre that proves it was avoidable;
+/// - weaknesses/N.png, .gif and weaknesses/N_escape.png, .gif: pictures of both.
 void reportWeaknesses(const RequestCases& cases, const std::vector<PlannerTestResult>& results,
                       const KeptDrives& drives, const std::string& folder, const Config& config);
 

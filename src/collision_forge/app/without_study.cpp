@@ -6,10 +6,10 @@ namespace forge {
 
 void addStudyCommands(CommandLine& line) {
   line.add(kOther, "study",
-           "Not in this build, which was configured with COLLISION_FORGE_STUDY=OFF.",
+           "Not available: this build was configured with COLLISION_FORGE_STUDY=OFF.",
            []() -> int {
              throw std::runtime_error(
-                 "this build has no study; configure it with -DCOLLISION_FORGE_STUDY=ON");
+                 "this build has no study; rebuild it with -DCOLLISION_FORGE_STUDY=ON");
            })
       .allow_extras();
 }

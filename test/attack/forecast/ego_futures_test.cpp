@@ -104,7 +104,7 @@ TEST(EgoFutures, OnAStraightLaneKeepToIt) {
   EXPECT_LE(beside, 3);
 }
 
-TEST(EgoFutures, AnOffsetFromTheLaneReturnsButForAShare) {
+TEST(EgoFutures, AnOffsetFromTheLaneDecaysToAShare) {
   double mean = 0.0;
   for (const Track& track : sampleOn(twoLaneRoad(), {-100, -1.0, 0}, 10.0, evenDrivers())) {
     mean += track.states.back().pose.y / kCount;
@@ -121,7 +121,7 @@ TEST(EgoFutures, SpreadTheirSpeedsAsRecorded) {
   EXPECT_LT(x.back() - x.front(), 2 * 5.5);
 }
 
-TEST(EgoFutures, WaysOfTheSameCostAreTakenEquallyOften) {
+TEST(EgoFutures, PathsOfEqualCostAreSampledEquallyOften) {
   const auto tracks = sampleOn(evenFork(), {-30, 0, 0}, 8.0, evenDrivers());
   int left = 0;
   int right = 0;
@@ -134,7 +134,7 @@ TEST(EgoFutures, WaysOfTheSameCostAreTakenEquallyOften) {
   EXPECT_GE(left + right, 56);
 }
 
-TEST(EgoFutures, WithoutProfilesThePresentAccelerationFades) {
+TEST(EgoFutures, WithoutProfilesTheAccelerationDecays) {
   Track ego{kEgoId, AgentClass::kCar, kEgoSize, {}};
   for (int i = -7; i <= 0; ++i) {
     const double t = 0.5 * i;
@@ -160,7 +160,7 @@ TEST(EgoFutures, AStandingEgoStandsOrSetsOff) {
   }
 }
 
-TEST(EgoFutures, RefuseWhatCannotBeSampled) {
+TEST(EgoFutures, RejectInvalidArguments) {
   const KinematicEgoFutures sampler(kOptions, nullptr);
   Snapshot snapshot = snapshotOf(pastTrack(kEgoId, kEgoSize, {0, 0, 0}, 5.0), {}, twoLaneRoad());
   const LaneIndex lanes(twoLaneRoad());

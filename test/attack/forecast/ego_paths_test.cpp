@@ -47,14 +47,14 @@ TEST(SampledPath, FollowsALineAndGoesStraightOnBeyondBothEnds) {
   EXPECT_NEAR(path.poseAt(500.0, 0.0).x, 500.0, 1e-6);
 }
 
-TEST(SampledPath, AnArcFadesToAStraightLine) {
+TEST(SampledPath, AnArcDecaysToAStraightLine) {
   const SampledPath path({5, 6, 0.3}, 0.05, 20.0, 200.0);
   EXPECT_NEAR(path.poseAt(0.0, 0.0).x, 5.0, 1e-9);
   EXPECT_NEAR(path.poseAt(190.0, 0.0).yaw - 0.3, 0.05 * 20.0, 0.01);
   EXPECT_NEAR(path.poseAt(10.0, 0.0).yaw - 0.3, 1.0 - std::exp(-0.5), 0.01);
 }
 
-TEST(EgoNow, TellsPastSpeedsAndTurnRate) {
+TEST(EgoNow, DerivesPastSpeedsAndTurnRate) {
   Track ego{kEgoId, AgentClass::kCar, kEgoSize, {}};
   const double distances[] = {0.0, 1.0, 3.0, 6.0, 10.0};
   for (int i = 0; i < 5; ++i) {
@@ -66,7 +66,7 @@ TEST(EgoNow, TellsPastSpeedsAndTurnRate) {
   EXPECT_NEAR(now.turn_rate, 0.07 / 0.5, 1e-9);
 }
 
-TEST(EgoNow, AShortHistoryTellsTheSpeedOfWhatThereIs) {
+TEST(EgoNow, UsesAShortHistory) {
   Track ego{kEgoId, AgentClass::kCar, kEgoSize, {}};
   ego.states.push_back({kNow - 5.0, {-500.0, 0, 0}, {99.0, 0.0}});  // before a gap
   ego.states.push_back({kNow - 0.4, {0.0, 0, 0.1}, {99.0, 0.0}});
@@ -76,7 +76,7 @@ TEST(EgoNow, AShortHistoryTellsTheSpeedOfWhatThereIs) {
   EXPECT_NEAR(now.turn_rate, 0.02 / 0.4, 1e-9);
 }
 
-TEST(EgoNow, ReversingIsNegativeAndALoneStateStands) {
+TEST(EgoNow, ReversingIsNegativeAndASingleStateStands) {
   EXPECT_NEAR(egoAt({0, 0, 1.0}, -3.0).past_speeds[0], -3.0, 1e-9);
   Track lone{kEgoId, AgentClass::kCar, kEgoSize, {{kNow, {1, 2, 3}, {5.0, 0.0}}}};
   EXPECT_EQ(egoNow(lone).past_speeds[0], 0.0);
@@ -84,7 +84,7 @@ TEST(EgoNow, ReversingIsNegativeAndALoneStateStands) {
   EXPECT_THROW(egoNow(lone), std::invalid_argument);
 }
 
-TEST(EgoPaths, TakeEveryBranchAndTheFreeWay) {
+TEST(EgoPaths, IncludeEveryBranchAndThePathWithoutLanes) {
   const LaneIndex lanes(junction());
   const auto paths = egoPaths(egoAt({-20, 0, 0}, 6.0), lanes, kHorizon, kOptions);
   ASSERT_EQ(paths.size(), 3u);
@@ -113,7 +113,7 @@ TEST(EgoPaths, ATurningEgoTakesTheTurn) {
   EXPECT_GT(best->weight, 0.8);
 }
 
-TEST(EgoPaths, WaysThatAreTheSameComeOnce) {
+TEST(EgoPaths, EqualPathsAreMerged) {
   auto map = junction();
   map->lanes.push_back(straightLane("twin", {-200.0, 0.1}, {200.0, 0.1}));
   const LaneIndex lanes(map);
@@ -137,7 +137,7 @@ class VehicleAhead : public testing::Test {
   }
 };
 
-TEST_F(VehicleAhead, IsToldByGapAndClosingSpeed) {
+TEST_F(VehicleAhead, IsDescribedByGapAndClosingSpeed) {
   // Middles 24 m apart: 19.658 m between bumpers; 10 m/s against 4 m/s; 2 m + 1.2 s is wished.
   const WayAhead ahead = with(pastTrack("lead", kCarSize, {-26, 0.3, 0}, 4.0));
   const double gap = 24.0 - 0.5 * (kEgoSize.length + kCarSize.length);
@@ -145,7 +145,7 @@ TEST_F(VehicleAhead, IsToldByGapAndClosingSpeed) {
   EXPECT_NEAR(ahead.headway, 14.0 / gap, 0.02);
 }
 
-TEST_F(VehicleAhead, IsNotOneBesideBehindCrossingOrWalking) {
+TEST_F(VehicleAhead, ExcludesAgentsBesideBehindCrossingAndPedestrians) {
   EXPECT_EQ(with(pastTrack("beside", kCarSize, {-26, 3.5, 0}, 4.0)).headway, 0.0);
   EXPECT_EQ(with(pastTrack("behind", kCarSize, {-70, 0, 0}, 4.0)).headway, 0.0);
   EXPECT_EQ(with(pastTrack("crossing", kCarSize, {-26, 0, M_PI_2}, 4.0)).headway, 0.0);

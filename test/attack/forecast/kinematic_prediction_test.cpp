@@ -42,7 +42,7 @@ TEST(PredictFuture, FollowsALaneAtConstantSpeed) {
   EXPECT_NEAR(stateAt(track, kNow + 5.0)->velocity.x(), -8.0, 1e-6);
 }
 
-TEST(PredictFuture, FadesTheOffsetFromTheLane) {
+TEST(PredictFuture, DecaysTheOffsetFromTheLane) {
   const Track track = predicted(pastTrack("a", kCarSize, {0.0, 1.0, 0.0}, 5.0), twoLaneRoad());
   expectPose(track.states.front().pose, {0.0, 1.0, 0.0}, 1e-6);
   EXPECT_NEAR(stateAt(track, kNow + 3.0)->pose.y, std::exp(-1.0), 1e-6) << "15 m on";
@@ -70,7 +70,7 @@ TEST(PredictFuture, KeepsTheVelocityOfVehiclesOnNoLane) {
   }
 }
 
-TEST(PredictFuture, LeavesStandingVehiclesWhereTheyAre) {
+TEST(PredictFuture, KeepsStandingVehiclesInPlace) {
   const Track track = predicted(pastTrack("a", kCarSize, {0.0, 1.0, 0.1}, 0.4), twoLaneRoad());
   for (const AgentState& state : track.states) {
     expectPose(state.pose, {0.0, 1.0, 0.1}, 1e-9);
@@ -78,7 +78,7 @@ TEST(PredictFuture, LeavesStandingVehiclesWhereTheyAre) {
   }
 }
 
-TEST(PredictFuture, PredictsOnlyAgentsSeenAtNow) {
+TEST(PredictFuture, PredictsOnlyAgentsPresentAtNow) {
   Track gone = pastTrack("gone", kCarSize, {20.0, 0.0, 0.0}, 5.0);
   gone.states.pop_back();
   const Track here = pastTrack("here", kCarSize, {40.0, 0.0, 0.0}, 5.0);

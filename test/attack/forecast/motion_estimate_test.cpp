@@ -16,7 +16,7 @@ Track trackOf(const std::vector<double>& times, const std::function<Pose2(double
   return track;
 }
 
-TEST(EstimateMotion, OfAConstantVelocityIsExactWhateverTheRecordedVelocities) {
+TEST(EstimateMotion, IsExactForConstantVelocityWhateverTheRecordedVelocities) {
   const Pose2 start{3.0, 4.0, 0.8};
   const auto pose = [&](double t) { return compose(start, {6.0 * t, 0.0, 0.0}); };
   const Motion motion = estimateMotion(trackOf({0.0, 0.5, 1.0, 1.5}, pose), 4);
@@ -27,28 +27,28 @@ TEST(EstimateMotion, OfAConstantVelocityIsExactWhateverTheRecordedVelocities) {
   EXPECT_NEAR(motion.yaw_rate, 0.0, 1e-9);
 }
 
-TEST(EstimateMotion, OfAConstantAccelerationIsExactAtTheNewestState) {
+TEST(EstimateMotion, IsExactForConstantAcceleration) {
   const auto pose = [](double t) { return Pose2{5.0 * t + t * t, 0.0, 0.0}; };
   const Motion motion = estimateMotion(trackOf({0.0, 0.5, 1.0, 1.5}, pose), 4);
   EXPECT_NEAR(motion.speed, 8.0, 1e-9);
   EXPECT_NEAR(motion.acceleration, 2.0, 1e-9);
 }
 
-TEST(EstimateMotion, OfATurnHasItsYawRateAlsoAcrossHalfATurn) {
+TEST(EstimateMotion, FindsTheYawRateAcrossTheWrapOfAngles) {
   const auto pose = [](double t) { return Pose2{0.0, 0.0, wrapAngle(3.0 + 0.3 * t)}; };
   const Motion motion = estimateMotion(trackOf({0.0, 0.5, 1.0, 1.5}, pose), 4);
   EXPECT_NEAR(motion.yaw_rate, 0.3, 1e-9);
   EXPECT_NEAR(motion.pose.yaw, wrapAngle(3.45), 1e-12);
 }
 
-TEST(EstimateMotion, LooksAtTheNewestFramesOnly) {
+TEST(EstimateMotion, UsesTheNewestFramesOnly) {
   const auto pose = [](double t) { return Pose2{t < 1.0 ? 100.0 : 4.0 * t, 0.0, 0.0}; };
   const Track track = trackOf({0.0, 0.5, 1.0, 1.5, 2.0}, pose);
   EXPECT_NEAR(estimateMotion(track, 3).speed, 4.0, 1e-9);
   EXPECT_GT(std::abs(estimateMotion(track, 4).speed - 4.0), 1.0);
 }
 
-TEST(EstimateMotion, LooksAtNothingBeforeAGap) {
+TEST(EstimateMotion, IgnoresStatesBeforeAGap) {
   const auto pose = [](double t) { return Pose2{t < 2.0 ? 100.0 : 4.0 * t, 0.0, 0.0}; };
   EXPECT_NEAR(estimateMotion(trackOf({0.0, 0.5, 2.0, 2.5, 3.0}, pose), 8).speed, 4.0, 1e-9);
   const Motion alone = estimateMotion(trackOf({0.0, 0.5, 2.0}, pose), 8);
@@ -56,7 +56,7 @@ TEST(EstimateMotion, LooksAtNothingBeforeAGap) {
   EXPECT_EQ(alone.yaw_rate, 0.0);
 }
 
-TEST(EstimateMotion, OfOneStateIsStandstill) {
+TEST(EstimateMotion, OneStateIsStandstill) {
   const Motion motion = estimateMotion(trackOf({2.0},
                                                [](double) {
                                                  return Pose2{1.0, 2.0, 3.0};

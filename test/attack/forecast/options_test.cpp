@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-TEST(ForecastOptions, HistoryIsThatOfThePaper) {
+TEST(ForecastOptions, HistoryLengthIsThePapers) {
   constexpr double kFrameInterval = 0.5;  // s
   constexpr double kHistory = 3.5;        // s before now; arXiv 2510.12206, Sec. 4
   const PredictionOptions options = shippedOptions().prediction;
@@ -17,7 +17,7 @@ TEST(ForecastOptions, HistoryIsThatOfThePaper) {
   EXPECT_LE(options.motion_frames, options.history_frames);
 }
 
-TEST(ForecastOptions, HalfOfTheEgosFuturesIsHeldBack) {
+TEST(ForecastOptions, HalfOfTheEgosFuturesIsHeldOut) {
   EXPECT_EQ(shippedOptions().prediction.ego_samples % 2, 0);
 }
 

@@ -28,7 +28,7 @@ TEST(Random, UniformDrawsFillTheirRange) {
   EXPECT_NEAR(sum / 10000, 2.0, 0.1);
 }
 
-TEST(Random, BellsHaveTheDeviationAskedForAndNoTails) {
+TEST(Random, BellsHaveTheRequestedDeviationAndNoTails) {
   Random random(2);
   constexpr int kDraws = 40000;
   double sum = 0.0;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kFastest = std::numeric_limits<double>::infinity();
 
-/// Forecasts the same gains everywhere; notes the scenes that it was asked to leave out.
+/// Forecasts the same gains everywhere; records the scenes passed to withoutScene().
 class SameGains : public SpeedForecaster {
  public:
   SameGains(Eigen::VectorXd gains, Eigen::VectorXd weights, int known = 100)
@@ -46,7 +46,7 @@ SpeedSituations oneStep(const std::vector<double>& gains) {
   return SpeedSituations(rows);
 }
 
-TEST(CheckForecasts, ErrorIsThatOfTheMeanDistance) {
+TEST(CheckForecasts, ErrorIsTheErrorOfTheMeanDistance) {
   const SameGains forecaster(Eigen::Vector2d(2.0, 6.0), Eigen::Vector2d(0.75, 0.25));
   const auto errors = checkForecasts(oneStep({1.0, 7.0}), forecaster, 0.0, kFastest, {0.5});
   ASSERT_EQ(errors.size(), 1u);
@@ -56,7 +56,7 @@ TEST(CheckForecasts, ErrorIsThatOfTheMeanDistance) {
   EXPECT_EQ(forecaster.leftOut(), (std::vector<std::string>{"0", "0", "2", "2"}));
 }
 
-TEST(CheckForecasts, RankedScoreIsTheMeanDifferenceLessHalfThatAmongProfiles) {
+TEST(CheckForecasts, RankedScoreMatchesItsDefinition) {
   Eigen::VectorXd gains(3);
   gains << 4.0, -1.0, 2.5;
   Eigen::VectorXd weights(3);
@@ -84,7 +84,7 @@ TEST(CheckForecasts, CoverageIsTheShareOfCentralRanks) {
   EXPECT_NEAR(errors[0].covered[2], 0.8, 1e-3);
 }
 
-TEST(CheckForecasts, TakesRowsOfTheSpeedsThatLastAndAreForecast) {
+TEST(CheckForecasts, UsesRowsInTheSpeedRangeThatAreLongEnough) {
   std::vector<SpeedProfileRow> rows;
   for (int i = 0; i < 10; ++i) rows.push_back({"a", i, 1.0 * i, {}});
   const SpeedSituations recorded(rows);

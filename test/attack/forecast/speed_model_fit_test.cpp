@@ -40,8 +40,8 @@ class Normal {
   std::mt19937_64 engine_;
 };
 
-/// Scenes of drivers who approach `wished` plus `by_turn` times the bend's turn, by a tenth of what
-/// is missing each interval, with noise of `noise` m/s.
+/// Scenes of drivers that approach `wished` plus `by_turn` times the bend's turn, by a tenth of
+/// what is missing each interval, with noise of `noise` m/s.
 std::vector<SpeedProfileRow> linearDrivers(int scenes, int frames, double noise,
                                            std::uint64_t seed) {
   Normal normal(seed);
@@ -95,7 +95,7 @@ TEST(FitSpeedModel, RecoversALinearDriver) {
   }
 }
 
-TEST(FitSpeedModel, IsCalibratedOnDriversThatItDidNotSee) {
+TEST(FitSpeedModel, IsCalibratedOnHeldOutDrivers) {
   const SpeedSituations recorded(linearDrivers(120, 40, 0.3, 2));
   const SpeedModel model = fitSpeedModelWithFolds(recorded, 4, kOptions, 0);
   for (const ForecastErrors& errors :
@@ -133,10 +133,10 @@ TEST(FitSpeedModel, SpreadDependsOnTheSituation) {
   EXPECT_NEAR(spreadAt(12.0), 0.4, 0.12);
 }
 
-TEST(FitSpeedModel, ShortProfilesHaveTheirSay) {
+TEST(FitSpeedModel, ShortProfilesAreUsed) {
   std::vector<SpeedProfileRow> rows;
   for (int scene = 0; scene < 80; ++scene) {
-    // The long profiles are slow, the short ones fast: without these nobody drives 15 m/s.
+    // The long profiles are slow, the short ones fast: without these no profile reaches 15 m/s.
     const bool is_long = scene % 2 == 0;
     const double speed = (is_long ? 4.0 : 15.0) + 0.02 * scene;
     const double gain = is_long ? 0.0 : -0.2;
@@ -152,7 +152,7 @@ TEST(FitSpeedModel, ShortProfilesHaveTheirSay) {
   EXPECT_NEAR(meanOf(forecast)[3], 14.4 - 0.8, 0.15);
 }
 
-TEST(FitSpeedModel, LeftOutScenesHaveNoSay) {
+TEST(FitSpeedModel, LeftOutScenesHaveNoInfluence) {
   std::vector<SpeedProfileRow> kept = linearDrivers(40, 25, 0.2, 6);
   std::vector<SpeedProfileRow> all = kept;
   for (int frame = 0; frame < 40; ++frame) all.push_back({"odd", frame, 3.0 + frame, {}});
@@ -188,7 +188,7 @@ TEST(FitSpeedModel, FoldsLeaveEachSceneOutOnce) {
   EXPECT_TRUE(fitSpeedModelWithFolds(recorded, 0, kOptions, 1).folds().empty());
 }
 
-TEST(FitSpeedModel, RefusesWhatIsTooLittle) {
+TEST(FitSpeedModel, RejectsTooFewProfiles) {
   EXPECT_THROW(fitSpeedModel(SpeedSituations({}), {}, kOptions, 0), std::invalid_argument);
   EXPECT_THROW(fitSpeedModel(SpeedSituations(linearDrivers(5, 8, 0.1, 1)), {}, kOptions, 0),
                std::invalid_argument);

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kIntervals = 4;
 
-/// One center, at 2 m/s; drivers who gain their acceleration (feature 1) each interval, 1 m/s more
-/// or less. Who stands stays, or sets off when the turn rate (feature 4) is positive.
+/// One center, at 2 m/s; drivers gain their acceleration (feature 1) each interval, 1 m/s more
+/// or less. A standing driver stays, or sets off if the turn rate (feature 4) is positive.
 SpeedModelWeights plainWeights() {
   SpeedModelWeights weights;
   weights.feature_weights = Eigen::RowVectorXd::Ones(kSpeedFeatures);
@@ -63,7 +63,7 @@ TEST(SpeedModel, SpreadsAreLogarithms) {
   EXPECT_NEAR(forecast.speeds(1, 1), 5.0, 1e-12);
 }
 
-TEST(SpeedModel, CentersCountTheMoreTheNearerTheyAre) {
+TEST(SpeedModel, NearerCentersHaveMoreWeight) {
   SpeedModelWeights weights = plainWeights();
   weights.gains.bottomRows(1).setConstant(10.0);
   const auto gain = [&](double speed) {
@@ -74,12 +74,12 @@ TEST(SpeedModel, CentersCountTheMoreTheNearerTheyAre) {
   EXPECT_NEAR(gain(10.0), 10.0 / std::sqrt(65.0), 1e-12);
 }
 
-TEST(SpeedModel, SituationsOutsideOfWhatWasFittedAreTakenAtItsEdge) {
+TEST(SpeedModel, SituationsOutsideTheTrainingRangeAreClamped) {
   const SpeedModel model(plainWeights());
   EXPECT_NEAR(model.forecast(driving(50.0, 30.0), 1).speeds(0, 0), 50.0 + 10.0 + 1.0, 1e-12);
 }
 
-TEST(SpeedModel, WhoStandsHasProfilesOfItsOwn) {
+TEST(SpeedModel, AStandingEgoHasItsOwnProfiles) {
   const SpeedModel model(plainWeights());
   DrivingSituation situation = driving(0.0, 0.0);
   const SpeedForecast stays = model.forecast(situation, 4);
@@ -114,7 +114,7 @@ TEST(SpeedModel, AFoldForecastsTheScenesThatItLeftOut) {
   EXPECT_THROW(SpeedModel(plainWeights(), {fold, other}), std::invalid_argument);
 }
 
-TEST(SpeedModel, SpeedsThatNobodyDrivesAreErrors) {
+TEST(SpeedModel, SpeedsOutOfRangeAreErrors) {
   SpeedModelWeights weights = plainWeights();
   weights.log_spreads.row(0).setConstant(1e5);
   EXPECT_THROW(SpeedModel(weights).forecast(driving(8.0, 1.0), 4), std::runtime_error);

@@ -20,7 +20,7 @@ Scene followingScene() {
 
 const EgoPathOptions kOptions = shippedEgoFutureOptions().paths;
 
-TEST(CollectSpeedProfiles, GivesARowAFrameButTheFirst) {
+TEST(CollectSpeedProfiles, ReturnsARowPerFrameExceptTheFirst) {
   const Scene scene = followingScene();
   const auto rows = collectSpeedProfiles(scene, LaneIndex(scene.map), kOptions);
   ASSERT_EQ(rows.size(), 20u);
@@ -35,7 +35,7 @@ TEST(CollectSpeedProfiles, GivesARowAFrameButTheFirst) {
   EXPECT_GT(rows[19].ahead.headway, rows[0].ahead.headway);
 }
 
-TEST(CollectSpeedProfiles, LeavesOutAFrameNumberWhereFramesAreMissing) {
+TEST(CollectSpeedProfiles, SkipsAFrameNumberWhereFramesAreMissing) {
   Scene scene = followingScene();
   scene.frame_times.erase(scene.frame_times.begin() + 5, scene.frame_times.begin() + 8);
   const auto rows = collectSpeedProfiles(scene, LaneIndex(scene.map), kOptions);
@@ -45,7 +45,7 @@ TEST(CollectSpeedProfiles, LeavesOutAFrameNumberWhereFramesAreMissing) {
   EXPECT_EQ(rows[5].frame, 7);
 }
 
-TEST(CollectSpeedProfiles, DescribesTheWayThatTheEgoTook) {
+TEST(CollectSpeedProfiles, DescribesThePathThatTheEgoFollowed) {
   Scene scene = followingScene();
   auto map = emptyMap();
   map->lanes = {straightLane("in", {-200, 0}, {-40, 0}, {"on", "left"}),

@@ -20,7 +20,7 @@ AnchorFeatures anchorsOf(const Snapshot& snapshot, EgoHead head = EgoHead::kRegi
   return anchorFeatures(ways, lanes, kTta, shippedEgoFutureOptions(), options);
 }
 
-TEST(AnchorFeatures, LieAlongTheWaysAboutThePresentSpeed) {
+TEST(AnchorFeatures, LieAlongThePathsAroundConstantSpeed) {
   const AnchorFeatures anchors = anchorsOf(junctionSnapshot());
   ASSERT_EQ(anchors.group_size, 10);
   ASSERT_GT(anchors.prior[0], kAbsent);
@@ -33,7 +33,7 @@ TEST(AnchorFeatures, LieAlongTheWaysAboutThePresentSpeed) {
   EXPECT_NEAR(anchors.along_scale, 0.05 + 0.5 * std::pow(kTta, 1.5), 1e-5);
 }
 
-TEST(AnchorFeatures, NoneLiesBehindTheEgo) {
+TEST(AnchorFeatures, NeverLieBehindTheEgo) {
   Snapshot snapshot = junctionSnapshot();
   snapshot.ego = pastTrack(kEgoId, kEgoSize, {-30.0, -1.75, 0.0}, 1.0);
   const AnchorFeatures anchors = anchorsOf(snapshot);
@@ -71,7 +71,7 @@ TEST(AnchorFeatures, HeadsWithoutLanesGoStraightOn) {
   }
 }
 
-TEST(AnchorFeatures, RefuseAnInstantThatIsNotAhead) {
+TEST(AnchorFeatures, RejectATimeThatIsNotAfterNow) {
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
   const EgoWays ways = egoWays(snapshot, lanes, 9.0, shippedEgoFutureOptions(), 4);

@@ -21,7 +21,7 @@ bool areSame(const std::vector<Track>& a, const std::vector<Track>& b) {
   return a.size() == b.size();
 }
 
-/// Drivers of scene-x, who foretell nothing.
+/// Drivers of scene-x, without a forecast.
 class DriversOfAScene : public SpeedForecaster {
  public:
   SpeedForecast forecast(const DrivingSituation&, int) const override { return {}; }
@@ -30,7 +30,7 @@ class DriversOfAScene : public SpeedForecaster {
   }
 };
 
-TEST(Foresight, ASceneOnTestIsForeseenByTheNetworkThatLeftItOut) {
+TEST(Foresight, ATestSceneUsesTheNetworkTrainedWithoutIt) {
   PatternWeights fold = randomWeights(7);
   fold.left_out_scenes = {"scene-x"};
   const auto both =
@@ -42,7 +42,7 @@ TEST(Foresight, ASceneOnTestIsForeseenByTheNetworkThatLeftItOut) {
   EXPECT_FALSE(areSame(sampled(foresight), sampled(alone)));
 }
 
-TEST(Foresight, WithoutASceneNothingIsCopiedAndTheTypeStaysKnown) {
+TEST(Foresight, WithoutSceneCopiesNothingAndKeepsTheType) {
   PatternWeights fold = randomWeights(7);
   fold.left_out_scenes = {"scene-x"};
   const Foresight foresight{
@@ -55,7 +55,7 @@ TEST(Foresight, WithoutASceneNothingIsCopiedAndTheTypeStaysKnown) {
   EXPECT_EQ(without.known_type, CollisionType::kLtap);
 }
 
-TEST(Foresight, SpeedsOfASceneOnTestAreLeftOut) {
+TEST(Foresight, ATestSceneUsesTheSpeedModelFittedWithoutIt) {
   const auto drivers = std::make_shared<const DriversOfAScene>();
   const Foresight foresight{drivers, nullptr, {}};
   EXPECT_NE(foresight.withoutScene("scene-x").speeds, drivers);

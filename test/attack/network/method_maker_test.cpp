@@ -9,18 +9,18 @@
 namespace forge {
 namespace {
 
-TEST(MethodMaker, AnEmptyNameIsTheSuitesOwnMethod) {
+TEST(MethodMaker, AnEmptyNameIsTheDefaultMethod) {
   EXPECT_EQ(MethodMaker("", builtInMethods(), shippedOptions(), {}).name(), "search");
 }
 
-TEST(MethodMaker, RefusesAtOnceWhatItCouldNotMake) {
+TEST(MethodMaker, RejectsAMethodItCannotMake) {
   EXPECT_THROW(MethodMaker("nobody", builtInMethods(), shippedOptions(), {}),
                std::invalid_argument);
   EXPECT_THROW(MethodMaker("network+search", builtInMethods(), shippedOptions(), {}),
                std::invalid_argument);
 }
 
-TEST(MethodMaker, TellsWhichMethodsDraw) {
+TEST(MethodMaker, ReportsWhichMethodsAreSeeded) {
   const auto maker = [](const char* name) {
     return MethodMaker(name, builtInMethods(), shippedOptions(), {});
   };

@@ -42,7 +42,7 @@ double drivenAt(const Track& track, double time) {
   return driven;
 }
 
-TEST(NetworkEgoFutures, FollowFromTheSeed) {
+TEST(NetworkEgoFutures, DependOnTheSeedOnly) {
   const Snapshot snapshot = junctionSnapshot();
   const auto network = networkOf(modestWeights());
   const auto a = sampled(network, snapshot, 1);
@@ -70,7 +70,7 @@ void expectSpread(const std::vector<Track>& tracks, const std::vector<EgoCompone
   }
 }
 
-TEST(NetworkEgoFutures, DistancesAreSpreadAsTheNetworkSays) {
+TEST(NetworkEgoFutures, DistancesFollowTheNetworksDistribution) {
   Snapshot snapshot = junctionSnapshot();
   snapshot.map = emptyMap();  // one way alone
   const auto network = networkOf(modestWeights());
@@ -79,7 +79,7 @@ TEST(NetworkEgoFutures, DistancesAreSpreadAsTheNetworkSays) {
   expectSpread(sampled(network, snapshot), scene.egoAfter(4.0, std::nullopt));
 }
 
-TEST(NetworkEgoFutures, DistancesAreThoseOfTheTypeThatIsKnown) {
+TEST(NetworkEgoFutures, DistancesUseTheKnownType) {
   Snapshot snapshot = junctionSnapshot();
   snapshot.map = emptyMap();
   PatternWeights weights = modestWeights();
@@ -110,7 +110,7 @@ double chanceOf(const PredictedScene& scene, Eigen::Index way, double instant) {
   return chance;
 }
 
-TEST(NetworkEgoFutures, FollowAWayThatHasNoChanceAtTimes) {
+TEST(NetworkEgoFutures, FollowAPathOfTemporarilyZeroProbability) {
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
   const auto network = loadPatternNetwork(COLLISION_FORGE_SOURCE_DIR

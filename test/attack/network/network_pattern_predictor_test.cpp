@@ -38,7 +38,7 @@ std::vector<std::string> attackersOf(const PatternPrediction& prediction) {
   return ids;
 }
 
-TEST(NetworkPatternPredictor, TypeTellsTheEgosPlaceInKnownScenesAlone) {
+TEST(NetworkPatternPredictor, UsesTheTypeForTheEgoInKnownScenesOnly) {
   const auto chosen = networkOf(0);
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
@@ -85,7 +85,7 @@ TEST(NetworkPatternPredictor, ReplacesTheNearestPatternOfEachAttacker) {
   }
 }
 
-TEST(NetworkPatternPredictor, RanksAsTheNetworkJudges) {
+TEST(NetworkPatternPredictor, RanksByTheNetwork) {
   const auto chosen = networkOf(0);
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
@@ -114,7 +114,7 @@ TEST(NetworkPatternPredictor, TakesTheRecordedEgoInReplay) {
   EXPECT_NEAR(prediction.patterns[0].ego.center.x, -10.0, 1e-9);
 }
 
-TEST(NetworkPatternPredictor, TellsWhenNobodyCanAttack) {
+TEST(NetworkPatternPredictor, RejectsARequestWithoutCandidates) {
   Snapshot snapshot = junctionSnapshot();
   snapshot.agents.clear();
   const LaneIndex lanes = lanesOf(snapshot);

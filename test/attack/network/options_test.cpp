@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-TEST(EgoHead, UnknownNameIsRefused) {
+TEST(EgoHead, RejectsAnUnknownName) {
   try {
     egoHeadFromString("anchors");
     FAIL() << "no complaint";

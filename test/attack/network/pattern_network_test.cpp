@@ -69,14 +69,14 @@ TEST(PatternNetwork, ProbabilitiesSumToOneAndSpreadsArePositive) {
   EXPECT_NEAR(sum, 1.0, 1e-5);
 }
 
-TEST(PatternNetwork, RefusesNumbersThatAreNotFinite) {
+TEST(PatternNetwork, RejectsNumbersThatAreNotFinite) {
   const PatternNetwork network(randomWeights());
   SceneFeatures features = sampleFeatures();
   features.lanes(3, 2) = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THROW(network.encode(features), std::invalid_argument);
 }
 
-TEST(PatternNetwork, RefusesWeightsOfAnotherArchitecture) {
+TEST(PatternNetwork, RejectsWeightsOfAnotherArchitecture) {
   PatternWeights missing = randomWeights();
   missing.layers.erase("query");
   EXPECT_NE(complaintAbout(missing).find("layer query is missing"), std::string::npos);
@@ -92,7 +92,7 @@ TEST(PatternNetwork, RefusesWeightsOfAnotherArchitecture) {
   EXPECT_NE(complaintAbout(broken).find("layer key"), std::string::npos);
 }
 
-TEST(PatternNetwork, RefusesWeightsThatNoTrainingGives) {
+TEST(PatternNetwork, RejectsWeightsOutOfRange) {
   for (const float number : {3e38F, -2e6F, std::numeric_limits<float>::quiet_NaN()}) {
     PatternWeights weights = randomWeights();
     weights.layers.at("anchor_first").matrix(0, 0) = number;
@@ -103,7 +103,7 @@ TEST(PatternNetwork, RefusesWeightsThatNoTrainingGives) {
   }
 }
 
-TEST(PatternNetwork, AnswersThatNoTrainedNetworkGivesAreErrors) {
+TEST(PatternNetwork, OutputsOutOfRangeAreErrors) {
   const Snapshot snapshot = junctionSnapshot();
   const LaneIndex lanes = lanesOf(snapshot);
   const auto networkWithLarge = [](const char* layer) {
@@ -151,7 +151,7 @@ TEST(LogDensity, IntegratesToOne) {
   EXPECT_NEAR(sum, 1.0, 1e-3);
 }
 
-TEST(PatternNetwork, HasAFoldForEachSceneThatOneLeftOut) {
+TEST(PatternNetwork, HasAFoldForEachLeftOutScene) {
   PatternWeights first = randomWeights(1);
   first.left_out_scenes = {"scene-a", "scene-b"};
   PatternWeights second = randomWeights(2);

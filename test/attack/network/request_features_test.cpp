@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kTolerance = 1e-5F;
 
-TEST(RequestFeatures, TellTypeAndTime) {
+TEST(RequestFeatures, EncodeTypeAndTime) {
   const Eigen::VectorXf none = requestFeatures(std::nullopt, 9.0);
   EXPECT_EQ(none.head(5).sum(), 0.0F);
   EXPECT_NEAR(none[5], 1.0F, kTolerance);
@@ -21,7 +21,7 @@ TEST(RequestFeatures, TellTypeAndTime) {
   EXPECT_NEAR(rear_end[5], 0.0F, kTolerance);
 }
 
-TEST(CandidateFeatures, DoNotSeeTheHistory) {
+TEST(CandidateFeatures, IgnoreTheHistory) {
   Track track = pastTrack("candidate", kCarSize, {10.0, 5.0, 0.3}, 6.0);
   const Pose2 ego{1.0, 2.0, 0.1};
   const CandidateNow before = candidateNow(track, ego);
@@ -32,7 +32,7 @@ TEST(CandidateFeatures, DoNotSeeTheHistory) {
   EXPECT_NEAR(before.speed, 6.0, 1e-9);
 }
 
-TEST(CandidateFeatures, TellWhereConstantSpeedLeads) {
+TEST(CandidateFeatures, ContainThePositionAtConstantSpeed) {
   // 20 m beside, heading across at 5 m/s for 2 s: ends 10 m beside the ego's place
   const CandidateNow candidate{{0.0, 20.0, -M_PI_2}, 5.0};
   const Eigen::VectorXf features =

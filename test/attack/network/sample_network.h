@@ -7,7 +7,7 @@
 
 namespace forge {
 
-/// Small, but with all that config/training.yaml has.
+/// Small options with every field of config/training.yaml set.
 inline PatternFeatureOptions smallFeatures() {
   PatternFeatureOptions options;
   options.history_frames = 8;
@@ -33,7 +33,7 @@ inline PatternNetworkOptions smallLayers() {
   return options;
 }
 
-/// Weights that were never trained.
+/// Random, untrained weights.
 inline PatternWeights randomWeights(std::uint64_t seed = 0) {
   std::mt19937_64 engine(seed);
   PatternWeights weights;

@@ -78,7 +78,7 @@ void expectNear(const std::vector<float>& actual, const std::vector<float>& expe
   }
 }
 
-TEST(SceneEncoding, putsAgentsIntoTheFrameOfTheEgoNow) {
+TEST(SceneEncoding, PutsAgentsIntoTheFrameOfTheEgoNow) {
   const SceneEncoding encoding = encodeScene(tinySnapshot(), tinyMap(), kFrames, tinyOptions());
   EXPECT_EQ(encoding.agent_features.shape,
             (std::vector<std::uint32_t>{3, kFrames, kAgentFeatures}));
@@ -92,7 +92,7 @@ TEST(SceneEncoding, putsAgentsIntoTheFrameOfTheEgoNow) {
   expectNear(row(encoding.agent_features, 2, 0), {0, 3, 0, -1, 0, -1, 4.5F, 1.8F});
 }
 
-TEST(SceneEncoding, turnsByAnyAngle) {
+TEST(SceneEncoding, TurnsByAnyAngle) {
   Snapshot snapshot = tinySnapshot();
   snapshot.ego.states.back().pose.yaw = M_PI / 6.0;
   const SceneEncoding encoding = encodeScene(snapshot, tinyMap(), kFrames, tinyOptions());
@@ -102,7 +102,7 @@ TEST(SceneEncoding, turnsByAnyAngle) {
              {c + 6 * s, -s + 6 * c, -s, -c, -6 * s, -6 * c, 8, 2.5F});
 }
 
-TEST(SceneEncoding, samplesLanesNearestFirst) {
+TEST(SceneEncoding, SamplesLanesNearestFirst) {
   const SceneEncoding encoding = encodeScene(tinySnapshot(), tinyMap(), kFrames, tinyOptions());
   EXPECT_EQ(encoding.lane_ids, (std::vector<std::string>{"short", "connector"}));
   EXPECT_EQ(encoding.lane_features.shape, (std::vector<std::uint32_t>{2, 4, kLaneFeatures}));
@@ -116,7 +116,7 @@ TEST(SceneEncoding, samplesLanesNearestFirst) {
   expectNear(row(encoding.lane_features, 1, 3), {6, -5, 1, 0, 1, 1});
 }
 
-TEST(SceneEncoding, keepsTheNearestLanesWhenThereAreTooMany) {
+TEST(SceneEncoding, KeepsTheNearestLanesWhenThereAreTooMany) {
   EncodingOptions options = tinyOptions();
   options.max_lanes = 1;
   const SceneEncoding encoding = encodeScene(tinySnapshot(), tinyMap(), kFrames, options);

@@ -17,7 +17,7 @@ SceneFeatures featuresOf(const Snapshot& snapshot, const std::set<std::string>& 
   return sceneFeatures(observedSnapshot(snapshot, hidden), lanesOf(snapshot), options);
 }
 
-TEST(ObservedSnapshot, VelocitiesLookBack) {
+TEST(ObservedSnapshot, VelocitiesAreBackwardDifferences) {
   Snapshot snapshot = junctionSnapshot();
   snapshot.agents[0].states.back().velocity = {99.0, 99.0};
   const Snapshot observed = observedSnapshot(snapshot, {});
@@ -25,7 +25,7 @@ TEST(ObservedSnapshot, VelocitiesLookBack) {
   EXPECT_NEAR(observed.agents[0].states.back().velocity.y(), 0.0, 1e-9);
 }
 
-TEST(ObservedSnapshot, KeepsOneStateOfWhoseHistoryIsHidden) {
+TEST(ObservedSnapshot, KeepsOneStateOfAgentsWithHiddenHistory) {
   const Snapshot observed = observedSnapshot(junctionSnapshot(), {"oncoming"});
   ASSERT_EQ(observed.agents[1].states.size(), 1U);
   EXPECT_NEAR(observed.agents[1].states[0].velocity.x(), -9.0, 1e-9);
@@ -73,7 +73,7 @@ TEST(SceneFeatures, HiddenHistoryChangesNothing) {
   EXPECT_NE(featuresOf(other).agents, featuresOf(junctionSnapshot()).agents);
 }
 
-TEST(SceneFeatures, AgentFramesBoundWhatIsSeenOfOthers) {
+TEST(SceneFeatures, AgentFramesLimitTheHistoryOfOtherAgents) {
   PatternFeatureOptions options = smallFeatures();
   options.agent_frames = 1;
   const SceneFeatures features = featuresOf(junctionSnapshot(), {}, options);
@@ -93,7 +93,7 @@ Eigen::Index laneAt(const SceneFeatures& features, double x, double y) {
   return 0;
 }
 
-TEST(SceneFeatures, LanesTellWhatFollows) {
+TEST(SceneFeatures, LanesEncodeTheirLinks) {
   Snapshot snapshot = junctionSnapshot();
   auto map = fourWayJunction();
   map->lanes[0].outgoing = {"east_through", "left", "right"};
@@ -124,7 +124,7 @@ TEST(SceneFeatures, LanesTellWhatFollows) {
   EXPECT_EQ(west.tail(5).cwiseAbs().sum(), 0.0F);
 }
 
-TEST(SceneFeatures, RefuseWhatIsNotFinite) {
+TEST(SceneFeatures, RejectNumbersThatAreNotFinite) {
   Snapshot snapshot = junctionSnapshot();
   snapshot.agents[2].states[3].pose.y = std::numeric_limits<double>::quiet_NaN();
   try {

@@ -29,17 +29,17 @@ class AdaptiveAnswerTest : public testing::Test {
   Chase chase_;
 };
 
-TEST_F(AdaptiveAnswerTest, TellsWhatWasDrivenOverTheRecording) {
+TEST_F(AdaptiveAnswerTest, ReportsTheDriveOverTheRecording) {
   const AdaptiveAnswer answer = ask([](double t) { return std::max(5.0, 8.0 - 1.5 * t); });
   ASSERT_EQ(answer.attack.status.code, StatusCode::kOk) << answer.attack.status.message;
   EXPECT_TRUE(answer.attack.report.verified());
-  EXPECT_EQ(answer.plans.front().reason, "sets out");
+  EXPECT_EQ(answer.plans.front().reason, "initial plan");
   EXPECT_GT(answer.plans.size(), 1u);
   EXPECT_FALSE(answer.milliseconds.empty());
   EXPECT_EQ(withoutMisses(answer, chase_.request).attack.status.code, StatusCode::kOk);
 }
 
-TEST_F(AdaptiveAnswerTest, AMissIsDeclinedWithTheReason) {
+TEST_F(AdaptiveAnswerTest, AMissIsRejectedWithTheReason) {
   const AdaptiveAnswer answer = ask([](double t) { return std::min(32.0, 8.0 + 12.0 * t); });
   EXPECT_FALSE(answer.attack.report.contact);
   const AdaptiveAnswer declined = withoutMisses(answer, chase_.request);

@@ -19,7 +19,7 @@ double braking(double seconds) { return std::max(3.0, 8.0 - 2.5 * seconds); }
 
 const AttackerPlan& lastPlan(const AttackerPolicy& policy) { return policy.plans().back(); }
 
-TEST(AdaptiveAttacker, MeetsAnEgoThatBrakesWhereAFixedOneIsTooEarly) {
+TEST(AdaptiveAttacker, HitsABrakingEgoThatAFixedAttackerMisses) {
   const Chase chase;
   const Track ego = egoAt(braking);
   FixedAttacker fixed(chase.firstAttack().trajectory);
@@ -32,7 +32,7 @@ TEST(AdaptiveAttacker, MeetsAnEgoThatBrakesWhereAFixedOneIsTooEarly) {
   EXPECT_GT(attacker.plans().size(), 1u);
 }
 
-TEST(AdaptiveAttacker, KeepsWhatTheRequestNames) {
+TEST(AdaptiveAttacker, KeepsTheConstraintsOfTheRequest) {
   Chase chase;
   chase.request.manoeuvre = Manoeuvre::kFollowerCloses;
   chase.request.ego_side = Side::kRear;
@@ -43,7 +43,7 @@ TEST(AdaptiveAttacker, KeepsWhatTheRequestNames) {
   EXPECT_GT(attacker.plans().size(), 1u);
 }
 
-TEST(AdaptiveAttacker, KeepsAPlanThatMeetsTheEgoAsItDrives) {
+TEST(AdaptiveAttacker, KeepsAPlanThatStillHitsTheEgo) {
   const Chase chase;
   AdaptiveAttacker attacker = chase.attacker();
   const Track ego = egoAt(steady);
@@ -52,7 +52,7 @@ TEST(AdaptiveAttacker, KeepsAPlanThatMeetsTheEgoAsItDrives) {
   EXPECT_LE(attacker.plans().size(), 3u) << "hardly anything is changed";
 }
 
-TEST(AdaptiveAttacker, ChangesNothingBeforeItsReactionTimeIsOver) {
+TEST(AdaptiveAttacker, KeepsItsPlanDuringTheReactionTime) {
   const Chase chase;
   AdaptiveAttacker attacker = chase.attacker();
   const Track ego = egoAt(braking);
@@ -74,7 +74,7 @@ TEST(AdaptiveAttacker, ChangesNothingBeforeItsReactionTimeIsOver) {
   EXPECT_GT(changes, 0);
 }
 
-TEST(AdaptiveAttacker, KnowsNothingOfWhatComes) {
+TEST(AdaptiveAttacker, IgnoresTheRecordedFuture) {
   const Chase chase;
   AdaptiveAttacker one = chase.attacker();
   AdaptiveAttacker other = chase.attacker();
@@ -93,7 +93,7 @@ TEST(AdaptiveAttacker, KnowsNothingOfWhatComes) {
   EXPECT_TRUE(parted);
 }
 
-TEST(AdaptiveAttacker, TheWholeDriveKeepsTheLimitsWhateverTheEgoDoes) {
+TEST(AdaptiveAttacker, WholeDriveKeepsTheLimitsForRandomEgoMotion) {
   const unsigned seed = 20261123;
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 generator(seed);
@@ -115,7 +115,7 @@ TEST(AdaptiveAttacker, TheWholeDriveKeepsTheLimitsWhateverTheEgoDoes) {
   }
 }
 
-TEST(AdaptiveAttacker, NewPlansUseAShareOfTheLimitsWhereItIsToBeGentle) {
+TEST(AdaptiveAttacker, AggressivenessScalesTheLimitsOfNewPlans) {
   const double share = 0.5;
   const Chase chase;
   const Realization first = chase.firstAttack();
@@ -139,7 +139,7 @@ TEST(AdaptiveAttacker, NewPlansUseAShareOfTheLimitsWhereItIsToBeGentle) {
   EXPECT_GT(planned, 0);
 }
 
-TEST(AdaptiveAttacker, GivesUpWhereTheEgoJumps) {
+TEST(AdaptiveAttacker, AbortsWhenTheEgoJumps) {
   const Chase chase;
   AdaptiveAttacker attacker = chase.attacker();
   const Track ego = egoAt(steady);
@@ -151,7 +151,7 @@ TEST(AdaptiveAttacker, GivesUpWhereTheEgoJumps) {
   EXPECT_EQ(lastPlan(attacker).reason, "the ego jumped");
 }
 
-TEST(AdaptiveAttacker, GivesUpAndTouchesNobodyWhereTheEgoIsFarAway) {
+TEST(AdaptiveAttacker, AbortsWithoutContactWhenTheEgoIsFarAway) {
   const Chase chase;
   AdaptiveAttacker attacker = chase.attacker();
   // It leaves at four times the speed.
@@ -161,7 +161,7 @@ TEST(AdaptiveAttacker, GivesUpAndTouchesNobodyWhereTheEgoIsFarAway) {
   EXPECT_FALSE(reportOf(attacker, ego, chase).contact);
 }
 
-TEST(AdaptiveAttacker, StillSeesTheOthersWhereTheEgoIsGone) {
+TEST(AdaptiveAttacker, ObservesOtherAgentsWhileTheEgoIsLost) {
   const Chase chase;
   AdaptiveAttacker attacker = chase.attacker();
   watch(attacker, egoAt(steady), 0.5);
@@ -172,11 +172,11 @@ TEST(AdaptiveAttacker, StillSeesTheOthersWhereTheEgoIsGone) {
     wall.states = {{time, {28.0, 0.0, 0.0}, {0.0, 0.0}}};
     attacker.observe({time, {nowhere, nowhere, nowhere}, {wall}});
   }
-  EXPECT_EQ(lastPlan(attacker).reason, "the ego is out of sight");
+  EXPECT_EQ(lastPlan(attacker).reason, "the ego is no longer observed");
   EXPECT_LT(attacker.trajectory().points.back().pose.x + 0.5 * kCarSize.length, 28.0 - 2.3);
 }
 
-TEST(AdaptiveAttacker, WhatItPlansAnewKeepsItsClassesLimitsWhateverTheRequestNames) {
+TEST(AdaptiveAttacker, NewPlansKeepTheClassLimitsWhateverTheRequestSays) {
   Chase chase;
   chase.request.mode = Mode::kHistory;
   chase.request.crash.believable = false;
@@ -191,7 +191,7 @@ TEST(AdaptiveAttacker, WhatItPlansAnewKeepsItsClassesLimitsWhateverTheRequestNam
   EXPECT_GT(attacker.plans().size(), 1u);
 }
 
-TEST(AdaptiveAttacker, ATrajectoryThatEndsEarlyGoesStraightOn) {
+TEST(AdaptiveAttacker, ExtendsAShortTrajectoryStraight) {
   const Chase chase;
   Realization first = chase.firstAttack();
   const std::size_t all = first.trajectory.points.size();
@@ -208,7 +208,7 @@ TEST(AdaptiveAttacker, ATrajectoryThatEndsEarlyGoesStraightOn) {
   EXPECT_EQ(attacker.trajectory().points.size(), all);
 }
 
-TEST(AdaptiveAttacker, PassesOverFramesThatAreLateOrTooMany) {
+TEST(AdaptiveAttacker, IgnoresLateAndTooFrequentFrames) {
   const Chase chase;
   AdaptiveAttacker attacker = chase.attacker();
   AdaptiveAttacker plain = chase.attacker();
@@ -226,7 +226,7 @@ TEST(AdaptiveAttacker, PassesOverFramesThatAreLateOrTooMany) {
   }
 }
 
-TEST(AdaptiveAttacker, GivesUpWhereSomebodyIsInItsWay) {
+TEST(AdaptiveAttacker, AbortsWhenAnotherAgentBlocksThePlan) {
   const Chase chase;
   AdaptiveAttacker attacker = chase.attacker();
   const Track ego = egoAt(steady);
@@ -243,7 +243,7 @@ TEST(AdaptiveAttacker, GivesUpWhereSomebodyIsInItsWay) {
       << "it stops before the wall";
 }
 
-TEST(AdaptiveAttacker, CommitsWhereItIsTooLateToChangeAnything) {
+TEST(AdaptiveAttacker, CommitsWhenItIsTooLateToReplan) {
   const Chase chase;
   AdaptiveAttacker attacker = chase.attacker();
   const Track ego = egoAt(steady);
@@ -255,7 +255,7 @@ TEST(AdaptiveAttacker, CommitsWhereItIsTooLateToChangeAnything) {
   EXPECT_EQ(attacker.phase(), AttackerPhase::kDrivingOn);
 }
 
-TEST(AdaptiveAttacker, ItsOutlookIsWhatWasSeenAndThenAForecast) {
+TEST(AdaptiveAttacker, OutlookIsTheObservedPastThenAForecast) {
   const Chase chase;
   AdaptiveAttacker attacker = chase.attacker();
   const Track ego = egoAt(braking);

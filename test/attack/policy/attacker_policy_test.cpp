@@ -19,7 +19,7 @@ TEST(AttackerPolicy, NamesAreReadAsTheyAreWritten) {
   EXPECT_FALSE(policyKindFromString("reckless"));
 }
 
-TEST(FixedAttacker, DrivesItsTrajectoryWhateverItSees) {
+TEST(FixedAttacker, DrivesItsTrajectoryWhateverItObserves) {
   const AttackerTrajectory drive = straightDrive({0.0, 0.0, 0.0}, 10.0, 3.0);
   FixedAttacker attacker(drive);
   attacker.observe({kNow + 1.0, {500.0, 0.0, 0.0}, {}});

@@ -45,21 +45,21 @@ TEST_F(DriveOnTest, OnAFreeRoadItKeepsItsSpeedAndComesBackToItsLane) {
   EXPECT_NEAR(points.back().pose.yaw, 0.0, 0.05);
 }
 
-TEST_F(DriveOnTest, StopsBehindWhoStandsInItsWay) {
+TEST_F(DriveOnTest, StopsBehindAStandingVehicle) {
   const Track wall = futureTrack("wall", kCarSize, {35.0, 0.0, 0.0}, 0.0);
   const auto points = driveFrom({0.0, 0.0, 0.0}, 10.0, {wall}, road_);
   EXPECT_FALSE(firstTouch(points, kCarSize, {&wall}));
   EXPECT_LT(points.back().pose.x, 35.0 - kCarSize.length);
 }
 
-TEST_F(DriveOnTest, WhereNobodyCanStopInTimeItTouchesAsLateAsCanBe) {
+TEST_F(DriveOnTest, UnavoidableContactIsAsLateAsPossible) {
   const Track wall = futureTrack("wall", kCarSize, {11.0, 0.0, 0.0}, 0.0);
   const auto points = driveFrom({0.0, 0.0, 0.0}, 15.0, {wall}, road_);
   EXPECT_TRUE(firstTouch(points, kCarSize, {&wall}));
   EXPECT_LT(points[20].speed, 15.0 - 4.0) << "in two seconds";
 }
 
-TEST_F(DriveOnTest, WhoIsNearerThanTheClearanceComesNoNearer) {
+TEST_F(DriveOnTest, KeepsItsDistanceWithinTheClearance) {
   const Track wall = futureTrack("wall", kCarSize, {kCarSize.length + 0.1, 0.0, 0.0}, 0.0);
   const auto points = driveFrom({0.0, 0.0, 0.0}, 0.0, {wall}, road_);
   EXPECT_FALSE(firstTouch(points, kCarSize, {&wall}));

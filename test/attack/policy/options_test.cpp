@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-TEST(AdaptiveOptions, FitEachOtherAndTheSearch) {
+TEST(AdaptiveOptions, AreConsistentWithEachOtherAndTheSearch) {
   const AdaptiveOptions options = shippedAdaptive();
   const AttackOptions attack = shippedOptions();
   EXPECT_GE(options.period, attack.search.step - 1e-9) << "plans change at the points";

@@ -24,7 +24,7 @@ inline AttackerSetup shippedSetupOfAttackers() {
           shippedAdaptive()};
 }
 
-/// An ego that drives east from x = 0, with one who follows it, at kNow.
+/// An ego that drives east from x = 0, with a follower, at kNow.
 struct Chase {
   std::shared_ptr<LaneMap> map = twoLaneRoad();
   std::shared_ptr<const LaneIndex> lanes = std::make_shared<const LaneIndex>(map);
@@ -67,14 +67,14 @@ inline Frame frameOf(const Track& ego, double time, std::vector<Track> agents = 
   return {time, stateAt(ego, time).value().pose, std::move(agents)};
 }
 
-/// Shows the frames up to `until` seconds after kNow.
+/// Calls observe() with the frames up to `until` seconds after kNow.
 inline void watch(AttackerPolicy& policy, const Track& ego, double until, double interval = 0.1) {
   for (int i = 1; i * interval <= until + 1e-9; ++i) {
     policy.observe(frameOf(ego, kNow + i * interval));
   }
 }
 
-/// What became of it.
+/// Returns the verification of the whole drive.
 inline CollisionReport reportOf(const AttackerPolicy& policy, const Track& ego,
                                 const Chase& chase) {
   Future future;

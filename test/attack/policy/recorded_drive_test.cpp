@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-/// Writes down what it sees.
+/// Records the frames that it observes.
 class Witness : public AttackerPolicy {
  public:
   std::unique_ptr<AttackerPolicy> clone() const override {
@@ -36,7 +36,7 @@ Scene recording() {
   return scene;
 }
 
-TEST(DriveOverRecording, ShowsTheFramesAfterNowUpToTheEndOfTheTrajectory) {
+TEST(DriveOverRecording, ObservesTheFramesAfterNowUpToTheTrajectorysEnd) {
   Witness witness(3.2);
   const auto times = driveOverRecording(witness, recording(), kNow + 0.5);
   ASSERT_EQ(witness.seen().size(), 5u);
@@ -46,7 +46,7 @@ TEST(DriveOverRecording, ShowsTheFramesAfterNowUpToTheEndOfTheTrajectory) {
   EXPECT_NEAR(witness.seen().front().ego.x, 5.0, 1e-9);
 }
 
-TEST(FrameAt, HasThoseWhoWereRecordedThenWithThatStateAlone) {
+TEST(FrameAt, HasTheAgentsRecordedThenWithOneState) {
   const Scene scene = recording();
   EXPECT_TRUE(frameAt(scene, kNow + 0.5).agents.empty());
   const Frame frame = frameAt(scene, kNow + 1.5);

@@ -42,7 +42,7 @@ class AddedDrivesTest : public testing::Test {
     return drives_->plan(meeting, manner, kCarSize, drive_);
   }
 
-  /// Of the manners that a meeting is tried in.
+  /// Kinds of the manners that are tried for a meeting.
   std::vector<AddedManner::Kind> kindsOf(const AddedMeeting& meeting) const {
     std::vector<AddedManner::Kind> kinds;
     for (const AddedManner& manner : drives_->mannersOf(meeting)) kinds.push_back(manner.kind);
@@ -61,7 +61,7 @@ class AddedDrivesTest : public testing::Test {
   AddedDrive drive_;
 };
 
-TEST_F(AddedDrivesTest, WhoCruisesIsAtTheMeetingAtTheContact) {
+TEST_F(AddedDrivesTest, ACruiseReachesTheMeetingAtTheContact) {
   const AddedMeeting meeting = meetingAt(Side::kRear);
   ASSERT_TRUE(plan(meeting, {AddedManner::kCruise, 11.0}));
   const Pose2 then = drive_.poseAt(meeting.way->path, 40);
@@ -74,7 +74,7 @@ TEST_F(AddedDrivesTest, WhoCruisesIsAtTheMeetingAtTheContact) {
   }
 }
 
-TEST_F(AddedDrivesTest, PlacesAheadAreThoseOfTheirTimesWhateverTheContactIs) {
+TEST_F(AddedDrivesTest, InterpolatesPlacesForAnyContactTime) {
   AddedMeeting meeting = meetingAt(Side::kRear);
   meeting.contact = 1.33;
   ASSERT_TRUE(plan(meeting, {AddedManner::kCruise, 10.0}));
@@ -95,7 +95,7 @@ TEST_F(AddedDrivesTest, ATrainKeepsTheEgosDistanceUntilNow) {
   EXPECT_NEAR(drive_.on.back(), meeting.seen(kCarSize).along, 1e-6);
 }
 
-TEST_F(AddedDrivesTest, WhoFollowsDrivesAsAFlowLaterOrEarlier) {
+TEST_F(AddedDrivesTest, AFollowerRepeatsAFlowEarlierOrLater) {
   // It is there 1.7 s after the contact.
   scene_.add("behind", {kEgoThen - kTouching - 57.0, 0.0, 0.0}, 10.0);
   make();
@@ -110,7 +110,7 @@ TEST_F(AddedDrivesTest, WhoFollowsDrivesAsAFlowLaterOrEarlier) {
   EXPECT_FALSE(plan(meetingAt(Side::kRear), {AddedManner::kFollow, 0.0}));
 }
 
-TEST_F(AddedDrivesTest, WhoStartsStandsNow) {
+TEST_F(AddedDrivesTest, AStartingVehicleStandsNow) {
   const AddedMeeting meeting = meetingAt(Side::kRear);
   ASSERT_TRUE(plan(meeting, {AddedManner::kStart, 1.2, false}));
   EXPECT_NEAR(drive_.on.back(), meeting.seen(kCarSize).along, 1e-6);
@@ -118,12 +118,12 @@ TEST_F(AddedDrivesTest, WhoStartsStandsNow) {
   EXPECT_EQ(drive_.back.front(), drive_.back.back()) << "stood all along";
   EXPECT_GT(drive_.at(1), drive_.at(0));
   ASSERT_TRUE(plan(meeting, {AddedManner::kStart, 1.2, true}));
-  const int waited = static_cast<int>(std::lround(options_.added.wait / AddedDrive::kStep));
+  const int waited = static_cast<int>(std::lround(AddedDrive::kWait / AddedDrive::kStep));
   EXPECT_EQ(drive_.at(-waited), drive_.at(0));
   EXPECT_LT(drive_.at(-waited - 1), drive_.at(0)) << "came there";
 }
 
-TEST_F(AddedDrivesTest, WhoStandsStandsAtTheMeeting) {
+TEST_F(AddedDrivesTest, AStandingVehicleStandsAtTheMeeting) {
   const AddedMeeting meeting = meetingAt(Side::kFront);
   ASSERT_TRUE(plan(meeting, {AddedManner::kStand}));
   for (const int step : {-120, -1, 0, 1, 40}) {
@@ -131,7 +131,7 @@ TEST_F(AddedDrivesTest, WhoStandsStandsAtTheMeeting) {
   }
 }
 
-TEST_F(AddedDrivesTest, WhoIsParkedStandsBeforeTheMeetingAndFartherOut) {
+TEST_F(AddedDrivesTest, AParkedCarStandsBeforeTheMeetingAndFartherOut) {
   const AddedMeeting meeting = meetingAt(Side::kRight);
   const double beside = -0.5 * (kEgoSize.width + kCarSize.width);
   ASSERT_NEAR(meeting.across, beside, 1e-6);
@@ -146,7 +146,7 @@ TEST_F(AddedDrivesTest, WhoIsParkedStandsBeforeTheMeetingAndFartherOut) {
   EXPECT_FALSE(plan(meeting, {AddedManner::kPark, 30.0})) << "too far off the lane";
 }
 
-TEST_F(AddedDrivesTest, InRearEndsOnlyWhoIsAheadStands) {
+TEST_F(AddedDrivesTest, RearEndsStandOnlyAheadOfTheEgo) {
   const AddedMeeting ahead = meetingAt(Side::kFront);
   EXPECT_FALSE(has(kindsOf(meetingAt(Side::kRear)), AddedManner::kStand));
   EXPECT_EQ(kindsOf(ahead).front(), AddedManner::kTrain);
@@ -158,7 +158,7 @@ TEST_F(AddedDrivesTest, InRearEndsOnlyWhoIsAheadStands) {
   EXPECT_EQ(kindsOf(ahead).front(), AddedManner::kStand) << "where the future is predicted";
 }
 
-TEST_F(AddedDrivesTest, InLaneChangesParkWhereThatIsAskedForOrTheEgoHasTheLane) {
+TEST_F(AddedDrivesTest, LaneChangesParkOnRequestOrWhereTheEgoHasTheLane) {
   scene_.request.type = CollisionType::kLaneChange;
   const AddedMeeting own = meetingAt(Side::kRight);
   const AddedMeeting beside = meetingAt(Side::kLeft, 1);
@@ -167,13 +167,12 @@ TEST_F(AddedDrivesTest, InLaneChangesParkWhereThatIsAskedForOrTheEgoHasTheLane) 
   EXPECT_EQ(kindsOf(own).front(), AddedManner::kPark);
   EXPECT_EQ(kindsOf(beside).back(), AddedManner::kPark);
   scene_.request.manoeuvre = Manoeuvre::kPullOut;
-  EXPECT_EQ(kindsOf(own),
-            std::vector<AddedManner::Kind>(options_.added.parked.size(), AddedManner::kPark));
+  EXPECT_EQ(kindsOf(own), std::vector<AddedManner::Kind>(2, AddedManner::kPark));
   scene_.request.manoeuvre = Manoeuvre::kCutIn;
   EXPECT_FALSE(has(kindsOf(own), AddedManner::kPark));
 }
 
-TEST_F(AddedDrivesTest, WhoCruisesVariesItsSpeedAndMeetsTheEgoAllTheSame) {
+TEST_F(AddedDrivesTest, ACruiseWithSpeedVariationStillReachesTheMeeting) {
   const AddedMeeting meeting = meetingAt(Side::kRear);
   ASSERT_TRUE(plan(meeting, {AddedManner::kCruise, 8.0}));
   const AddedDrive even = drive_;

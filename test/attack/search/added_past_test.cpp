@@ -15,8 +15,8 @@ class AddedPastTest : public testing::Test {
   /// The ways shall be long enough.
   AddedPastTest() { options_.added.speeds.push_back(17.0); }
 
-  /// What becomes of somebody who drives east at a steady speed, at a place along the lane now.
-  /// Null: it could.
+  /// Result for a vehicle that drives east at constant speed, at a place along the lane at t0.
+  /// Null: possible.
   const char* drive(double now, double speed, double aside = 0.0) {
     const AddedVehicleInput input = scene_.input();
     AddedWays ways(input, options_.added);
@@ -53,17 +53,17 @@ TEST_F(AddedPastTest, DrivesAsPlannedAtAllFrames) {
 }
 
 TEST_F(AddedPastTest, TouchedNobodyUntilNow) {
-  EXPECT_STREQ(drive(160.0, 8.0), "would have touched somebody") << "is where the ego is";
+  EXPECT_STREQ(drive(160.0, 8.0), "would have touched an agent before t0") << "is where the ego is";
   scene_.others = {AddedScene::longPast("stands", kCarSize, {-20.0, 0.0, 0.0}, 0.0)};
-  EXPECT_STREQ(drive(200.0, 8.0), "would have touched somebody");
+  EXPECT_STREQ(drive(200.0, 8.0), "would have touched an agent before t0");
 }
 
 TEST_F(AddedPastTest, TouchesNobodyBeforeTheContact) {
   scene_.add("stands", {20.0, 0.0, 0.0}, 0.0);
-  EXPECT_STREQ(drive(200.0, 8.0), "touch somebody else first");
+  EXPECT_STREQ(drive(200.0, 8.0), "would touch another agent first");
 }
 
-TEST_F(AddedPastTest, ComesOutOfSightWhereItWasNotThereAtFirst) {
+TEST_F(AddedPastTest, AppearsOutsideTheEgosView) {
   // Its lane begins 160 m behind the ego, and 20 m behind it.
   EXPECT_STREQ(drive(80.0, 14.0), nullptr);
   EXPECT_LT(track_.states.size(), scene_.past.ego.states.size());
@@ -72,13 +72,12 @@ TEST_F(AddedPastTest, ComesOutOfSightWhereItWasNotThereAtFirst) {
   EXPECT_GT((stateAt(scene_.past.ego, first.time)->pose.position() - first.pose.position()).norm(),
             options_.added.sensing_range);
   scene_.map->lanes[0] = straightLane("east", {-170.0, 0.0}, {200.0, 0.0});
-  EXPECT_STREQ(drive(140.0, 16.0), "would appear in sight");
+  EXPECT_STREQ(drive(140.0, 16.0), "would appear in the ego's view");
 }
 
 TEST_F(AddedPastTest, IsNotParkedAgainstTheTraffic) {
-  EXPECT_STREQ(drive(200.0, 0.0, 3.0), "would be parked against the traffic");
-  EXPECT_STREQ(drive(200.0, 0.0, 1.2), "would be parked against the traffic")
-      << "between the lanes";
+  EXPECT_STREQ(drive(200.0, 0.0, 3.0), "would be parked against traffic");
+  EXPECT_STREQ(drive(200.0, 0.0, 1.2), "would be parked against traffic") << "between the lanes";
 }
 
 TEST_F(AddedPastTest, IsNotParkedInAJunction) {

@@ -27,7 +27,7 @@ struct AddedScene {
     return straightTrack(id, size, now, speed, kNow, kNow - 12.0, kNow);
   }
 
-  /// Somebody who drives straight on, up to now and from now on.
+  /// Adds an agent that drives straight on before and after kNow.
   void add(const std::string& id, const Pose2& now, double speed) {
     others.push_back(longPast(id, kCarSize, now, speed));
     future.agents.push_back(futureTrack(id, kCarSize, now, speed));

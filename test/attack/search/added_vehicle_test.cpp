@@ -52,19 +52,17 @@ struct Case {
   Realization result() const { return resultIn(future()); }
 };
 
-/// Declines everything, and counts what it is asked.
+/// Rejects every task and counts the calls.
 class CountingRealizer : public TrajectoryRealizer {
  public:
-  Realization realize(const RealizationTask& task) const override {
+  Realization realize(const RealizationTask&) const override {
     ++calls;
-    in_turn += task.enough.has_value();
     return declined({StatusCode::kNoAttackWithinLimits, "is only counted"});
   }
   mutable int calls = 0;
-  mutable int in_turn = 0;
 };
 
-TEST(AddedVehicle, AllCarsAreAskedForInOneCall) {
+TEST(AddedVehicle, AllCarsAreRealisedInOneCall) {
   Case scene;
   scene.request.type = CollisionType::kRearEnd;
   const Snapshot all = scene.past();
@@ -78,10 +76,9 @@ TEST(AddedVehicle, AllCarsAreAskedForInOneCall) {
   const CountingRealizer realizer;
   realizeByAdded(vehicles, input, scene.options, realizer, SearchedMotion::kByRoutes);
   EXPECT_EQ(realizer.calls, 1);
-  EXPECT_EQ(realizer.in_turn, 1);
 }
 
-TEST(AddedVehicle, CrashesAsAskedIntoAnEgoThatIsAlone) {
+TEST(AddedVehicle, HitsAnEgoWithoutOtherTrafficAsRequested) {
   Case scene;
   for (const CollisionType type : {CollisionType::kRearEnd, CollisionType::kOppositeDirection,
                                    CollisionType::kJunctionCrossing}) {
@@ -113,7 +110,7 @@ TEST(AddedVehicle, PullsOutWhereTheEgoHasTheOnlyLane) {
   }
 }
 
-TEST(AddedVehicle, RidesBesideTheEgoWhereNobodyCanBeParked) {
+TEST(AddedVehicle, UsesAMotorcycleWhereNoCarCanPark) {
   Case scene;
   scene.map = twoLaneRoad();
   scene.ego = {-40.0, 0.0, 0.0};
@@ -122,7 +119,7 @@ TEST(AddedVehicle, RidesBesideTheEgoWhereNobodyCanBeParked) {
   ASSERT_EQ(answer.status.code, StatusCode::kOk) << answer.status.message;
   EXPECT_EQ(answer.trajectory.agent_class, AgentClass::kMotorcycle);
   EXPECT_EQ(answer.report.manoeuvre, Manoeuvre::kDrift);
-  EXPECT_GE(answer.effort, scene.options.added.riding_cost);
+  EXPECT_GE(answer.effort, kRidingCost);
   scene.request.attacker_class = AgentClass::kMotorcycle;
   const Realization asked = scene.result();
   ASSERT_EQ(asked.status.code, StatusCode::kOk) << asked.status.message;
@@ -132,7 +129,7 @@ TEST(AddedVehicle, RidesBesideTheEgoWhereNobodyCanBeParked) {
   EXPECT_EQ(scene.result().status.code, StatusCode::kNoCandidate) << "too wide";
 }
 
-TEST(AddedVehicle, ComesTheWrongWayIfThatIsAskedFor) {
+TEST(AddedVehicle, DrivesTheWrongWayOnRequest) {
   Case scene;
   scene.map = emptyMap();
   scene.map->lanes = {straightLane("one_way", {-200.0, 0.0}, {200.0, 0.0})};
@@ -152,7 +149,7 @@ TEST(AddedVehicle, ComesTheWrongWayIfThatIsAskedFor) {
   }
 }
 
-TEST(AddedVehicle, HasAPastAtAllFramesUntilNow) {
+TEST(AddedVehicle, HasAPastAtAllFramesUpToNow) {
   const Case scene;
   const AddedVehicles vehicles = scene.vehicles();
   ASSERT_FALSE(vehicles.found.empty()) << vehicles.status.message;
@@ -172,9 +169,9 @@ TEST(AddedVehicle, HasAPastAtAllFramesUntilNow) {
   }
 }
 
-TEST(AddedVehicle, TouchesNobodyWhoWasRecorded) {
+TEST(AddedVehicle, TouchesNoRecordedAgent) {
   Case scene;
-  // Somebody stands in the lane behind the ego, where followers came from.
+  // An agent stands in the lane behind the ego, where followers would come from.
   scene.others = {longPast("standing", kCarSize, {-70.0, -1.75, 0.0}, 0.0)};
   const Snapshot past = scene.past();
   const AddedVehicles vehicles = scene.vehicles();
@@ -195,9 +192,9 @@ TEST(AddedVehicle, TouchesNobodyWhoWasRecorded) {
   }
 }
 
-TEST(AddedVehicle, NeverAppearsInSight) {
+TEST(AddedVehicle, NeverAppearsInTheEgosView) {
   Case scene;
-  // Lanes begin 45 m behind the ego: who follows it was not there at the first frame.
+  // Lanes begin 45 m behind the ego: a follower did not exist at the first frame.
   scene.map->lanes[0] = straightLane("east_in", {-85.0, -1.75}, {-10.0, -1.75}, {"east_through"});
   const Snapshot past = scene.past();
   const AddedVehicles vehicles = scene.vehicles();
@@ -211,7 +208,7 @@ TEST(AddedVehicle, NeverAppearsInSight) {
   }
 }
 
-TEST(AddedVehicle, LiveIsOutOfSightNow) {
+TEST(AddedVehicle, LiveIsUnobservedAtNow) {
   Case scene;
   scene.live = true;
   scene.request.tta = 6.0;
@@ -227,10 +224,11 @@ TEST(AddedVehicle, LiveIsOutOfSightNow) {
   const AddedVehicles none = scene.vehicles();
   EXPECT_TRUE(none.found.empty());
   EXPECT_EQ(none.status.code, StatusCode::kNoCandidate);
-  EXPECT_NE(none.status.message.find("appear in sight"), std::string::npos) << none.status.message;
+  EXPECT_NE(none.status.message.find("appear in the ego's view"), std::string::npos)
+      << none.status.message;
 }
 
-TEST(AddedVehicle, IsOfTheClassAskedFor) {
+TEST(AddedVehicle, HasTheRequestedClass) {
   Case scene;
   for (const AgentClass asked : {AgentClass::kBus, AgentClass::kEmergencyVehicle}) {
     scene.request.attacker_class = asked;
@@ -242,7 +240,7 @@ TEST(AddedVehicle, IsOfTheClassAskedFor) {
   }
 }
 
-TEST(AddedVehicle, NeedsARoadOfTheType) {
+TEST(AddedVehicle, NeedsALaneThatFitsTheType) {
   Case scene;
   scene.ego.x = -150.0;
   scene.request.type = CollisionType::kJunctionCrossing;

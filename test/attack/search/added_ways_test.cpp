@@ -30,7 +30,7 @@ class AddedWaysTest : public testing::Test {
   std::unique_ptr<AddedWays> ways_;
 };
 
-TEST(AddedFlow, PassesPlacesThatItMovesPast) {
+TEST(AddedFlow, ReportsWhenItPassesAPlace) {
   const AddedFlow flow{{-2.0, 0.0, 3.0, 5.0}, {0.0, 10.0, 10.0, 20.0}};
   EXPECT_NEAR(flow.passing(5.0).value(), -1.0, 1e-9);
   EXPECT_NEAR(flow.passing(10.0).value(), 3.0, 1e-9) << "once it goes on";
@@ -39,7 +39,7 @@ TEST(AddedFlow, PassesPlacesThatItMovesPast) {
   EXPECT_FALSE(flow.passing(-1.0));
 }
 
-TEST(AddedFlow, IsSomewhereAtAnyTime) {
+TEST(AddedFlow, IsConstantBeyondItsEnds) {
   const AddedFlow flow{{-2.0, 0.0, 3.0, 5.0}, {0.0, 10.0, 10.0, 20.0}};
   EXPECT_NEAR(flow.at(-0.5), 7.5, 1e-9);
   EXPECT_NEAR(flow.at(1.0), 10.0, 1e-9);
@@ -49,7 +49,7 @@ TEST(AddedFlow, IsSomewhereAtAnyTime) {
   EXPECT_FALSE(flow.covers(5.1));
 }
 
-TEST_F(AddedWaysTest, BeginSoFarBackThatTheFastestThatIsSeenWasOnThem) {
+TEST_F(AddedWaysTest, AreLongEnoughForTheFastestVehicle) {
   scene_.map->lanes.front() = straightLane("east", {-600.0, 0.0}, {200.0, 0.0});
   const FittingLane east{0, 600.0, {}};
   const double known = AddedWay::kStep * static_cast<double>(stepsBack(*scene_.input().past));
@@ -59,7 +59,7 @@ TEST_F(AddedWaysTest, BeginSoFarBackThatTheFastestThatIsSeenWasOnThem) {
   EXPECT_GE(behind(), 25.0 * (known + scene_.request.tta) - 1e-6);
 }
 
-TEST_F(AddedWaysTest, CapSpeedsInABendAndBeforeAndAfterIt) {
+TEST_F(AddedWaysTest, LimitSpeedsInABendAndAroundIt) {
   constexpr double kRadius = 12.0;
   Lane& lane = scene_.map->lanes.front();
   lane.centerline.clear();
@@ -71,19 +71,19 @@ TEST_F(AddedWaysTest, CapSpeedsInABendAndBeforeAndAfterIt) {
   for (double y = kRadius + 1.0; y < 60.0; y += 1.0)
     lane.centerline.push_back({kRadius, y, M_PI_2});
   const AddedWay& way = wayTo({0, 120.0, {}});
-  const double slowest = std::sqrt(options_.lateral * kRadius);
+  const double slowest = std::sqrt(AddedWay::kLateral * kRadius);
   EXPECT_NEAR(way.cap(60.0 + 0.5 * kRadius * M_PI_2), slowest, 0.3);
-  EXPECT_NEAR(way.cap(20.0), std::sqrt(slowest * slowest + 2.0 * options_.braking * 40.0), 1.5);
+  EXPECT_NEAR(way.cap(20.0), std::sqrt(slowest * slowest + 2.0 * AddedWay::kBraking * 40.0), 1.5);
   EXPECT_GT(way.cap(115.0), 1.5 * slowest) << "leaves the bend";
   for (std::size_t i = 1; i < way.caps.size(); ++i) {
     const double change = way.caps[i] * way.caps[i] - way.caps[i - 1] * way.caps[i - 1];
-    EXPECT_LE(std::abs(change), 2.0 * options_.braking + 1e-9) << i << " m along";
+    EXPECT_LE(std::abs(change), 2.0 * AddedWay::kBraking + 1e-9) << i << " m along";
   }
   EXPECT_EQ(way.cap(-5.0), way.caps.front());
   EXPECT_EQ(way.cap(1e4), way.caps.back());
 }
 
-TEST_F(AddedWaysTest, TellTheSpeedsOfThoseWhoDriveThere) {
+TEST_F(AddedWaysTest, ContainTheSpeedsOfVehiclesOnThem) {
   scene_.add("ahead", {-10.0, 0.3, 0.0}, 9.0);
   scene_.add("as fast", {10.0, 0.0, 0.0}, 9.4);
   scene_.add("stands", {-100.0, 0.0, 0.0}, 0.0);
@@ -93,7 +93,7 @@ TEST_F(AddedWaysTest, TellTheSpeedsOfThoseWhoDriveThere) {
   EXPECT_EQ(wayTo(kWest).speeds, std::vector<double>{12.0});
 }
 
-TEST_F(AddedWaysTest, HaveFlowsOfThoseWhoDriveAlongThem) {
+TEST_F(AddedWaysTest, ContainFlowsOfVehiclesOnThem) {
   scene_.add("ahead", {-20.0, 0.0, 0.0}, 10.0);
   scene_.add("stands", {-100.0, 0.0, 0.0}, 0.0);
   scene_.add("oncoming", {-20.0, 3.5, M_PI}, 12.0);
@@ -106,7 +106,7 @@ TEST_F(AddedWaysTest, HaveFlowsOfThoseWhoDriveAlongThem) {
   for (std::size_t i = 1; i < flow.times.size(); ++i) EXPECT_GT(flow.times[i], flow.times[i - 1]);
 }
 
-TEST_F(AddedWaysTest, EndAFlowWhereItLeavesTheWay) {
+TEST_F(AddedWaysTest, EndAFlowWhereItLeavesThePath) {
   // It drives off to the left, on no lane from 2.5 s ago on.
   Track leaves = AddedScene::longPast("leaves", kCarSize, {-20.0, 0.0, 0.0}, 10.0);
   for (AgentState& state : leaves.states) {
@@ -118,7 +118,7 @@ TEST_F(AddedWaysTest, EndAFlowWhereItLeavesTheWay) {
   EXPECT_NEAR(way.flows.front().times.back(), -2.5, 1e-6);
 }
 
-TEST(AddSpeed, LeavesOutThoseThatAreThere) {
+TEST(AddSpeed, SkipsSpeedsThatAreAlreadyThere) {
   std::vector<double> speeds;
   for (const double speed : {8.0, 8.9, 9.0, 7.5, 5.0}) addSpeed(speed, speeds);
   EXPECT_EQ(speeds, (std::vector<double>{8.0, 9.0, 5.0}));

@@ -12,8 +12,8 @@
 namespace forge {
 namespace {
 
-/// Answers everything: by the vehicle, of the class and with the manoeuvre that is asked for; by
-/// "near" and with follower_closes where nothing is.
+/// Returns an attack for every request: with the requested vehicle, class and manoeuvre; by default
+/// by "near" with follower_closes.
 class WillingMethod : public AttackMethod {
  public:
   mutable std::vector<CollisionRequest> asked;
@@ -53,7 +53,7 @@ struct Case {
   Realization answer() const {
     return generateCollision(method, moment, request, shippedOptions().prediction);
   }
-  /// Attacker, class and manoeuvre of each, with the first answer.
+  /// Attacker, class and manoeuvre of each attack, the first one included.
   std::set<std::string> names() const {
     const Realization first = answer();
     std::set<std::string> names = {nameOf(first)};
@@ -71,7 +71,7 @@ struct Case {
 const std::set<std::string> kManoeuvresOfNear = {"near follower_closes", "near lead_brakes",
                                                  "near lead_slow", "near lead_stopped"};
 
-TEST(FindAlternatives, AsksForOtherManoeuvresVehiclesAndClasses) {
+TEST(FindAlternatives, RequestsOtherManoeuvresVehiclesAndClasses) {
   std::set<std::string> expected = kManoeuvresOfNear;
   expected.insert({"far follower_closes", "added car follower_closes",
                    "added truck follower_closes", "added bus follower_closes",
@@ -80,7 +80,7 @@ TEST(FindAlternatives, AsksForOtherManoeuvresVehiclesAndClasses) {
   EXPECT_EQ(Case().names(), expected);
 }
 
-TEST(FindAlternatives, AsksForNothingThatTheRequestForbids) {
+TEST(FindAlternatives, RequestsNothingThatTheRequestForbids) {
   Case named;
   named.request.attacker = "near";
   EXPECT_EQ(named.names(), kManoeuvresOfNear);
@@ -94,7 +94,7 @@ TEST(FindAlternatives, AsksForNothingThatTheRequestForbids) {
   for (const std::string& name : added.names()) EXPECT_EQ(name.rfind("added bus ", 0), 0u) << name;
 }
 
-TEST(FindAlternatives, SendNobodyTheWrongWayWhoShallBeBelievable) {
+TEST(FindAlternatives, UsesNoWrongWayDrivingForBelievableAttacks) {
   Case oncoming;
   oncoming.request.type = CollisionType::kOppositeDirection;
   oncoming.request.crash.believable = true;
@@ -110,7 +110,7 @@ TEST(FindAlternatives, SendNobodyTheWrongWayWhoShallBeBelievable) {
   EXPECT_EQ(std::count_if(asked.begin(), asked.end(), wrongWay), 1);
 }
 
-TEST(FindAlternatives, StopsWhereThereAreEnough) {
+TEST(FindAlternatives, StopsWhenThereAreEnough) {
   Case one;
   one.request.alternatives = 1;
   EXPECT_TRUE(one.answer().alternatives.empty());
@@ -121,14 +121,14 @@ TEST(FindAlternatives, StopsWhereThereAreEnough) {
   EXPECT_EQ(three.method.asked.size(), 3u);
 }
 
-TEST(FindAlternatives, HasTheSurestFirstAndNoAlternativesOfAlternatives) {
+TEST(FindAlternatives, SortsByConfidenceWithoutNestedAlternatives) {
   const std::vector<Realization> found = Case().answer().alternatives;
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found.front().report.manoeuvre, Manoeuvre::kLeadSlow);
   for (const Realization& other : found) EXPECT_TRUE(other.alternatives.empty());
 }
 
-TEST(AttackOf, GivesEachAttackOfAnAnswerAloneAndDeclinesWhatThereIsNot) {
+TEST(AttackOf, ReturnsEachAttackAndRejectsNumbersBeyondTheLast) {
   const Realization answer = Case().answer();
   const std::size_t count = 1 + answer.alternatives.size();
   EXPECT_EQ(Case::nameOf(attackOf(answer, 1)), Case::nameOf(answer));
@@ -141,7 +141,7 @@ TEST(AttackOf, GivesEachAttackOfAnAnswerAloneAndDeclinesWhatThereIsNot) {
   EXPECT_EQ(attackOf(declined(nobody), 2).status.message, "nobody");
 }
 
-TEST(AreDistinct, ByManoeuvreOrAttackerAndAddedOnesByClassOrSide) {
+TEST(AreDistinct, ByManoeuvreOrAttackerAddedVehiclesByClassOrSide) {
   const Case scene;
   const auto attack = [](const std::string& id, Manoeuvre manoeuvre) {
     Realization attack;

@@ -16,7 +16,7 @@ constexpr double kTta = 4.0;
 /// A car behind and to the left of an ego that drives at 9, 10 or 11 m/s.
 class Arrivals : public testing::Test {
  protected:
-  /// Of the pattern alone.
+  /// For the pattern only.
   void aimAt(CollisionType type, const Pose2& offset, double ego_x = 40.0, double speed = 12.0) {
     request_.type = type;
     patterns_ = {{type, "beside", kNow + kTta, {{ego_x, 0.0, 0.0}, kEgoSize}, offset, speed}};
@@ -26,7 +26,7 @@ class Arrivals : public testing::Test {
   }
   const Contender& contender() const { return *contenders_.at(0); }
   const Aim& aim() const { return contender().aims.at(0); }
-  /// What the arrival puts in front of the ego, once the lead is driven.
+  /// Attacker's pose in the ego's frame at the end of the lead.
   Pose2 seenFromEgo(const AimedArrival& aimed) const {
     const Pose2 contact = compose(aimed.arrival.pose, {aimed.lead * aimed.arrival.speed, 0.0, 0.0});
     return relativeTo(sampler_->egoAt(aimed.ego, aimed.contact), contact);
@@ -52,7 +52,7 @@ class Arrivals : public testing::Test {
 
 const Pose2 kBehindLeft = attackerOffset(kEgoSize, kCarSize, Side::kRear, -0.2, 0.9, 0.0);
 
-TEST_F(Arrivals, OfThePatternItselfAreAtItsBoxItsTimeAndItsFuture) {
+TEST_F(Arrivals, AtThePatternUseItsBoxItsTimeAndItsFuture) {
   aimAt(CollisionType::kLaneChange, kBehindLeft, 43.0);
   const AimedArrival own = sampler_->own(contender(), aim(), false);
   EXPECT_EQ(own.ego, 2U);
@@ -65,14 +65,14 @@ TEST_F(Arrivals, OfThePatternItselfAreAtItsBoxItsTimeAndItsFuture) {
   EXPECT_NEAR(own.arrival.pose.yaw, -0.2, 1e-9);
 }
 
-TEST_F(Arrivals, OfThePatternItselfAreAtAnotherSpeedWhereOneChangesSteadily) {
+TEST_F(Arrivals, AtThePatternUseTheSteadySpeedOnRequest) {
   aimAt(CollisionType::kLaneChange, kBehindLeft);
   const AimedArrival own = sampler_->own(contender(), aim(), true);
   const double distance = (own.arrival.pose.position() - Vector2(-10.0, 3.5)).norm();
   EXPECT_NEAR(0.5 * (10.0 + own.arrival.speed) * kTta, distance, 1e-6);
 }
 
-TEST_F(Arrivals, AreKeptToTheTimeThatTheRequestAllowsFor) {
+TEST_F(Arrivals, AreWithinTheTimeTolerance) {
   aimAt(CollisionType::kLaneChange, kBehindLeft);
   patterns_[0].time = kNow + 9.0;
   EXPECT_EQ(sampler_->own(contender(), aim(), false).contact, sampler_->latest());
@@ -88,7 +88,7 @@ TEST_F(Arrivals, AreKeptToTheTimeThatTheRequestAllowsFor) {
   }
 }
 
-TEST_F(Arrivals, SpreadAlongTheSideThatThePatternTouchesOverAllHeadingsOfTheType) {
+TEST_F(Arrivals, SpreadAlongTheTouchedSideOverAllHeadingsOfTheType) {
   aimAt(CollisionType::kLaneChange,
         attackerOffset(kEgoSize, kCarSize, Side::kLeft, -0.3, 0.2, 0.0));
   const TypeDefinition& type = request_.bands();
@@ -113,7 +113,7 @@ TEST_F(Arrivals, SpreadAlongTheSideThatThePatternTouchesOverAllHeadingsOfTheType
   EXPECT_TRUE(egos[0] && egos[1] && egos[2]);
 }
 
-TEST_F(Arrivals, ShiftByWhatIsSeenFromTheEgo) {
+TEST_F(Arrivals, ShiftInTheEgosFrame) {
   aimAt(CollisionType::kLaneChange, kBehindLeft);
   AimedArrival aimed = sampler_->own(contender(), aim(), true);
   const Pose2 before = seenFromEgo(aimed);
@@ -124,7 +124,7 @@ TEST_F(Arrivals, ShiftByWhatIsSeenFromTheEgo) {
   EXPECT_NEAR(after.yaw - before.yaw, 0.05, 1e-9);
 }
 
-TEST_F(Arrivals, AreOutOfReachOfWhoCannotComeNearInTime) {
+TEST_F(Arrivals, RejectAnAttackerThatCannotReachInTime) {
   aimAt(CollisionType::kLaneChange, kBehindLeft);
   EXPECT_TRUE(sampler_->canReach(contender()));
   snapshot_.agents[0] = pastTrack("beside", kCarSize, {-150.0, 3.5, 0.0}, 10.0);

@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-/// Answers with the report that it is given, and tells whether it was shown what came.
+/// Returns the given report, and records whether `moment.recorded` was set.
 class Told : public AttackMethod {
  public:
   explicit Told(CollisionReport report = {}) : report_(std::move(report)) {}
@@ -46,12 +46,12 @@ CollisionRequest requestIn(Mode mode) {
   return request;
 }
 
-TEST(AttackMethod, IsShownWhatCameInReplayModeAlone) {
+TEST(AttackMethod, SeesTheRecordedFutureInReplayModeOnly) {
   EXPECT_EQ(attempt(Told(), moment(), requestIn(Mode::kHistory)).trajectory.attacker_id, "guesses");
   EXPECT_EQ(attempt(Told(), moment(), requestIn(Mode::kReplay)).trajectory.attacker_id, "knows");
 }
 
-TEST(GenerateCollision, LetsVerifiedAttacksPassAlone) {
+TEST(GenerateCollision, ReturnsVerifiedAttacksOnly) {
   const PredictionOptions options = shippedOptions().prediction;
   const CollisionRequest request = requestIn(Mode::kHistory);
   EXPECT_EQ(generateCollision(Told(verifiedReport()), moment(), request, options).status.code,
@@ -64,7 +64,7 @@ TEST(GenerateCollision, LetsVerifiedAttacksPassAlone) {
   EXPECT_TRUE(refused.trajectory.attacker_id.empty());
 }
 
-TEST(GenerateCollision, RefusesWhatIsNotAsTheControlsWantIt) {
+TEST(GenerateCollision, RejectsAttacksThatViolateTheControls) {
   const PredictionOptions options = shippedOptions().prediction;
   CollisionReport report = verifiedReport();
   report.manoeuvre = Manoeuvre::kLeadSlow;
@@ -109,17 +109,17 @@ TEST(GenerateCollision, RefusesWhatIsNotAsTheControlsWantIt) {
   EXPECT_NE(refusalOf(request).find("by a car"), std::string::npos);
   request = plain;
   request.choice = AttackerChoice::kNew;
-  EXPECT_NE(refusalOf(request).find("recorded one"), std::string::npos);
+  EXPECT_NE(refusalOf(request).find("recorded vehicle"), std::string::npos);
   method.past = {{}};
   EXPECT_TRUE(passes(request));
   request.choice = AttackerChoice::kExisting;
-  EXPECT_NE(refusalOf(request).find("new one"), std::string::npos);
+  EXPECT_NE(refusalOf(request).find("added vehicle"), std::string::npos);
 }
 
 TEST(GenerateCollision, SaysWhyAnAttackIsNotBelievable) {
   const PredictionOptions options = shippedOptions().prediction;
   CollisionReport report = verifiedReport();
-  report.unbelievable = "drives against its lane for 9 %";
+  report.unbelievable = "drives against the lane direction for 9 % of its motion";
   CollisionRequest request = believableRequestFor(CollisionType::kRearEnd);
   const Realization refused = generateCollision(Told(report), moment(), request, options);
   EXPECT_EQ(refused.status.code, StatusCode::kNotBelievable);
@@ -129,7 +129,7 @@ TEST(GenerateCollision, SaysWhyAnAttackIsNotBelievable) {
             StatusCode::kOk);
 }
 
-TEST(GenerateCollision, RefusesWithoutAskingTheMethod) {
+TEST(GenerateCollision, RejectsWithoutCallingTheMethod) {
   const PredictionOptions options = shippedOptions().prediction;
   const Told method(verifiedReport());
   CollisionRequest request = requestIn(Mode::kHistory);

@@ -103,7 +103,7 @@ std::vector<Case> allCases() {
   return {rearEnd(), oncoming(), crossing(), laneChange(), leftTurn()};
 }
 
-TEST(SearchAttacks, FindsAnAttackOfEveryTypeWhereOneLiesAtHand) {
+TEST(SearchAttacks, FindsAnObviousAttackOfEveryType) {
   for (const Case& scene : allCases()) {
     const auto attacks = scene.found();
     ASSERT_FALSE(attacks.empty()) << toString(scene.request.type);
@@ -178,7 +178,6 @@ TEST(SearchAttacks, PreferAFollowerOfTheLaneToOneOffTheRoad) {
     careful += attacks[0].off_road;
     scene.options.search.off_road_weight = 0.0;
     scene.options.search.good_off_road = 1.0;
-    scene.options.search.lane_paths = 0;
     careless += scene.found().at(0).off_road;
   }
   EXPECT_LT(careful, 0.5 * careless);
@@ -207,7 +206,7 @@ TEST(SearchAttacks, FindNothingOutOfReach) {
   EXPECT_TRUE(soon.found().empty());
 }
 
-TEST(SearchAttacks, TheBicycleFindsWhatNoQuinticCan) {
+TEST(SearchAttacks, TheBicycleFindsAttacksThatNoQuinticCan) {
   // From rest, heading away from where it has to go.
   Case scene(CollisionType::kJunctionCrossing, 6.0, {-24.0, 0.0, 0.0});
   scene.map = emptyMap();
@@ -218,7 +217,7 @@ TEST(SearchAttacks, TheBicycleFindsWhatNoQuinticCan) {
   const double with_bicycle = share(scene.found());
   scene.options.search.bicycle_targets = 0;
   scene.options.search.bicycle_rounds = 0;
-  scene.options.steering.rounds = 0;
+  scene.options.search.steering_rounds = 0;
   EXPECT_EQ(share(scene.found()), 0.0);
   EXPECT_EQ(with_bicycle, 1.0);
 }
@@ -238,7 +237,7 @@ Pose2 atLeftRearCorner(double heading) {
   return {-0.5 * kEgoSize.length - turned.x + 0.2, 0.5 * kEgoSize.width - turned.y, heading};
 }
 
-TEST(SearchAttacks, ComeToThePatternThatIsAskedForThoughItIsNoPlacementOfTheType) {
+TEST(SearchAttacks, ReachARequestedPatternThatIsNoPlacementOfTheType) {
   Case scene = overtaken();
   scene.request.seed = 3;
   for (const double heading : {-0.2, -0.26, -0.35}) {
@@ -249,7 +248,7 @@ TEST(SearchAttacks, ComeToThePatternThatIsAskedForThoughItIsNoPlacementOfTheType
   }
 }
 
-TEST(SearchAttacks, TakeTheFutureInWhichTheEgoIsWhereThePatternHasIt) {
+TEST(SearchAttacks, PreferTheFutureNearestToThePatternsEgo) {
   Case scene = rearEnd();
   for (std::size_t i = 0; i < scene.egos.size(); ++i) {
     std::vector<CollisionPattern> patterns = scene.patternsOf(scene.snapshot.agents[0]);
@@ -263,12 +262,12 @@ TEST(SearchAttacks, TakeTheFutureInWhichTheEgoIsWhereThePatternHasIt) {
   }
 }
 
-TEST(SearchAttacks, ExactlyPayForAMissMoreThanForAnythingElse) {
+TEST(SearchAttacks, ExactModePenalisesAMissMost) {
   Case scene = overtaken();
   scene.exact = true;
   const auto attacks = scene.found({scene.pattern("beside", atLeftRearCorner(-0.3), 11.0)});
   ASSERT_FALSE(attacks.empty());
-  EXPECT_TRUE(isExact(attacks[0].miss, scene.options.search));
+  EXPECT_TRUE(isExact(attacks[0].miss));
 }
 
 }  // namespace

@@ -29,8 +29,8 @@ TEST(Baselines, ConstantVelocityTakesTheCandidateThatTouches) {
   EXPECT_NEAR(answer.report.contact_time, kNow + 4.0, 1e-2);
 }
 
-TEST(Baselines, ReportsAreByTheStrictLimitsWhateverTheRequestSays) {
-  // The car behind changes its speed by nothing but that of a quintic, which slips.
+TEST(Baselines, ReportsUseTheStrictLimitsWhateverTheRequestSays) {
+  // The car behind changes only its speed, by a quintic, which slips.
   const auto drivable = believableRequestFor(CollisionType::kLaneChange);
   const auto strict = requestFor(CollisionType::kLaneChange);
   const Moment moment = closingIn(4.0);
@@ -47,7 +47,7 @@ TEST(Baselines, ReportsAreByTheStrictLimitsWhateverTheRequestSays) {
   EXPECT_NE(by_class.broken_limit, answer.report.broken_limit);
 }
 
-TEST(Baselines, TheAttackerAskedForIsTaken) {
+TEST(Baselines, UseTheRequestedAttacker) {
   CollisionRequest request = requestFor();
   request.attacker = "standing";
   for (const Realization& answer :
@@ -57,7 +57,7 @@ TEST(Baselines, TheAttackerAskedForIsTaken) {
   }
 }
 
-TEST(Baselines, ConsiderVehiclesOfTheClassAskedForAlone) {
+TEST(Baselines, ConsiderOnlyVehiclesOfTheRequestedClass) {
   Moment moment = closingIn(4.0);
   CollisionRequest request = requestFor();
   request.attacker_class = AgentClass::kTruck;
@@ -68,7 +68,7 @@ TEST(Baselines, ConsiderVehiclesOfTheClassAskedForAlone) {
             "standing");
 }
 
-TEST(Baselines, NobodyInReachIsNoCandidate) {
+TEST(Baselines, RejectARequestWithoutCandidates) {
   Moment alone = closingIn(4.0);
   alone.snapshot.agents.clear();
   EXPECT_EQ(NominalMethod(shippedOptions()).answer(alone, requestFor()).status.code,

@@ -50,7 +50,7 @@ Case rearEnds(const std::vector<double>& times) {
   return scene;
 }
 
-TEST(FutureScorer, ShareIsThatOfTheFuturesThatAreHit) {
+TEST(FutureScorer, ShareIsTheShareOfFuturesHit) {
   const Case scene = rearEnds({4.0, 2.0, 4.1, 7.0, 3.9, 9.0, 1.0, 8.0});
   EXPECT_EQ(scene.score().share, 3.0 / 8.0);
   EXPECT_EQ(scene.hits(), (std::vector<std::size_t>{0, 2, 4}));
@@ -60,7 +60,7 @@ TEST(FutureScorer, ShareIsThatOfTheFuturesThatAreHit) {
   EXPECT_EQ(rearEnds({9.0}).score().share, 0.0);
 }
 
-TEST(FutureScorer, TellsTheContactInThePreferredFutureOrTheMiddleOneThatIsHit) {
+TEST(FutureScorer, ReturnsTheContactInThePreferredOrTheMiddleHit) {
   // Egos that meet the attacker off their middles, each at another place.
   Case scene = rearEnds({4.0, 2.0, 4.0, 4.0});
   for (std::size_t i = 0; i < scene.egos.size(); ++i) {
@@ -78,9 +78,9 @@ TEST(FutureScorer, TellsTheContactInThePreferredFutureOrTheMiddleOneThatIsHit) {
   EXPECT_EQ(score(1).met, 2U) << "of 0, 2 and 3";
 }
 
-TEST(FutureScorer, HeadingsAreKeptWithAMarginToTheBand) {
+TEST(FutureScorer, HeadingsKeepAMarginToTheBand) {
   const TypeDefinition band = shippedCrash().types.at(CollisionType::kRearEnd);
-  const double narrowed = band.max_heading - shippedOptions().search.heading_margin;
+  const double narrowed = band.max_heading - kHeadingMargin;
   for (const double sign : {1.0, -1.0}) {
     Case scene;
     for (const double yaw : {narrowed - 0.002, narrowed + 0.002}) {
@@ -91,7 +91,7 @@ TEST(FutureScorer, HeadingsAreKeptWithAMarginToTheBand) {
   }
 }
 
-TEST(FutureScorer, BandsAreOpenWhereTheyEndAtZeroOrPi) {
+TEST(FutureScorer, BandsThatEndAtZeroOrPiHaveNoMarginThere) {
   EXPECT_EQ(rearEnds({4.0}).score().share, 1.0) << "heading 0 in a band from 0";
   Case oncoming;
   oncoming.request.type = CollisionType::kOppositeDirection;
@@ -99,13 +99,13 @@ TEST(FutureScorer, BandsAreOpenWhereTheyEndAtZeroOrPi) {
   EXPECT_EQ(oncoming.score().share, 1.0);
 }
 
-TEST(FutureScorer, OthersCountOnlyInTheFuturesThatMeetThemFirst) {
+TEST(FutureScorer, OtherAgentsCountOnlyInFuturesThatTouchThemFirst) {
   Case scene = rearEnds({3.7, 4.3});
   scene.addStanding({15.0 * 4.0 + kCarSize.length, 0.0, 0.0});
   EXPECT_EQ(scene.hits(), (std::vector<std::size_t>{0}));
 }
 
-TEST(FutureScorer, NobodyIsToBeBrushed) {
+TEST(FutureScorer, KeepsAMarginToOtherAgents) {
   for (const double side : {1.0, -1.0}) {
     Case scene = rearEnds({4.0});
     const double margin = scene.options.search.overlap_margin;
@@ -158,7 +158,7 @@ Case spread(std::size_t count, unsigned seed) {
   return scene;
 }
 
-TEST(FutureScorer, AFutureIsScoredAsAlone) {
+TEST(FutureScorer, ScoresEachFutureIndependently) {
   const Case scene = spread(13, 1);
   double share = 0.0;
   double closeness = 0.0;
@@ -172,12 +172,12 @@ TEST(FutureScorer, AFutureIsScoredAsAlone) {
   EXPECT_NEAR(scene.score().closeness, closeness, 0.02);
 }
 
-/// One random meeting of an attacker and an ego, with others about, and verify()'s word on it.
+/// One random meeting of an attacker and an ego among other agents, and the result of verify().
 class Meeting {
  public:
   explicit Meeting(unsigned seed) : random_(seed) {
     options_ = shippedOptions();
-    // What the scorer does not look at.
+    // Limits that the scorer ignores.
     for (auto& [type, band] : request_.crash.types) band.max_approach = 2.0 * M_PI;
     for (auto& [type, band] : request_.crash.types) band.min_approach = 0.0;
     request_.crash.rules = seed % 3 == 0 ? TypeRules::kAngle : TypeRules::kFull;
@@ -191,7 +191,7 @@ class Meeting {
     const double meet = request_.tta + between(-0.6, 0.6);
     const double sign = between(-1.0, 1.0) > 0.0 ? 1.0 : -1.0;
     const double heading = sign * between(band.min_heading - 0.05, band.max_heading + 0.05);
-    // Steps so short that verification, which looks between them, finds no other contact.
+    // Steps so short that verify(), which tests between them, finds no other contact.
     options_.search.step = 0.01;
     drive_ = straightDrive(start, speed, 8.0, options_.search.step);
     const Pose2 met = compose(start, {speed * meet, 0.0, 0.0});
@@ -221,8 +221,8 @@ class Meeting {
     AttackerTrajectory drive = drive_;
     Future future = future_;
     future.agents = others_;
-    // Others grow so that whoever is met just after the contact is met before it, and shrink so
-    // that they are not brushed between two steps.
+    // Other agents grow so that one touched just after the contact is touched before it, and shrink
+    // so that none is touched between two steps.
     for (Track& other : future.agents) {
       other.size.length += slack > 0.0 ? 5.0 : -1.0;
       other.size.width += slack > 0.0 ? 5.0 : -1.0;

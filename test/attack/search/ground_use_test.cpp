@@ -19,14 +19,14 @@ bool crosses(const std::shared_ptr<LaneMap>& map, const Pose2& start) {
   return GroundUse(lanes, 1).crossesKerb(straightDrive(start, 5.0, 2.0).points, kCarSize);
 }
 
-TEST(GroundUse, CountsThePlacesOffTheRoad) {
+TEST(GroundUse, CountsThePointsOffTheRoad) {
   const auto road = twoLaneRoad();  // drivable from y = -1.75 to 5.25
   EXPECT_EQ(offRoad(road, {0.0, 0.0, 0.0}), 0.0);
   EXPECT_EQ(offRoad(road, {0.0, 20.0, 0.0}), 1.0);
   EXPECT_NEAR(offRoad(road, {0.0, -1.5, 0.0}), 1.0 / 3.0, 1e-9) << "one row of three";
 }
 
-TEST(GroundUse, LooksAtEveryStridethPoint) {
+TEST(GroundUse, TestsEveryStridethPoint) {
   // Leaves the road at the end: only the first point is looked at.
   EXPECT_EQ(offRoad(twoLaneRoad(), {0.0, 0.0, -M_PI / 2.0}, 1000),
             offRoad(twoLaneRoad(), {0.0, 0.0, -M_PI / 2.0}, 21));
@@ -34,7 +34,7 @@ TEST(GroundUse, LooksAtEveryStridethPoint) {
             offRoad(twoLaneRoad(), {0.0, 0.0, -M_PI / 2.0}, 21));
 }
 
-TEST(GroundUse, AKerbIsCrossedByWhoComesToAWalkway) {
+TEST(GroundUse, DrivingOntoAWalkwayCrossesAKerb) {
   auto map = emptyMap();
   EXPECT_FALSE(crosses(map, {0.0, 0.0, 0.0})) << "no walkway is known";
   map->walkways = {rectangle(6.0, -3.0, 8.0, 3.0)};
@@ -44,7 +44,7 @@ TEST(GroundUse, AKerbIsCrossedByWhoComesToAWalkway) {
   EXPECT_FALSE(crosses(map, {0.0, 0.0, 0.0})) << "a road goes over it";
 }
 
-TEST(GroundUse, WhoStandsOnAWalkwayMayLeaveIt) {
+TEST(GroundUse, AVehicleOnAWalkwayMayLeaveIt) {
   auto map = emptyMap();
   map->walkways = {rectangle(-5.0, -3.0, 5.0, 3.0)};
   EXPECT_FALSE(crosses(map, {0.0, 0.0, 0.0}));

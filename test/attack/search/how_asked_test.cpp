@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-/// Someone drives straight into the rear of an ego that drives straight on.
+/// A follower drives straight into the rear of an ego that drives straight on.
 class HowAskedTest : public testing::Test {
  protected:
   HowAskedTest() {
@@ -41,12 +41,12 @@ class HowAskedTest : public testing::Test {
   bool named_ = false;
 };
 
-TEST_F(HowAskedTest, WithoutAWordEverythingHolds) {
+TEST_F(HowAskedTest, WithoutConstraintsEverythingHolds) {
   EXPECT_TRUE(holds());
   EXPECT_FALSE(named_);
 }
 
-TEST_F(HowAskedTest, JudgesTheCrashInTheFutureThatIsNamed) {
+TEST_F(HowAskedTest, JudgesTheCrashInTheGivenFuture) {
   request_.ego_side = Side::kRear;
   EXPECT_TRUE(holds());
   EXPECT_TRUE(named_);

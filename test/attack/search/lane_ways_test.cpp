@@ -19,7 +19,7 @@ LaneIndex forkBackwards() {
   return LaneIndex(map);
 }
 
-TEST(LaneWays, GoBackStraightFirstAndThenOverTheBranches) {
+TEST(LaneWays, FollowTheStraightestPredecessorsFirst) {
   const LaneIndex lanes = forkBackwards();
   const std::vector<Polyline> ways = LaneWays(lanes).to(3, 30.0, 120.0, 20.0, 4);
   ASSERT_EQ(ways.size(), 2u);
@@ -30,7 +30,7 @@ TEST(LaneWays, GoBackStraightFirstAndThenOverTheBranches) {
   EXPECT_NEAR(ways[1].points().back().x(), 50.0, 1e-6);
 }
 
-TEST(LaneWays, AreAsManyAsAskedFor) {
+TEST(LaneWays, AreAtMostTheRequestedNumber) {
   const LaneIndex lanes = forkBackwards();
   EXPECT_EQ(LaneWays(lanes).to(3, 30.0, 120.0, 20.0, 1).size(), 1u);
   EXPECT_EQ(LaneWays(lanes).to(3, 30.0, 20.0, 20.0, 4).size(), 1u) << "the fork is farther back";

@@ -32,7 +32,7 @@ class ManoeuvreSearchTest : public testing::Test {
     return generateCollision(searchMethod(options_), moment, request, options_.prediction);
   }
 
-  /// Asks, and looks at what every believable answer has.
+  /// Requests an attack and checks the properties of every believable attack.
   Realization expectAttack(CollisionType type, double tta = 4.0) const {
     const Realization answer = ask(type, tta);
     EXPECT_EQ(answer.status.code, StatusCode::kOk)
@@ -78,8 +78,8 @@ TEST_F(ManoeuvreSearchTest, ANeighbourCutsInLate) {
   }
 }
 
-TEST_F(ManoeuvreSearchTest, ANeighbourCutsInBehindAnIslandNotOverIt) {
-  constexpr double kIslandEnd = 38.0;  // m; the ego is there 0.2 s after the time asked for
+TEST_F(ManoeuvreSearchTest, ANeighbourCutsInAfterAnIslandNotOverIt) {
+  constexpr double kIslandEnd = 38.0;  // m; the ego is there 0.2 s after the requested time
   auto map = twoLaneRoad();
   map->lanes.push_back(straightLane("next", {-200.0, -5.5}, {200.0, -5.5}));
   map->drivable_area.push_back(rectangle(-200.0, -7.25, 200.0, -3.75));
@@ -114,7 +114,7 @@ TEST_F(ManoeuvreSearchTest, ACrossingCarDoesNotStop) {
   EXPECT_EQ(answer.report.manoeuvre, Manoeuvre::kStraightCrossing);
 }
 
-TEST_F(ManoeuvreSearchTest, TheRoadDoesNotAllowACrossingWithoutACrossingLane) {
+TEST_F(ManoeuvreSearchTest, RejectsACrossingWithoutACrossingLane) {
   scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 8.0,
         {pastTrack("cross", kCarSize, {32.0, 30.0, -M_PI_2}, 8.0)});
   EXPECT_EQ(ask(CollisionType::kJunctionCrossing).status.code, StatusCode::kRoadDoesNotAllow);
@@ -130,10 +130,10 @@ TEST_F(ManoeuvreSearchTest, ABusDrivesAsABusCan) {
                                answer.report.contact_time, limits));
 }
 
-TEST_F(ManoeuvreSearchTest, OfManyVehiclesTheOneThatCanIsFound) {
+TEST_F(ManoeuvreSearchTest, FindsTheOnlyPossibleAttackerAmongMany) {
   // All but the leader are too far away to be there in time.
   std::vector<Track> others;
-  for (int i = 0; i <= options_.route.drafted; ++i) {
+  for (int i = 0; i <= kDrafted; ++i) {
     others.push_back(
         pastTrack("ahead " + std::to_string(i), kCarSize, {40.0 + 6.0 * i, 0.0, 0.0}, 14.0));
   }

@@ -39,13 +39,13 @@ TEST(MethodRegistry, HasEveryMethodOnceAndWithADescription) {
   }
 }
 
-TEST(MethodRegistry, RefusesUnknownNamesByNamingTheKnownOnes) {
+TEST(MethodRegistry, ListsTheKnownNamesForAnUnknownOne) {
   const std::string complaint = complaintOf([] { builtInMethods().at("serach"); });
   EXPECT_NE(complaint.find("serach"), std::string::npos) << complaint;
   EXPECT_NE(complaint.find("network+search"), std::string::npos) << complaint;
 }
 
-TEST(MethodRegistry, RefusesASecondMethodOfAName) {
+TEST(MethodRegistry, RejectsASecondMethodOfTheSameName) {
   MethodRegistry methods = builtInMethods();
   EXPECT_THROW(methods.add(methods.at("search")), std::invalid_argument);
   EXPECT_THROW(methods.add({"", "nameless", true, {}}), std::invalid_argument);
@@ -56,11 +56,11 @@ TEST(MethodRegistry, MethodsWithNetworksNeedThem) {
   for (const MethodRegistry::Entry& entry : methods.entries()) {
     const std::string complaint = complaintOf([&] { entry.make(withoutLearning()); });
     const bool needs = entry.name.rfind("network", 0) == 0;
-    EXPECT_EQ(complaint.find("names no file") != std::string::npos, needs) << entry.name;
+    EXPECT_EQ(complaint.find("has no file in") != std::string::npos, needs) << entry.name;
   }
 }
 
-TEST(MethodRegistry, NamesWithAndWithoutNetworksLeadBackToEachOther) {
+TEST(MethodRegistry, NamesWithAndWithoutNetworksAreInverse) {
   EXPECT_EQ(withNetworks("search"), "network+search");
   EXPECT_EQ(withoutNetworks("network+search"), "search");
   EXPECT_EQ(withoutNetworks("search"), "search");
@@ -69,7 +69,7 @@ TEST(MethodRegistry, NamesWithAndWithoutNetworksLeadBackToEachOther) {
   EXPECT_EQ(defaultMethod(false), "search");
 }
 
-TEST(MethodRegistry, RefusesLibrariesThatCannotBeLoadedOrHaveNoMethods) {
+TEST(MethodRegistry, RejectsLibrariesThatCannotBeLoadedOrHaveNoMethods) {
   EXPECT_NE(complaintOf([] { methodsWith({"/nowhere/lib.so"}); }).find("/nowhere/lib.so"),
             std::string::npos);
   const std::string complaint = complaintOf([] { methodsWith({"libc.so.6"}); });

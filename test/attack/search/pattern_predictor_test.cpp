@@ -65,7 +65,7 @@ TEST(KinematicPatternPredictor, PlacesARearEndAttackerBehindAndFasterFirst) {
       << "the ego may run into it";
 }
 
-TEST(KinematicPatternPredictor, PlacesSideAttackersOnBothSidesHeadingForTheEgo) {
+TEST(KinematicPatternPredictor, PlacesSideAttackersOnBothSidesHeadingTowardsTheEgo) {
   for (const CollisionType type : {CollisionType::kLaneChange, CollisionType::kJunctionCrossing}) {
     const auto prediction = predict(type, {pastTrack("a", kCarSize, {10.0, 30.0, -M_PI_2}, 1.0)});
     const double nominal = shippedCrash().types.at(type).nominal_heading;
@@ -126,7 +126,7 @@ TEST(KinematicPatternPredictor, RanksAttackersWhoseSpeedFitsTheDistanceFirst) {
   EXPECT_EQ(ranked.back(), "far");
 }
 
-TEST(KinematicPatternPredictor, ConsidersAttackersThatApproachAsTheTypeWants) {
+TEST(KinematicPatternPredictor, ConsidersAttackersThatApproachFromTheTypesDirection) {
   const auto approaching = [](CollisionType type, double yaw) {
     return predict(type, {pastTrack("a", kCarSize, {40.0, 20.0, yaw}, 8.0)}).status.code ==
            StatusCode::kOk;

@@ -43,7 +43,7 @@ Placements placementsIn(CollisionType type, DrivingSide traffic) {
   return placements;
 }
 
-TEST(PlacementsOf, AreThoseOfTheTypeInAnyTraffic) {
+TEST(PlacementsOf, FitTheTypeForBothDrivingSides) {
   for (const DrivingSide traffic : {DrivingSide::kRight, DrivingSide::kLeft}) {
     EXPECT_EQ(placementsIn(CollisionType::kRearEnd, traffic),
               (Placements{{Side::kRear, 0.0}, {Side::kFront, 0.0}}));
@@ -58,7 +58,7 @@ TEST(PlacementsOf, AreThoseOfTheTypeInAnyTraffic) {
   }
 }
 
-TEST(PlacementsOf, ATurnAcrossThePathComesFromTheSideOfOncomingTraffic) {
+TEST(PlacementsOf, LtapComesFromTheSideOfOncomingTraffic) {
   EXPECT_EQ(placementsIn(CollisionType::kLtap, DrivingSide::kRight),
             (Placements{{Side::kLeft, -1.0}, {Side::kFront, -1.0}}));
   EXPECT_EQ(placementsIn(CollisionType::kLtap, DrivingSide::kLeft),
@@ -82,7 +82,7 @@ TEST(PlacementsOf, KeepTheTypeAtTheNominalHeading) {
   }
 }
 
-TEST(AttackerOffset, OfAlignedBoxesIsHalfTheSidesMinusTheDepth) {
+TEST(AttackerOffset, ForAlignedBoxesIsHalfTheSidesMinusTheDepth) {
   const auto expect_offset = [](Side side, double heading, double slide, const Pose2& expected) {
     const Pose2 offset = attackerOffset(kEgo, kAttacker, side, heading, slide, 0.15);
     EXPECT_NEAR(offset.x, expected.x, 1e-9);
@@ -117,7 +117,7 @@ TEST(AttackerOffset, OverlapsByTheDepthAlongThePushForAnyBoxes) {
   }
 }
 
-TEST(TouchingOffset, IsOnTheLineToTheEgosMiddleWhereTheBoxesJustTouch) {
+TEST(TouchingOffset, IsOnTheLineToTheEgosCentreWhereTheBoxesJustTouch) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   for (int i = 0; i < 2000; ++i) {
@@ -133,7 +133,7 @@ TEST(TouchingOffset, IsOnTheLineToTheEgosMiddleWhereTheBoxesJustTouch) {
   }
 }
 
-TEST(PlacementsAlong, ALaneThatCrossesIsMetAtItsOwnHeading) {
+TEST(PlacementsAlong, ACrossingLaneIsHitAtItsOwnHeading) {
   const TypeDefinition band = shippedCrash().types.at(CollisionType::kJunctionCrossing);
   const auto found =
       placementsAlong(-1.5, CollisionType::kJunctionCrossing, band, DrivingSide::kRight, 0.03, 0.6);
@@ -143,7 +143,7 @@ TEST(PlacementsAlong, ALaneThatCrossesIsMetAtItsOwnHeading) {
   EXPECT_EQ(found[1].side, Side::kFront);
 }
 
-TEST(PlacementsAlong, HeadingsAreHeldToTheBandAndNotTooFarFromTheLane) {
+TEST(PlacementsAlong, HeadingsAreWithinTheBandAndNearTheLanes) {
   const TypeDefinition band = shippedCrash().types.at(CollisionType::kLaneChange);
   const auto along = [&](double direction) {
     return placementsAlong(direction, CollisionType::kLaneChange, band, DrivingSide::kRight, 0.03,

@@ -29,21 +29,9 @@ Arrival arrivalAt(double time, const Pose2& pose, double speed) {
   return arrival;
 }
 
-/// A bend to the left of 30 m radius after 30 m straight on along +x, 120 m in all.
-ReferencePath bend() {
-  constexpr double kRadius = 30.0;
-  std::vector<Vector2> points = {{0.0, 0.0}, {15.0, 0.0}, {30.0, 0.0}};
-  for (int i = 1; i <= 90; ++i) {
-    const double angle = i / kRadius;
-    points.emplace_back(30.0 + kRadius * std::sin(angle), kRadius * (1.0 - std::cos(angle)));
-  }
-  return ReferencePath(Polyline(points));
-}
-
-std::vector<TrajectoryPoint> driven(const QuinticFamily& family, const DriveStart& start,
-                                    const Arrival& arrival) {
+std::vector<TrajectoryPoint> driven(const DriveStart& start, const Arrival& arrival) {
   std::vector<TrajectoryPoint> points;
-  EXPECT_TRUE(family.drive(start, arrival, points));
+  driveQuintic(start, arrival, points);
   return points;
 }
 
@@ -77,11 +65,11 @@ struct RandomDrive {
 
 std::size_t indexAt(double time) { return static_cast<std::size_t>(std::lround(time / kStep)); }
 
-TEST(QuinticFamily, InMapAxesMeetsTheStartAndTheArrival) {
+TEST(Quintic, ReachesTheStartAndTheArrival) {
   std::mt19937 random(1);
   for (int i = 0; i < 200; ++i) {
     const RandomDrive drive(random);
-    const auto points = driven({}, drive.start, drive.arrival);
+    const auto points = driven(drive.start, drive.arrival);
     ASSERT_EQ(points.size(), 61u);
     expectPose(points.front().pose, drive.start.motion.pose, 1e-9);
     EXPECT_NEAR(points.front().speed, drive.start.motion.speed, 1e-9);
@@ -94,73 +82,22 @@ TEST(QuinticFamily, InMapAxesMeetsTheStartAndTheArrival) {
   }
 }
 
-TEST(QuinticFamily, GoesStraightOnAfterTheArrival) {
+TEST(Quintic, GoesStraightOnAfterTheArrival) {
   const Pose2 target{30.0, 3.0, 0.2};
   const Arrival arrival = arrivalAt(2.55, target, 11.0);
-  const ReferencePath path = bend();
-  for (const QuinticFamily& family : {QuinticFamily(), QuinticFamily(path)}) {
-    const auto points = driven(family, startAt({}, 12.0), arrival);
-    for (std::size_t i = 26; i < points.size(); ++i) {
-      const double after = kStep * static_cast<double>(i) - 2.55;
-      expectPose(points[i].pose, compose(target, {11.0 * after, 0.0, 0.0}), 1e-9);
-      EXPECT_EQ(points[i].speed, 11.0);
-      if (i < 28) continue;
-      EXPECT_NEAR(points[i].acceleration, 0.0, 1e-9);
-      EXPECT_NEAR(points[i].curvature, 0.0, 1e-9);
-    }
+  const auto points = driven(startAt({}, 12.0), arrival);
+  for (std::size_t i = 26; i < points.size(); ++i) {
+    const double after = kStep * static_cast<double>(i) - 2.55;
+    expectPose(points[i].pose, compose(target, {11.0 * after, 0.0, 0.0}), 1e-9);
+    EXPECT_EQ(points[i].speed, 11.0);
+    if (i < 28) continue;
+    EXPECT_NEAR(points[i].acceleration, 0.0, 1e-9);
+    EXPECT_NEAR(points[i].curvature, 0.0, 1e-9);
   }
 }
 
-TEST(QuinticFamily, OnACurvedPathMeetsTheStartAndTheArrival) {
-  const ReferencePath path = bend();
-  std::mt19937 random(2);
-  const auto between = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-  };
-  for (int i = 0; i < 200; ++i) {
-    const double from = between(5.0, 50.0);
-    const double speed = between(5.0, 12.0);
-    const double time = kStep * std::floor(between(20.0, 50.0));
-    const auto beside = [&](double s) {
-      return compose(path.at(s).pose, {0.0, between(-2.0, 2.0), between(-0.2, 0.2)});
-    };
-    const Pose2 start = beside(from);
-    const Arrival arrival = arrivalAt(time, beside(from + speed * time), speed);
-    const auto points = driven(QuinticFamily(path), startAt(start, speed), arrival);
-    // Places a metre apart are joined by chords, which leaves centimetres and hundredths.
-    expectPose(points.front().pose, start, 0.05);
-    EXPECT_NEAR(points.front().speed, speed, 0.02 * speed);
-    const std::size_t end = indexAt(time);
-    expectPose(points.at(end).pose, arrival.pose, 1e-9);
-    const Pose2 almost = points.at(end - 1).pose;
-    const Pose2 back = compose(arrival.pose, {-kStep * speed, 0.0, 0.0});
-    EXPECT_NEAR((almost.position() - back.position()).norm(), 0.0, 0.05);
-    EXPECT_NEAR(angleBetween(almost.yaw, back.yaw), 0.0, 0.05);
-  }
-}
-
-TEST(QuinticFamily, OnACurvedPathKeepsToTheLane) {
-  const ReferencePath path = bend();
-  const Pose2 start = path.at(10.0).pose;
-  const Arrival arrival = arrivalAt(6.0, path.at(70.0).pose, 10.0);
-  double farthest_in_lane = 0.0;
-  double farthest_freely = 0.0;
-  const auto lateral = [&](const TrajectoryPoint& point) {
-    const Pose2 place = path.at(path.project(point.pose.position())).pose;
-    return std::abs(relativeTo(place, point.pose).y);
-  };
-  for (const auto& point : driven(QuinticFamily(path), startAt(start, 10.0), arrival)) {
-    farthest_in_lane = std::max(farthest_in_lane, lateral(point));
-  }
-  for (const auto& point : driven({}, startAt(start, 10.0), arrival)) {
-    farthest_freely = std::max(farthest_freely, lateral(point));
-  }
-  EXPECT_LT(farthest_in_lane, 0.05);
-  EXPECT_GT(farthest_freely, 1.0) << "or the bend would prove nothing";
-}
-
-/// What a point says of speed, acceleration and curvature against its neighbours' positions; the
-/// curvature is that of the sharper of the steps before and after.
+/// Compares a point's speed, acceleration and curvature with its neighbours' positions; the
+/// curvature is the sharper one of the steps before and after.
 void expectDerived(const std::vector<TrajectoryPoint>& points, std::size_t i, double speed_slack,
                    double acceleration_slack) {
   const Vector2 a = points[i - 1].pose.position();
@@ -182,36 +119,14 @@ void expectDerived(const std::vector<TrajectoryPoint>& points, std::size_t i, do
       << i;
 }
 
-TEST(QuinticFamily, DerivedSpeedAccelerationAndCurvatureAgreeWithThePositions) {
+TEST(Quintic, DerivedSpeedAccelerationAndCurvatureAgreeWithThePositions) {
   std::mt19937 random(3);
   for (int n = 0; n < 100; ++n) {
     const RandomDrive drive(random);
-    const auto points = driven({}, drive.start, drive.arrival);
+    const auto points = driven(drive.start, drive.arrival);
     for (std::size_t i = 2; i + 2 < indexAt(drive.arrival.time); ++i) {
       if (points[i].speed < 2.0) continue;
       expectDerived(points, i, 0.05, 0.2);
-    }
-  }
-}
-
-TEST(QuinticFamily, HasNoMotionForAnArrivalAgainstThePath) {
-  const ReferencePath path = bend();
-  std::vector<TrajectoryPoint> points;
-  const Pose2 there = path.at(40.0).pose;
-  for (const auto& [turn, drivable] : std::vector<std::pair<double, bool>>{
-           {0.0, true}, {1.2, true}, {1.45, false}, {M_PI, false}}) {
-    for (const double sign : {1.0, -1.0}) {
-      const Pose2 target = compose(there, {0.0, 0.0, sign * turn});
-      EXPECT_EQ(QuinticFamily(path).drive(startAt(path.at(10.0).pose, 10.0),
-                                          arrivalAt(3.0, target, 10.0), points),
-                drivable)
-          << sign * turn;
-      EXPECT_EQ(QuinticFamily(path).drive(
-                    startAt(compose(path.at(10.0).pose, {0.0, 0.0, sign * turn}), 10.0),
-                    arrivalAt(3.0, there, 10.0), points),
-                drivable)
-          << sign * turn << " at the start";
-      EXPECT_TRUE(QuinticFamily().drive(startAt({}, 10.0), arrivalAt(3.0, target, 10.0), points));
     }
   }
 }

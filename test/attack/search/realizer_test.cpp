@@ -6,9 +6,11 @@
 #include <stdexcept>
 
 #include "attack/search/test_scenes.h"
+
 #include "collision_forge/attack/forecast/kinematic_prediction.h"
 #include "collision_forge/attack/search/judge.h"
 #include "collision_forge/attack/search/placement.h"
+#include "collision_forge/attack/search/search_task.h"
 #include "collision_forge/attack/verify/limits.h"
 
 namespace forge {
@@ -65,30 +67,7 @@ TEST(Realize, ReturnsAVerifiedAttackThatHoldsWhenVerifiedAgain) {
   EXPECT_EQ(again.off_road_share, result.report.off_road_share);
 }
 
-TEST(Realize, AttackersInTurnEndAtTheFirstThatIsEnough) {
-  Case attack;
-  attack.snapshot.agents.push_back(pastTrack("second", kCarSize, {-30.0, 0.5, 0.0}, 14.0));
-  CollisionPattern second = attack.pattern;
-  second.attacker_id = "second";
-  const LaneIndex lanes(attack.map);
-  const auto attackerOf = [&](const std::vector<CollisionPattern>& patterns, double enough) {
-    const Realization found = realize({patterns,
-                                       {attack.snapshot, attack.future, attack.request, lanes},
-                                       false,
-                                       kNoWays,
-                                       SearchedMotion::kByRoutes,
-                                       enough},
-                                      attack.options);
-    EXPECT_EQ(found.status.code, StatusCode::kOk) << found.status.message;
-    return found.trajectory.attacker_id;
-  };
-  EXPECT_EQ(attackerOf({second, attack.pattern}, 0.0), "second");
-  EXPECT_EQ(attackerOf({attack.pattern, second}, 0.0), "attacker");
-  attack.snapshot.agents.back() = pastTrack("second", kCarSize, {-400.0, 0.5, 0.0}, 5.0);
-  EXPECT_EQ(attackerOf({second, attack.pattern}, 0.0), "attacker") << "the first one is too far";
-}
-
-TEST(Realize, NamesThePatternAimedAtAndHowFarTheContactIsFromIt) {
+TEST(Realize, ReportsThePatternAndTheMissOfTheContact) {
   const Case attack;
   const Realization result = attack.result();
   ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
@@ -100,7 +79,7 @@ TEST(Realize, NamesThePatternAimedAtAndHowFarTheContactIsFromIt) {
   EXPECT_NEAR(result.miss.heading, std::abs(met.yaw), 1e-9);
 }
 
-TEST(Realize, MeetsTheEgoWhereThePatternWantsIt) {
+TEST(Realize, HitsTheEgoAtThePattern) {
   Case attack;
   for (const double slide : {-0.8, 0.0, 0.8}) {
     attack.pattern.attacker_offset =
@@ -112,18 +91,18 @@ TEST(Realize, MeetsTheEgoWhereThePatternWantsIt) {
   }
 }
 
-TEST(Realize, ExactlyAnswersWithThePatternAskedFor) {
+TEST(Realize, ExactModeHitsTheRequestedPattern) {
   Case attack;
   attack.exact = true;
   attack.pattern.attacker_offset = attackerOffset(kEgoSize, kCarSize, Side::kRear, 0.1, 0.5, 0.0);
   const Realization result = attack.result();
   ASSERT_EQ(result.status.code, StatusCode::kOk) << result.status.message;
-  EXPECT_LE(result.miss.distance, attack.options.search.exact_distance);
-  EXPECT_LE(result.miss.heading, attack.options.search.exact_heading);
+  EXPECT_LE(result.miss.distance, kExactDistance);
+  EXPECT_LE(result.miss.heading, kExactHeading);
 }
 
-TEST(Realize, ExactlyRefusesAPatternThatNobodyCanCome) {
-  // From behind nobody comes to the ego's front in time.
+TEST(Realize, ExactModeRejectsAnUnreachablePattern) {
+  // From behind, no vehicle reaches the ego's front in time.
   Case attack;
   attack.pattern.attacker_offset = attackerOffset(kEgoSize, kCarSize, Side::kRear, 0.0, 0.0, 0.0);
   attack.pattern.attacker_offset.y += 30.0;
@@ -133,13 +112,13 @@ TEST(Realize, ExactlyRefusesAPatternThatNobodyCanCome) {
   EXPECT_TRUE(attack.result().trajectory.points.empty());
 }
 
-TEST(Realize, IsCertainOfAnEgoThatIsKnown) {
+TEST(Realize, ConfidenceIsOneForAKnownEgo) {
   const Realization result = Case().result();
   ASSERT_EQ(result.status.code, StatusCode::kOk);
   EXPECT_EQ(result.report.confidence, 1.0);
 }
 
-TEST(Realize, IsAsConfidentAsTheShareOfTheHeldOutSamplesThatAreHit) {
+TEST(Realize, ConfidenceIsTheShareOfHeldOutSamplesHit) {
   // The even samples are searched, the odd ones are held out.
   Case attack;
   attack.options.search.confidence_curve = {0.0, 1.0};
@@ -154,7 +133,7 @@ TEST(Realize, IsAsConfidentAsTheShareOfTheHeldOutSamplesThatAreHit) {
   EXPECT_EQ(whole.report.confidence, 1.0);
 }
 
-TEST(Realize, DeclinesAnAttackThatPromisesTooLittle) {
+TEST(Realize, RejectsAnAttackOfTooLowConfidence) {
   Case attack;
   attack.options.search.confidence_curve = {0.0, 1.0};
   attack.sampleEgo({10.0, 10.0, 10.0, 30.0, 10.0, 30.0, 10.0, 30.0});
@@ -165,7 +144,7 @@ TEST(Realize, DeclinesAnAttackThatPromisesTooLittle) {
   EXPECT_TRUE(attack.result().trajectory.points.empty());
 }
 
-TEST(Realize, PassesOverAnAttackOfLowConfidenceForASurerOne) {
+TEST(Realize, PrefersAnAttackOfHigherConfidence) {
   Case attack;
   attack.options.search.confidence_curve = {0.0, 1.0};
   attack.snapshot.agents.push_back(pastTrack("faster", kCarSize, {-14.0, 0.5, 0.0}, 16.0));
@@ -183,7 +162,7 @@ TEST(Realize, PassesOverAnAttackOfLowConfidenceForASurerOne) {
   EXPECT_GE(result.report.confidence, 0.5);
 }
 
-TEST(Realize, ReportsTheFutureThatTheAttackWasVerifiedAgainst) {
+TEST(Realize, ReportsTheFutureUsedForVerification) {
   Case attack;
   attack.future.ego = futureTrack(kEgoId, kEgoSize, {}, 30.0);
   attack.sampleEgo({8.0, 8.0, 8.0, 8.0});
@@ -192,7 +171,7 @@ TEST(Realize, ReportsTheFutureThatTheAttackWasVerifiedAgainst) {
   EXPECT_NEAR(result.report.ego_at_contact.x, 8.0 * (result.report.contact_time - kNow), 1e-6);
 }
 
-TEST(Realize, TakesAnotherAttackerWhereTheFirstIsHopeless) {
+TEST(Realize, UsesAnotherAttackerIfTheFirstCannotReach) {
   Case attack;
   attack.snapshot.agents.push_back(pastTrack("far", kCarSize, {-190.0, 0.0, 0.0}, 5.0));
   CollisionPattern hopeless = attack.pattern;
@@ -205,17 +184,17 @@ TEST(Realize, TakesAnotherAttackerWhereTheFirstIsHopeless) {
   EXPECT_EQ(result.trajectory.attacker_id, "attacker");
 }
 
-TEST(Realize, RefusesWhatCannotBeDriven) {
+TEST(Realize, RejectsAPatternOutOfReach) {
   Case attack(190.0);
   attack.expectRefusal(StatusCode::kNoAttackWithinLimits,
-                       "tried 1 collision pattern of 1 vehicle: no motion within the limits hits "
-                       "the ego as asked, 4 +- 0.5 s from now");
+                       "tried 1 candidate (1 vehicle): none hits the ego at 4 +- 0.5 s within its "
+                       "limits");
 }
 
-TEST(Realize, RefusesWhenSomebodyIsInTheWay) {
+TEST(Realize, RejectsWhenAnotherAgentBlocksThePath) {
   Case attack;
   attack.future.agents = {futureTrack("wall", {4.0, 80.0}, {-5.0, 0.0, 0.0}, 0.0)};
-  attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "of 1 vehicle: ");
+  attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "(1 vehicle): ");
 }
 
 TEST(Realize, CountsWhyTheBestAttacksDoNotVerify) {
@@ -227,10 +206,10 @@ TEST(Realize, CountsWhyTheBestAttacksDoNotVerify) {
        AgentClass::kStaticObject,
        {100.0, 20.0},
        {{kNow + 2.02, somewhere, Vector2::Zero()}, {kNow + 2.08, somewhere, Vector2::Zero()}}}};
-  attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "touched someone else first");
+  attack.expectRefusal(StatusCode::kNoAttackWithinLimits, "touched another agent first");
 }
 
-TEST(Realize, RefusesPatternsThatMakeNoSense) {
+TEST(Realize, RejectsInvalidPatterns) {
   Case stranger;
   stranger.pattern.attacker_id = "nobody";
   EXPECT_THROW(stranger.result(), InputError);

@@ -7,8 +7,8 @@
 namespace forge {
 namespace {
 
-/// The ego drives 10 m/s along x, is at 0 now; somebody drives so 20 m ahead of it, in the future
-/// on, too.
+/// The ego drives 10 m/s along x and is at 0 at t0; an agent drives likewise 20 m ahead of it, in
+/// the future on, too.
 RecordedTraffic traffic() {
   Future future;
   future.ego = futureTrack(kEgoId, kEgoSize, {}, 10.0);
@@ -23,7 +23,7 @@ TEST(RecordedTraffic, IsKnownFromTheFirstFrameToTheEnd) {
   EXPECT_EQ(traffic().lastInstant(), 20);
 }
 
-TEST(RecordedTraffic, IsTouchedWhereItIsThenWithClearance) {
+TEST(RecordedTraffic, TestsContactWithClearance) {
   const RecordedTraffic traffic = forge::traffic();
   // Of two cars of 4.6 m, 4.8 m apart: half a metre less of clearance on either side touches.
   EXPECT_TRUE(traffic.touches({10.0 + 4.8, 0.0, 0.0}, kCarSize, -5, 0.3));
@@ -32,14 +32,14 @@ TEST(RecordedTraffic, IsTouchedWhereItIsThenWithClearance) {
   EXPECT_FALSE(traffic.touches({20.0, 0.0, 0.0}, kCarSize, 10, 0.0));
 }
 
-TEST(RecordedTraffic, HoldsTheEgoUntilNowAlone) {
+TEST(RecordedTraffic, ContainsTheEgoUpToNowOnly) {
   EXPECT_TRUE(traffic().touches({-10.0, 0.0, 0.0}, kCarSize, -5, 0.0));
   EXPECT_FALSE(traffic().touches({10.0, 0.0, 0.0}, kCarSize, 5, 0.0));
   EXPECT_NEAR(traffic().distanceToEgo({-10.0, 30.0}, -5).value_or(0.0), 30.0, 1e-6);
   EXPECT_FALSE(traffic().distanceToEgo({-10.0, 30.0}, 5));
 }
 
-TEST(RecordedTraffic, HidesWhatIsBehindAVehicle) {
+TEST(RecordedTraffic, OccludesPlacesBehindAVehicle) {
   EXPECT_TRUE(traffic().hides({50.0, 1.0}, 0));
   EXPECT_FALSE(traffic().hides({50.0, 10.0}, 0));
   EXPECT_FALSE(traffic().hides({15.0, 0.0}, 0)) << "before it";

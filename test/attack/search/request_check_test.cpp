@@ -34,7 +34,7 @@ void expectRefusal(const CollisionRequest& request, const Snapshot& snapshot, St
   }
 }
 
-TEST(WithFullId, TheBeginningOfAnIdIsEnoughWhereItNamesNobodyElse) {
+TEST(WithFullId, AcceptsAUniquePrefixOfAnId) {
   Snapshot snapshot = twoCars();
   snapshot.agents = {pastTrack("33dd9cf264db", kCarSize, {30.0, 3.5, M_PI}, 10.0),
                      pastTrack("33dd9cf9", kCarSize, {60.0, 3.5, M_PI}, 10.0),
@@ -51,7 +51,7 @@ TEST(WithFullId, TheBeginningOfAnIdIsEnoughWhereItNamesNobodyElse) {
   EXPECT_FALSE(withFullId(asking(4.0), snapshot).attacker);
 }
 
-TEST(IsCandidate, HoldsForAVehicleSeenNowAndBefore) {
+TEST(IsCandidate, AcceptsAVehicleObservedNowAndBefore) {
   const Snapshot snapshot = twoCars();
   EXPECT_TRUE(isCandidate(snapshot.agents[0], snapshot, kOptions));
 }
@@ -71,7 +71,7 @@ TEST(IsCandidate, DependsOnTheClass) {
   }
 }
 
-TEST(IsCandidate, IsWithinTheRadiusOfTheEgoNow) {
+TEST(IsCandidate, MustBeWithinTheRadiusOfTheEgo) {
   const auto at = [](double x) {
     const Snapshot snapshot =
         snapshotOf(pastTrack(kEgoId, kEgoSize, {5.0, 0.0, 0.0}, 10.0),
@@ -84,7 +84,7 @@ TEST(IsCandidate, IsWithinTheRadiusOfTheEgoNow) {
   EXPECT_FALSE(at(-75.1));
 }
 
-TEST(IsCandidate, IsThereNowAndWasThereBefore) {
+TEST(IsCandidate, MustBePresentNowAndBefore) {
   const auto with = [](const std::vector<double>& times) {
     Snapshot snapshot = twoCars();
     snapshot.agents[0].states.clear();
@@ -99,7 +99,7 @@ TEST(IsCandidate, IsThereNowAndWasThereBefore) {
   EXPECT_FALSE(with({-3.0, 0.0})) << "its motion is unknown after a gap";
 }
 
-TEST(IsCandidate, HasANumberForAPoseAndASize) {
+TEST(IsCandidate, NeedsAFinitePoseAndASize) {
   Snapshot snapshot = twoCars();
   snapshot.agents[0].states[0].pose.y = kNan;
   EXPECT_FALSE(isCandidate(snapshot.agents[0], snapshot, kOptions));
@@ -110,14 +110,14 @@ TEST(IsCandidate, HasANumberForAPoseAndASize) {
   EXPECT_FALSE(isCandidate(snapshot.agents[0], snapshot, kOptions));
 }
 
-TEST(CheckRequest, PassesWhatCanBeAnswered) {
+TEST(CheckRequest, AcceptsValidRequests) {
   for (const double tta : {0.5, 4.0, 9.0}) {
     EXPECT_EQ(checkRequest(asking(tta), twoCars(), kOptions).code, StatusCode::kOk);
     EXPECT_EQ(checkRequest(asking(tta, "car"), twoCars(), kOptions).code, StatusCode::kOk);
   }
 }
 
-TEST(CheckRequest, RefusesWhatAnAdaptiveAttackerCannotBe) {
+TEST(CheckRequest, RejectsOptionsThatAdaptiveModeDoesNotSupport) {
   CollisionRequest request = asking(4.0);
   request.mode = Mode::kAdaptive;
   EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
@@ -130,7 +130,7 @@ TEST(CheckRequest, RefusesWhatAnAdaptiveAttackerCannotBe) {
   expectRefusal(request, twoCars(), StatusCode::kInvalidInput, {"limits = strict", "adaptive"});
 }
 
-TEST(CheckRequest, RefusesATtaOutOfRange) {
+TEST(CheckRequest, RejectsATtaOutOfRange) {
   for (const auto& [tta, text] : std::vector<std::pair<double, std::string>>{
            {0.49, "0.49"}, {9.01, "9.01"}, {-1.0, "-1"}, {0.0, "0"}, {kNan, "nan"}}) {
     expectRefusal(asking(tta), twoCars(), StatusCode::kTtaOutOfRange,
@@ -138,7 +138,7 @@ TEST(CheckRequest, RefusesATtaOutOfRange) {
   }
 }
 
-TEST(CheckRequest, RefusesTooLittleHistoryOfTheEgo) {
+TEST(CheckRequest, RejectsTooLittleHistoryOfTheEgo) {
   Snapshot snapshot = twoCars();
   snapshot.ego.states.erase(snapshot.ego.states.begin(), snapshot.ego.states.end() - 2);
   EXPECT_EQ(checkRequest(asking(4.0), snapshot, kOptions).code, StatusCode::kOk);
@@ -148,35 +148,35 @@ TEST(CheckRequest, RefusesTooLittleHistoryOfTheEgo) {
   expectRefusal(asking(4.0), snapshot, StatusCode::kTooLittleHistory, {"ego", "0 frames"});
 }
 
-TEST(CheckRequest, RefusesAnEgoWhoseMotionIsUnknownAfterAGap) {
+TEST(CheckRequest, RejectsAnEgoWithoutMotionAfterAGap) {
   Snapshot snapshot = twoCars();
   snapshot.ego.states.erase(snapshot.ego.states.begin() + 1, snapshot.ego.states.end() - 1);
   expectRefusal(asking(4.0), snapshot, StatusCode::kTooLittleHistory, {"ego"});
 }
 
-TEST(CheckRequest, RefusesAttackersThatNobodyKnows) {
+TEST(CheckRequest, RejectsUnknownAttackers) {
   expectRefusal(asking(4.0, "ghost"), twoCars(), StatusCode::kUnknownAttacker,
                 {"attacker_id", "ghost"});
   expectRefusal(asking(4.0, ""), twoCars(), StatusCode::kUnknownAttacker, {"attacker_id", "\"\""});
 }
 
-TEST(CheckRequest, RefusesAttackersThatAreNotThereOrCannotAttack) {
+TEST(CheckRequest, RejectsAbsentAndUnfitAttackers) {
   Snapshot snapshot = twoCars();
   snapshot.agents[0].agent_class = AgentClass::kPedestrian;
   expectRefusal(asking(4.0, "car"), snapshot, StatusCode::kAbsentAttacker, {"car", "pedestrian"});
   snapshot = twoCars();
   snapshot.agents[0].states.pop_back();
-  expectRefusal(asking(4.0, "car"), snapshot, StatusCode::kAbsentAttacker, {"car", "not there"});
+  expectRefusal(asking(4.0, "car"), snapshot, StatusCode::kAbsentAttacker, {"car", "not present"});
 }
 
-TEST(CheckRequest, RefusesAttackersWithoutHistory) {
+TEST(CheckRequest, RejectsAttackersWithoutHistory) {
   Snapshot snapshot = twoCars();
   auto& states = snapshot.agents[0].states;
   states.erase(states.begin(), states.end() - 1);
   expectRefusal(asking(4.0, "car"), snapshot, StatusCode::kTooLittleHistory, {"car"});
 }
 
-TEST(CheckRequest, RefusesAnIdTogetherWithTheChoiceOfANewOne) {
+TEST(CheckRequest, RejectsAnAttackerIdWithChoiceNew) {
   CollisionRequest request = asking(4.0, "car");
   request.choice = AttackerChoice::kNew;
   expectRefusal(request, twoCars(), StatusCode::kInvalidInput, {"choice = new", "\"car\""});
@@ -184,7 +184,7 @@ TEST(CheckRequest, RefusesAnIdTogetherWithTheChoiceOfANewOne) {
   EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
 }
 
-TEST(CheckRequest, RefusesClassesThatCannotAttackOrAreNotTheAttackers) {
+TEST(CheckRequest, RejectsUnfitAndContradictingClasses) {
   CollisionRequest request = asking(4.0);
   request.attacker_class = AgentClass::kTrailer;
   expectRefusal(request, twoCars(), StatusCode::kInvalidInput, {"attacker_class = trailer"});
@@ -195,7 +195,7 @@ TEST(CheckRequest, RefusesClassesThatCannotAttackOrAreNotTheAttackers) {
                 {"\"car\" is a car", "attacker_class = truck"});
 }
 
-TEST(CheckRequest, RefusesAManoeuvreOfAnotherType) {
+TEST(CheckRequest, RejectsAManoeuvreOfAnotherType) {
   CollisionRequest request = asking(4.0);
   request.manoeuvre = Manoeuvre::kCutIn;
   expectRefusal(request, twoCars(), StatusCode::kInvalidInput,
@@ -204,7 +204,7 @@ TEST(CheckRequest, RefusesAManoeuvreOfAnotherType) {
   EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
 }
 
-TEST(CheckRequest, RefusesImpactSpeedsThatNoneCanHave) {
+TEST(CheckRequest, RejectsImpossibleImpactSpeeds) {
   CollisionRequest request = asking(4.0);
   for (const Range& range : {Range{5.0, 4.0}, Range{-1.0, 4.0}, Range{kNan, 4.0}, Range{1.0, kNan},
                              Range{0.0, std::numeric_limits<double>::infinity()}}) {
@@ -215,7 +215,7 @@ TEST(CheckRequest, RefusesImpactSpeedsThatNoneCanHave) {
   EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
 }
 
-TEST(CheckRequest, RefusesOverlapsThatNoneCanHave) {
+TEST(CheckRequest, RejectsImpossibleOverlaps) {
   CollisionRequest request = asking(4.0);
   for (const Range& range :
        {Range{0.9, 0.2}, Range{-0.1, 0.4}, Range{0.5, 1.01}, Range{kNan, 0.4}, Range{0.1, kNan}}) {
@@ -228,7 +228,7 @@ TEST(CheckRequest, RefusesOverlapsThatNoneCanHave) {
   }
 }
 
-TEST(CheckRequest, RefusesNoAttacksAndTooMany) {
+TEST(CheckRequest, RejectsZeroAndTooManyAlternatives) {
   CollisionRequest request = asking(4.0);
   for (const int count : {-1, 0, kMaxAlternatives + 1}) {
     request.alternatives = count;
@@ -239,7 +239,7 @@ TEST(CheckRequest, RefusesNoAttacksAndTooMany) {
   EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
 }
 
-TEST(CheckRequest, RefusesBelievableAttacksWithinTheStrictLimits) {
+TEST(CheckRequest, RejectsBelievableAttacksWithStrictLimits) {
   CollisionRequest request = asking(4.0);
   request.crash.limits = LimitSet::kStrict;
   expectRefusal(request, twoCars(), StatusCode::kInvalidInput, {"limits = strict", "believable"});
@@ -247,7 +247,7 @@ TEST(CheckRequest, RefusesBelievableAttacksWithinTheStrictLimits) {
   EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
 }
 
-TEST(CheckRequest, BlamesTheSizeOrThePoseOfAnAttackerThatHasNone) {
+TEST(CheckRequest, NamesAnInvalidSizeOrPoseOfTheAttacker) {
   Snapshot snapshot = twoCars();
   snapshot.agents[0].size.width = 0.0;
   expectRefusal(asking(4.0, "car"), snapshot, StatusCode::kInvalidInput, {"car", "size"});

@@ -44,7 +44,7 @@ std::vector<double> nowsOf(const Scene& scene, const RequestListOptions& options
       listRequests(scene, options, shippedOptions().prediction, shippedCrash().time_tolerance));
 }
 
-TEST(ListRequests, AreStrideApartWithHistoryAndImpactWithinTheRecording) {
+TEST(ListRequests, AreStrideApartWithHistoryAndContactWithinTheRecording) {
   // 100 s has one frame of history; 106 + 3 + 0.5 is within the recording, 108 + 3 is not.
   EXPECT_EQ(nowsOf(tenSeconds(), everyTwoSeconds()), (std::vector<double>{102.0, 104.0, 106.0}));
 }
@@ -57,7 +57,7 @@ TEST(ListRequests, KeepTheToleranceBeforeTheRecordingsEnd) {
   EXPECT_EQ(nowsOf(tenSeconds(), options).back(), 104.0);
 }
 
-TEST(ListRequests, TakeTheNearestFrameWhereTheClockJitters) {
+TEST(ListRequests, UseTheNearestFrameWhereTheClockJitters) {
   Scene scene = tenSeconds();
   for (std::size_t i = 0; i < scene.frame_times.size(); ++i) {
     const double jitter = i % 3 == 0 ? 0.004 : -0.003;
@@ -69,7 +69,7 @@ TEST(ListRequests, TakeTheNearestFrameWhereTheClockJitters) {
   for (std::size_t i = 0; i < nows.size(); ++i) EXPECT_NEAR(nows[i], 102.0 + 2.0 * i, 0.01);
 }
 
-TEST(ListRequests, NameNoFrameTwice) {
+TEST(ListRequests, UseNoFrameTwice) {
   RequestListOptions options = everyTwoSeconds();
   options.stride = 0.2;
   const std::vector<double> nows = nowsOf(tenSeconds(), options);
@@ -77,7 +77,7 @@ TEST(ListRequests, NameNoFrameTwice) {
   EXPECT_EQ(nows.front(), 100.5);
 }
 
-TEST(ListRequests, LeaveOutASlowEgo) {
+TEST(ListRequests, SkipASlowEgo) {
   RequestListOptions options = everyTwoSeconds();
   options.min_ego_speed = 10.5;
   EXPECT_TRUE(nowsOf(tenSeconds(), options).empty());
@@ -85,7 +85,7 @@ TEST(ListRequests, LeaveOutASlowEgo) {
   EXPECT_EQ(nowsOf(tenSeconds(), options).size(), 3u);
 }
 
-TEST(ListRequests, AskForEveryTtaAndTypeInOrder) {
+TEST(ListRequests, CoverEveryTtaAndTypeInOrder) {
   RequestListOptions options = everyTwoSeconds();
   options.ttas = {2.0, 3.0};
   options.types = {CollisionType::kLtap, CollisionType::kRearEnd};
@@ -107,7 +107,7 @@ TEST(ListRequests, AskForEveryTtaAndTypeInOrder) {
   }
 }
 
-TEST(ListRequests, NameEachAttackerThatCan) {
+TEST(ListRequests, NameEachPossibleAttacker) {
   RequestListOptions options = everyTwoSeconds();
   options.attackers = Attackers::kEach;
   std::vector<std::pair<double, std::string>> asked;
@@ -120,7 +120,7 @@ TEST(ListRequests, NameEachAttackerThatCan) {
   EXPECT_EQ(asked, expected);
 }
 
-TEST(ListRequests, AskForTheControlsWhereTheTypeAllowsThem) {
+TEST(ListRequests, UseTheControlsThatTheTypeAllows) {
   RequestListOptions options = everyTwoSeconds();
   options.types = {CollisionType::kLtap, CollisionType::kRearEnd};
   CollisionRequest asked;
@@ -136,13 +136,13 @@ TEST(ListRequests, AskForTheControlsWhereTheTypeAllowsThem) {
   }
 }
 
-TEST(ListRequests, TtasOutOfTheSuitesRangeAreLeftOut) {
+TEST(ListRequests, SkipTtasOutOfRange) {
   RequestListOptions options = everyTwoSeconds();
   options.ttas = {0.4};
   EXPECT_TRUE(nowsOf(tenSeconds(), options).empty());
 }
 
-TEST(ListRequests, RefuseAStrideThatIsNotPositive) {
+TEST(ListRequests, RejectAStrideThatIsNotPositive) {
   RequestListOptions options = everyTwoSeconds();
   for (const double stride : {0.0, -1.0, std::nan("")}) {
     options.stride = stride;

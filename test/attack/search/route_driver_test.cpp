@@ -29,7 +29,7 @@ class RouteTest : public testing::Test {
     DriveState now;
     now.axle = {x - limits_.axle_to_middle, y, 0.0};
     now.speed = speed;
-    return {ReferencePath(bend()), now, limits_, options_};
+    return {ReferencePath(bend()), now, limits_};
   }
 
   /// The style by which it was planned.
@@ -43,15 +43,14 @@ class RouteTest : public testing::Test {
   }
 
   static double speedAt(const std::vector<PlannedStep>& planned, std::size_t i) {
-    return (planned[i + 1].middle.position() - planned[i].middle.position()).norm() / kStep;
+    return (planned[i + 1].middle - planned[i].middle).norm() / kStep;
   }
 
-  const RouteDriverOptions options_ = shippedOptions().route;
   const DriveLimits limits_ =
       driveLimitsOf(AgentClass::kCar, kCarSize, shippedOptions().verification.drivable);
 };
 
-TEST_F(RouteTest, ArrivesInTimeAtTheOffsetAndTheHeadingAskedFor) {
+TEST_F(RouteTest, ArrivesInTimeAtTheRequestedOffsetAndHeading) {
   const RouteDriver route = routeAt(2.0, 0.3, 8.0);
   RoutePlan wanted;
   wanted.arrival = 4.0;
@@ -60,11 +59,11 @@ TEST_F(RouteTest, ArrivesInTimeAtTheOffsetAndTheHeadingAskedFor) {
   std::vector<PlannedStep> planned;
   ASSERT_TRUE(plan(route, wanted, planned));
   ASSERT_EQ(planned.size(), kSteps);
-  EXPECT_NEAR(planned[40].middle.x, 38.0, 0.4);
-  EXPECT_NEAR(planned[40].middle.y, 2.0, 0.1);
-  EXPECT_NEAR(planned[40].middle.yaw, 0.2, 0.02);
+  EXPECT_NEAR(planned[40].middle.x(), 38.0, 0.4);
+  EXPECT_NEAR(planned[40].middle.y(), 2.0, 0.1);
+  EXPECT_NEAR(planned[40].pose().yaw, 0.2, 0.02);
   for (std::size_t i = 0; i <= 24; ++i) {
-    EXPECT_LT(std::abs(planned[i].middle.y - 0.3), 0.2)
+    EXPECT_LT(std::abs(planned[i].middle.y() - 0.3), 0.2)
         << "keeps its offset until it departs, " << i;
   }
 }
@@ -78,11 +77,11 @@ TEST_F(RouteTest, StartsWhereItIsIfTheArrivalIsLessThanAStepAway) {
     wanted.departure = departure;
     std::vector<PlannedStep> planned;
     ASSERT_TRUE(plan(route, wanted, planned));
-    EXPECT_NEAR(planned[0].middle.y, 0.3, 1e-9) << departure;
+    EXPECT_NEAR(planned[0].middle.y(), 0.3, 1e-9) << departure;
   }
 }
 
-TEST_F(RouteTest, DrivesByTheTamestStyleThatArrives) {
+TEST_F(RouteTest, UsesTheGentlestStyleThatArrives) {
   const RouteDriver route = routeAt(2.0, 0.0, 8.0);
   std::vector<PlannedStep> planned;
   RoutePlan wanted;
@@ -96,7 +95,7 @@ TEST_F(RouteTest, DrivesByTheTamestStyleThatArrives) {
     EXPECT_GE(*style, wildest) << "the farther, the harder";
     wildest = *style;
   }
-  EXPECT_EQ(wildest + 1, options_.styles.size());
+  EXPECT_EQ(wildest + 1, kDrivingStyles.size());
   wanted.at.along = 90.0;
   EXPECT_FALSE(plan(route, wanted, planned)) << "nobody gets there";
   wanted.at.along = 8.0;
@@ -111,14 +110,14 @@ TEST_F(RouteTest, SlowsDownForABend) {
   wanted.at = {66.0, 0.0, 0.0};
   const auto style = plan(route, wanted, planned);
   ASSERT_TRUE(style);
-  const double lateral = options_.styles[*style].lateral;
+  const double lateral = kDrivingStyles[*style].lateral;
   for (std::size_t i = 0; i + 6 < planned.size(); ++i) {
-    if (planned[i].middle.x < 62.0) continue;
+    if (planned[i].middle.x() < 62.0) continue;
     EXPECT_LT(speedAt(planned, i), 1.25 * std::sqrt(lateral * 12.0)) << i;
   }
 }
 
-TEST_F(RouteTest, BrakesLateWhereThatIsAskedFor) {
+TEST_F(RouteTest, BrakesLateOnRequest) {
   const RouteDriver route = routeAt(2.0, 0.0, 10.0);
   std::vector<PlannedStep> planned;
   RoutePlan wanted;
@@ -127,11 +126,11 @@ TEST_F(RouteTest, BrakesLateWhereThatIsAskedFor) {
   wanted.late = 1.5;
   wanted.late_acceleration = -4.0;
   ASSERT_TRUE(plan(route, wanted, planned));
-  EXPECT_NEAR(planned[40].middle.x, 36.0, 0.4);
+  EXPECT_NEAR(planned[40].middle.x(), 36.0, 0.4);
   EXPECT_LT(speedAt(planned, 38) + 3.0, speedAt(planned, 24));
 }
 
-TEST_F(RouteTest, WhoStandsMayWait) {
+TEST_F(RouteTest, AStandingVehicleMayWait) {
   const RouteDriver route = routeAt(2.0, 0.0, 0.0);
   std::vector<PlannedStep> planned;
   RoutePlan wanted;
@@ -139,8 +138,8 @@ TEST_F(RouteTest, WhoStandsMayWait) {
   wanted.wait = 2.5;
   wanted.at = {5.0, 0.0, 0.0};
   ASSERT_TRUE(plan(route, wanted, planned));
-  for (std::size_t i = 0; i <= 25; ++i) EXPECT_NEAR(planned[i].middle.x, 2.0, 1e-6) << i;
-  EXPECT_NEAR(planned[50].middle.x, 5.0, 0.4);
+  for (std::size_t i = 0; i <= 25; ++i) EXPECT_NEAR(planned[i].middle.x(), 2.0, 1e-6) << i;
+  EXPECT_NEAR(planned[50].middle.x(), 5.0, 0.4);
 }
 
 }  // namespace

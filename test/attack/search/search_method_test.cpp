@@ -31,8 +31,8 @@ struct Case {
     const Moment moment{snapshot, recorded, std::make_shared<const LaneIndex>(map)};
     return generateCollision(searchMethod(options), moment, request, options.prediction);
   }
-  /// The future that an answer was verified against: the recorded one, or that one of the predicted
-  /// in which the ego is where the answer's report has it.
+  /// The future used for verification: the recorded one, or the predicted one in which the ego is
+  /// where the report has it.
   Future futureOf(const Realization& answer) const {
     if (request.mode == Mode::kReplay) return *recorded;
     Future future =
@@ -78,7 +78,7 @@ std::string bytesOf(const AttackerTrajectory& trajectory) {
   return bytes;
 }
 
-TEST(GenerateCollision, AnswersWithAVerifiedAttack) {
+TEST(GenerateCollision, ReturnsAVerifiedAttack) {
   Case scene;
   const Realization history = scene.result();
   EXPECT_EQ(history.status.code, StatusCode::kOk) << history.status.message;
@@ -92,7 +92,7 @@ TEST(GenerateCollision, AnswersWithAVerifiedAttack) {
   EXPECT_EQ(replay.report.confidence, 1.0);
 }
 
-TEST(GenerateCollision, LooksAtTheRecordingInReplayOnly) {
+TEST(GenerateCollision, UsesTheRecordingInReplayOnly) {
   Case scene;
   const std::string blind = bytesOf(scene.result().trajectory);
   scene.recorded = straightFuture();
@@ -102,7 +102,7 @@ TEST(GenerateCollision, LooksAtTheRecordingInReplayOnly) {
   EXPECT_NE(bytesOf(scene.result().trajectory), blind);
 }
 
-TEST(GenerateCollision, UsesTheAttackerThatIsAskedFor) {
+TEST(GenerateCollision, UsesTheRequestedAttacker) {
   Case scene;
   scene.request.type = CollisionType::kOppositeDirection;
   scene.request.attacker = "oncoming";
@@ -111,7 +111,7 @@ TEST(GenerateCollision, UsesTheAttackerThatIsAskedFor) {
   EXPECT_EQ(result.trajectory.attacker_id, "oncoming");
 }
 
-TEST(GenerateCollision, RefusesAReplayWithoutARecording) {
+TEST(GenerateCollision, RejectsReplayWithoutARecording) {
   Case scene;
   scene.request.mode = Mode::kReplay;
   scene.expectRefusal(StatusCode::kNoRecording, {"mode", "replay"});
@@ -130,7 +130,7 @@ TEST(GenerateCollision, SameSeedSameBytes) {
   }
 }
 
-/// A second opinion on an answer that shares no code with the sources: millimetre time steps, its
+/// An independent check of an attack that shares no code with the sources: millimetre steps, its
 /// own separating axes and interpolation, limits from differences of positions.
 class BruteForce {
  public:
@@ -140,7 +140,7 @@ class BruteForce {
     }
   }
 
-  /// Adds a failure for everything in which the answer is wrong.
+  /// Adds a failure for each error of the attack.
   void check(const CollisionRequest& request, const Track& attacker) const {
     checkContacts();
     checkType(request);
@@ -350,7 +350,7 @@ class RandomScene {
   Case scene_;
 };
 
-TEST(GenerateCollision, EveryAnswerHoldsAgainstABruteForceCheck) {
+TEST(GenerateCollision, EveryAttackPassesABruteForceCheck) {
   std::map<CollisionType, int> answered;
   for (std::uint32_t seed = 0; seed < 500; ++seed) {
     const RandomScene random(seed);
@@ -372,13 +372,13 @@ TEST(GenerateCollision, EveryAnswerHoldsAgainstABruteForceCheck) {
   }
 }
 
-TEST(SearchMethod, TakesAnyBelievableMotionWhereNobodyCanAttackAlongARoute) {
+TEST(SearchMethod, UsesAnyBelievableMotionIfNoRouteLeadsToAnAttack) {
   Case scene;
   scene.request = believableRequestFor(CollisionType::kRearEnd);
   scene.request.choice = AttackerChoice::kExisting;
   const Realization along = scene.result();
   ASSERT_EQ(along.status.code, StatusCode::kOk) << along.status.message;
-  scene.options.route.reach = 0.01;  // so that no route leads to the ego
+  scene.options.route.ways = 0;  // so that no route leads to the ego
   for (const auto& choice : {AttackerChoice::kExisting, AttackerChoice::kAny}) {
     scene.request.choice = choice;
     const Realization answer = scene.result();
@@ -388,16 +388,16 @@ TEST(SearchMethod, TakesAnyBelievableMotionWhereNobodyCanAttackAlongARoute) {
   }
 }
 
-TEST(SearchMethod, SaysThatTheRoadDoesNotAllowWhoeverIsToAttack) {
+TEST(SearchMethod, ReportsThatTheRoadDoesNotAllowForAnyChoice) {
   Case scene;
   scene.request = believableRequestFor(CollisionType::kJunctionCrossing);
   for (const AttackerChoice choice :
        {AttackerChoice::kAny, AttackerChoice::kExisting, AttackerChoice::kNew}) {
     scene.request.choice = choice;
-    scene.expectRefusal(StatusCode::kRoadDoesNotAllow, {"junction_crossing"});
+    scene.expectRefusal(StatusCode::kRoadDoesNotAllow, {"junction crossing"});
   }
   scene.request.crash.believable = false;
-  scene.expectRefusal(StatusCode::kNoCandidate, {"believable, alone"});
+  scene.expectRefusal(StatusCode::kNoCandidate, {"believable = true"});
 }
 
 }  // namespace

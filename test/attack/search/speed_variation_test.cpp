@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-TEST(SpeedVariation, GainsTheWayOfItsAcceleration) {
+TEST(SpeedVariation, DistanceIntegratesItsAcceleration) {
   const SpeedVariation variation{0.7, 5.0, 0.8};
   const auto acceleration = [](double time) {
     return 0.7 * std::sin(2.0 * M_PI / 5.0 * time + 0.8);
@@ -30,20 +30,19 @@ TEST(SpeedVariation, GainsTheWayOfItsAcceleration) {
   EXPECT_EQ(variation.way(0.0), 0.0);
 }
 
-TEST(SpeedVariation, IsNoneByDefault) { EXPECT_EQ(SpeedVariation().way(-3.0), 0.0); }
+TEST(SpeedVariation, IsZeroByDefault) { EXPECT_EQ(SpeedVariation().way(-3.0), 0.0); }
 
-TEST(SpeedVariation, FollowsFromIdAndSeed) {
-  const RouteDriverOptions options = shippedOptions().route;
-  const SpeedVariation first = variationOf("a", 1, options);
-  EXPECT_EQ(variationOf("a", 1, options).phase, first.phase);
-  EXPECT_NE(variationOf("b", 1, options).phase, first.phase);
-  EXPECT_NE(variationOf("a", 2, options).phase, first.phase);
+TEST(SpeedVariation, DependsOnIdAndSeedOnly) {
+  const SpeedVariation first = variationOf("a", 1);
+  EXPECT_EQ(variationOf("a", 1).phase, first.phase);
+  EXPECT_NE(variationOf("b", 1).phase, first.phase);
+  EXPECT_NE(variationOf("a", 2).phase, first.phase);
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    const SpeedVariation variation = variationOf("a", seed, options);
+    const SpeedVariation variation = variationOf("a", seed);
     EXPECT_GE(variation.amplitude, 0.0);
-    EXPECT_LE(variation.amplitude, options.variation);
-    EXPECT_GE(variation.period, options.variation_periods.front());
-    EXPECT_LE(variation.period, options.variation_periods.back());
+    EXPECT_LE(variation.amplitude, kMaxVariation);
+    EXPECT_GE(variation.period, kShortestPeriod);
+    EXPECT_LE(variation.period, kLongestPeriod);
   }
 }
 

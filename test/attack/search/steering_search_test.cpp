@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "attack/search/test_scenes.h"
+#include "collision_forge/attack/search/search_task.h"
 #include "collision_forge/attack/verify/limits.h"
 
 namespace forge {
@@ -35,29 +36,27 @@ struct Case {
     SteeringAim aim;
     aim.last_in_time = tta + kTolerance;
     aim.first_in_time = tta - kTolerance;
-    const int steps = static_cast<int>(std::ceil(aim.last_in_time / options.steering.step));
+    const int steps = static_cast<int>(std::ceil(aim.last_in_time / SteeringSearch::kStep));
     for (int i = 0; i <= steps; ++i) aim.ego.push_back(egoAt(aim.last_in_time * i / steps));
     aim.ego_size = kEgoSize;
     aim.attacker_size = kCarSize;
     aim.band = shippedCrash().types.at(type);
-    aim.depth = options.search.depth;
+    aim.depth = kContactDepth;
     return aim;
   }
-  SteeringSearch search() const {
-    return {start, aim(), options.verification.limits, options.steering};
-  }
+  SteeringSearch search() const { return {start, aim(), options.verification.limits}; }
   /// The nearest knots of all rounds.
   std::vector<SteeringKnots> found(std::uint64_t seed = 0) const {
     Random random(seed);
     SteeringSearch steering = search();
     std::vector<SteeringKnots> nearest;
-    for (int round = 0; round < options.steering.rounds; ++round) nearest = steering.next(random);
+    for (int round = 0; round < options.search.steering_rounds; ++round)
+      nearest = steering.next(random);
     return nearest;
   }
   std::vector<TrajectoryPoint> driven(const SteeringKnots& knots) const {
     std::vector<TrajectoryPoint> points;
-    BicycleFamily(options.verification.limits, options.bicycle)
-        .roll(start, knots, tta + kTolerance, points);
+    BicycleFamily(options.verification.limits).roll(start, knots, tta + kTolerance, points);
     return points;
   }
   /// Index of the first point that touches the ego; -1 without any.
@@ -90,7 +89,7 @@ TEST(SteeringSearch, FindsTheCrashThatLiesAhead) {
   oncoming.expectHit(found.front());
 }
 
-TEST(SteeringSearch, TurnsRoundWhoDrivesTheSameWay) {
+TEST(SteeringSearch, FindsAUTurn) {
   const Case ahead(CollisionType::kOppositeDirection, 6.0, {10.0, -5.0, 2.0}, 4.0,
                    compose({10.0, -5.0, 2.0}, {20.0, 3.5, 0.0}), 5.0);
   const auto found = ahead.found();
@@ -98,19 +97,19 @@ TEST(SteeringSearch, TurnsRoundWhoDrivesTheSameWay) {
   ahead.expectHit(found.front());
 }
 
-TEST(SteeringSearch, NothingIsNearWhatIsOutOfReach) {
+TEST(SteeringSearch, FindsNothingOutOfReach) {
   const Case far(CollisionType::kRearEnd, 2.0, {0.0, 0.0, 0.0}, 10.0, {-80.0, 0.0, 0.0}, 3.0);
   EXPECT_TRUE(far.found().empty());
   Random random(0);
   SteeringSearch search = far.search();
   search.next(random);
-  // 100 m ahead by then, less half of both cars and what it drives at 5 m/s2 for 2.47 s.
+  // 100 m ahead by then, minus half of both cars and the distance driven at 5 m/s2 in 2.47 s.
   const double driven = 3.0 * 2.47 + 0.5 * 5.0 * 2.47 * 2.47;
   const double apart = 80.0 + 10.0 * 2.47 - 0.5 * (kEgoSize.length + kCarSize.length) - driven;
   EXPECT_GE(search.shortfall(), apart);
 }
 
-TEST(SteeringSearch, RoundsComeNearer) {
+TEST(SteeringSearch, RoundsReduceTheShortfall) {
   const Case ahead(CollisionType::kOppositeDirection, 6.0, {0.0, 0.0, 0.0}, 4.0, {20.0, 3.5, 0.0},
                    5.0);
   Random random(3);
@@ -121,15 +120,10 @@ TEST(SteeringSearch, RoundsComeNearer) {
   EXPECT_LT(search.shortfall(), 0.5 * first);
 }
 
-TEST(SteeringSearch, NearestFirstAndNoMoreThanAreConsidered) {
+TEST(SteeringSearch, ReturnsTheNearestFirstUpToTheLimit) {
   Case oncoming(CollisionType::kOppositeDirection, 3.0, {0.0, 0.0, 0.0}, 8.0, {50.0, 3.0, M_PI},
                 8.0);
-  oncoming.options.steering.considered = 3;
-  EXPECT_EQ(oncoming.found().size(), 3u);
-  oncoming.options.steering.near = 1e-9;
-  oncoming.options.steering.rounds = 1;
-  oncoming.options.steering.first_population = 16;
-  EXPECT_TRUE(oncoming.found().empty());
+  EXPECT_EQ(oncoming.found().size(), std::size_t{SteeringSearch::kConsidered});
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ inline constexpr double kNow = 100.0;  // s
 inline constexpr BoxSize kEgoSize{4.084, 1.730};
 inline constexpr BoxSize kCarSize{4.6, 1.9};
 
-/// What config/ says.
+/// The options of config/.
 inline AttackOptions shippedOptions() {
   static const AttackOptions options = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").attack;
   return options;
@@ -32,13 +32,13 @@ inline BelievabilityOptions shippedBelievability() {
   return options;
 }
 
-/// What config/ says counts as a crash.
+/// The crash definition of config/.
 inline CrashDefinition shippedCrash() {
   static const CrashDefinition crash = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").crash;
   return crash;
 }
 
-/// Any attacker, in history mode, as config/ says.
+/// A request for any attacker in history mode, by config/.
 inline CollisionRequest believableRequestFor(CollisionType type, double tta = 4.0) {
   CollisionRequest request;
   request.type = type;
@@ -47,8 +47,7 @@ inline CollisionRequest believableRequestFor(CollisionType type, double tta = 4.
   return request;
 }
 
-/// The same of anything within the limits of the strict protocol, whether a driver would do it or
-/// not.
+/// The same within the strict limits, plausible or not.
 inline CollisionRequest requestFor(CollisionType type = CollisionType::kRearEnd, double tta = 4.0) {
   CollisionRequest request = believableRequestFor(type, tta);
   request.crash.limits = LimitSet::kStrict;
@@ -58,12 +57,12 @@ inline CollisionRequest requestFor(CollisionType type = CollisionType::kRearEnd,
 
 inline EgoFutureOptions shippedEgoFutureOptions() { return shippedOptions().ego_futures; }
 
-/// Without recorded speeds.
+/// A predictor without recorded speeds.
 inline KinematicPatternPredictor kinematicPredictor(const AttackOptions& options) {
   return {options, std::make_shared<KinematicEgoFutures>(options.ego_futures, nullptr)};
 }
 
-/// The suite's own method on kinematicPredictor().
+/// The default method with kinematicPredictor().
 inline SearchMethod searchMethod(const AttackOptions& options) {
   return {options, std::make_shared<KinematicPatternPredictor>(kinematicPredictor(options))};
 }
@@ -92,7 +91,7 @@ inline Track futureTrack(const std::string& id, const BoxSize& size, const Pose2
   return straightTrack(id, size, now, speed, kNow, kNow, kNow + 10.0);
 }
 
-/// What a vehicle drives straight on at constant speed from kNow.
+/// The trajectory of a vehicle that drives straight at constant speed from kNow.
 inline AttackerTrajectory straightDrive(const Pose2& now, double speed, double duration,
                                         double step = 0.1) {
   AttackerTrajectory trajectory{"attacker", AgentClass::kCar, kCarSize, {}};
@@ -132,7 +131,7 @@ inline std::shared_ptr<LaneMap> twoLaneRoad() {
   return map;
 }
 
-/// Two such roads that cross; right-hand traffic, lane middles 1.75 m off the axes.
+/// Two such roads that cross; right-hand traffic, lane centres 1.75 m off the axes.
 inline std::shared_ptr<LaneMap> fourWayJunction() {
   auto map = emptyMap();
   map->lanes = {straightLane("east_in", {-200.0, -1.75}, {-10.0, -1.75}, {"east_through"}),

@@ -18,10 +18,7 @@ DriveLimits limitsOf(AgentClass agent_class, const BoxSize& size) {
   return driveLimitsOf(agent_class, size, shippedOptions().verification.drivable);
 }
 
-TrackDriver driverOf(const DriveLimits& limits) {
-  const RouteDriverOptions options = shippedOptions().route;
-  return {limits, options.limit_share, options.preview, kStep};
-}
+TrackDriver driverOf(const DriveLimits& limits) { return {limits, kLimitShare, kPreview, kStep}; }
 
 DriveState stateAt(const Pose2& middle, double speed, const DriveLimits& limits) {
   DriveState state;
@@ -37,7 +34,7 @@ std::vector<PlannedStep> along(double speed, const Curve& y) {
   for (std::size_t i = 0; i < kSteps; ++i) {
     const double x = speed * kStep * static_cast<double>(i);
     const double slope = (y(x + 0.01) - y(x - 0.01)) / 0.02;
-    plan.push_back({{x, y(x), std::atan(slope)}, speed * std::hypot(1.0, slope)});
+    plan.push_back({Pose2{x, y(x), std::atan(slope)}, speed * std::hypot(1.0, slope)});
   }
   return plan;
 }
@@ -52,7 +49,7 @@ TEST(TrackDriver, FollowsALaneChange) {
   ASSERT_EQ(points.size(), plan.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     EXPECT_NEAR(points[i].time, kNow + kStep * static_cast<double>(i), 1e-9);
-    EXPECT_LT((points[i].pose.position() - plan[i].middle.position()).norm(), 0.45) << i;
+    EXPECT_LT((points[i].pose.position() - plan[i].middle).norm(), 0.45) << i;
   }
   EXPECT_NEAR(points.back().pose.y, 3.5, 0.1);
   EXPECT_FALSE(findBrokenDrive(points, start, 1e9, limits));
@@ -64,7 +61,7 @@ TEST(TrackDriver, StopsWithoutAJoltAndStandsStill) {
   double x = 0.0;
   for (std::size_t i = 0; i < kSteps; ++i) {
     const double speed = std::max(0.0, 8.0 - 4.0 * kStep * static_cast<double>(i));
-    plan.push_back({{x, 0.0, 0.0}, speed});
+    plan.push_back({Pose2{x, 0.0, 0.0}, speed});
     x += speed * kStep;
   }
   const DriveState start = stateAt({}, 8.0, limits);
@@ -73,7 +70,7 @@ TEST(TrackDriver, StopsWithoutAJoltAndStandsStill) {
   const auto broken = findBrokenDrive(points, start, 1e9, limits);
   EXPECT_FALSE(broken) << describe(*broken);
   EXPECT_LT(points.back().speed, 0.2);
-  EXPECT_NEAR(points.back().pose.x, plan.back().middle.x, 0.7);
+  EXPECT_NEAR(points.back().pose.x, plan.back().middle.x(), 0.7);
 }
 
 TEST(TrackDriver, KeepsTheLimitsOfEveryClassWhateverThePlan) {
@@ -90,7 +87,7 @@ TEST(TrackDriver, KeepsTheLimitsOfEveryClassWhateverThePlan) {
       const double sway = random.uniform(0.5, 3.0);
       const double leap = random.uniform(0.0, 8.0);
       const double beat = random.uniform(0.5, 4.0);
-      // Swerves and leaps that nobody could drive.
+      // Swerves and leaps beyond every limit.
       std::vector<PlannedStep> plan;
       for (std::size_t i = 0; i < kSteps; ++i) {
         const double time = kStep * static_cast<double>(i);

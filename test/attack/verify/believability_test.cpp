@@ -31,7 +31,7 @@ std::shared_ptr<LaneMap> dividedRoad() {
   return map;
 }
 
-TEST(RoadUse, OfAVehicleInItsLane) {
+TEST(RoadUse, AVehicleInItsLaneIsOnALane) {
   const RoadUse use = useOf(dividedRoad(), {0.0, -5.5, 0.0});
   EXPECT_EQ(use.on_lane, 1.0);
   EXPECT_EQ(use.wrong_way, 0.0);
@@ -47,7 +47,7 @@ TEST(RoadUse, WrongWayIsAgainstTheLaneWithNoneAlong) {
   EXPECT_EQ(useOf(twoLaneRoad(), {0.0, 1.75, M_PI}).wrong_way, 0.0) << "both lanes are near";
 }
 
-TEST(RoadUse, LooksUpToTheFirstPointThen) {
+TEST(RoadUse, EndsAtTheFirstPointAtOrAfterTheEnd) {
   EXPECT_NEAR(useOf(twoLaneRoad(), {194.9, 0.0, 0.0}, 5.0, kNow + 1.55).on_lane, 15.0 / 17.0, 1e-9);
   EXPECT_EQ(useOf(twoLaneRoad(), {201.9, 0.0, 0.0}, 5.0, kNow).on_lane, 1.0);
 }
@@ -62,7 +62,7 @@ std::vector<TrajectoryPoint> pulledOut(double across) {
   return points;
 }
 
-TEST(RoadUse, OfOneWhoPullsOutBeginsWithTheManoeuvre) {
+TEST(RoadUse, ForAPullOutBeginsWithTheManoeuvre) {
   const LaneIndex lanes(twoLaneRoad());
   const auto useUntilManoeuvre = [&](const std::vector<TrajectoryPoint>& points, double contact) {
     return roadUseOfAttack(points, kCarSize, kNow + contact, lanes, kOptions);
@@ -90,7 +90,7 @@ TEST(RoadUse, OffRoadIsTheMeanShareOfTheBox) {
   EXPECT_EQ(useOf(emptyMap(), {0.0, 50.0, 0.0}).off_road, 0.0) << "nobody knows";
 }
 
-TEST(RoadUse, AWalkwayThatARoadGoesOverIsRoad) {
+TEST(RoadUse, AWalkwayUnderADrivableAreaIsRoad) {
   EXPECT_EQ(useOf(dividedRoad(), {0.0, -8.0, 0.0}).on_walkway, 0.0);
   EXPECT_EQ(useOf(dividedRoad(), {0.0, -8.6, 0.0}).on_walkway, 1.0);
   EXPECT_EQ(useOf(dividedRoad(), {0.0, -8.6, 0.0}).on_island, 0.0);
@@ -105,7 +105,7 @@ TEST(RoadUse, AMedianIsAnIsland) {
   EXPECT_EQ(useOf(dividedRoad(), {0.0, 20.0, 0.0}).on_island, 0.0) << "road on one side only";
 }
 
-TEST(OnIsland, AWideFieldIsNone) {
+TEST(OnIsland, AWideFieldIsNoIsland) {
   const LaneIndex lanes(dividedRoad());
   EXPECT_TRUE(isOnIsland({0.0, 0.0, 0.3}, lanes, 3.0));
   EXPECT_FALSE(isOnIsland({0.0, 0.0, 0.3}, lanes, 1.0)) << "the road is 2 m away";
@@ -125,7 +125,7 @@ std::vector<std::string> fitting(const std::shared_ptr<LaneMap>& map, CollisionT
 
 using Names = std::vector<std::string>;
 
-TEST(FittingLanes, OnAStraightRoadAreTheOwnAndTheOncomingOne) {
+TEST(FittingLanes, OnAStraightRoadAreTheEgosAndTheOncomingLane) {
   const Pose2 ego{0.0, 0.0, 0.0};
   EXPECT_EQ(fitting(twoLaneRoad(), CollisionType::kRearEnd, ego), Names{"east"});
   EXPECT_EQ(fitting(twoLaneRoad(), CollisionType::kLaneChange, ego), Names{"east"});
@@ -134,7 +134,7 @@ TEST(FittingLanes, OnAStraightRoadAreTheOwnAndTheOncomingOne) {
   EXPECT_EQ(fitting(twoLaneRoad(), CollisionType::kLtap, ego), Names{});
 }
 
-TEST(FittingLanes, WhoTurnedAcrossTheEgosPathGoesToItsRightInRightHandTraffic) {
+TEST(FittingLanes, ForLtapLeadToTheEgosRightInRightHandTraffic) {
   const Pose2 ego{0.0, -1.75, 0.0};
   auto map = fourWayJunction();
   EXPECT_EQ(fitting(map, CollisionType::kLtap, ego), Names{"south"});
@@ -142,7 +142,7 @@ TEST(FittingLanes, WhoTurnedAcrossTheEgosPathGoesToItsRightInRightHandTraffic) {
   EXPECT_EQ(fitting(map, CollisionType::kLtap, ego), Names{"north"});
 }
 
-TEST(FittingLanes, MayMissTheBandALittle) {
+TEST(FittingLanes, AllowAHeadingSlackBeyondTheBand) {
   const double slack = kOptions.road_heading;
   const double band = shippedCrash().types.at(CollisionType::kRearEnd).max_heading;
   const Pose2 ego{0.0, 0.0, 0.0};
@@ -154,7 +154,7 @@ TEST(FittingLanes, MayMissTheBandALittle) {
   }
 }
 
-TEST(FittingLanes, PassTheBoxNearby) {
+TEST(FittingLanes, MustPassNearTheBox) {
   const double edge = 0.5 * kEgoSize.width + kOptions.road_distance;
   for (const double off : {-0.01, 0.01}) {
     EXPECT_EQ(fitting(twoLaneRoad(), CollisionType::kRearEnd, {0.0, -edge - off, 0.0}).size(),
@@ -162,7 +162,7 @@ TEST(FittingLanes, PassTheBoxNearby) {
   }
 }
 
-TEST(FittingLanes, AgreeWithALookAtEverySample) {
+TEST(FittingLanes, AgreeWithABruteForceSearch) {
   const LaneIndex lanes(fourWayJunction());
   for (int i = 0; i < 500; ++i) {
     const OrientedBox ego{{0.1 * (i % 37) - 2.0, 0.2 * (i % 41) - 4.0, 0.1 * i}, kEgoSize};

@@ -30,7 +30,7 @@ AttackerTrajectory straight(double speed, double yaw, AgentClass agent_class, Bo
   return trajectory;
 }
 
-TEST(BrakingSlide, SlowsDownEvenlyAndStandsFromThenOn) {
+TEST(BrakingSlide, DeceleratesConstantlyUntilItStands) {
   const BrakingSlide slide{10.0, {0.0, 6.0}, 4.0};  // stands after 1.5 s and 6 * 1.5 / 2 m
   const Pose2 start{1.0, 2.0, 0.3};
   EXPECT_EQ(slide.stateFrom(start, 10.0).pose.y, 2.0);
@@ -56,7 +56,7 @@ TEST(BrakingSlide, SlowsDownEvenlyAndStandsFromThenOn) {
   EXPECT_DOUBLE_EQ(slide.standTime(), 11.5);
 }
 
-TEST(BrakingSlide, StaysWhereItStands) {
+TEST(BrakingSlide, StandingVehicleStays) {
   const AgentState state = BrakingSlide{10.0, {0.0, 0.0}, 4.0}.stateFrom({1.0, 2.0, 0.3}, 20.0);
   EXPECT_EQ(state.pose.position(), Vector2(1.0, 2.0));
   EXPECT_EQ(state.velocity, Vector2(0.0, 0.0));

@@ -46,7 +46,7 @@ TEST_F(ContactWatchTest, TheCrashIsKnownWithTheFirstPoseAfterTheContact) {
   EXPECT_NEAR(watch_.crash()->egoAt(11.0).velocity.x(), 7.0, 1e-3) << "of two equal boxes";
 }
 
-TEST_F(ContactWatchTest, TheVelocityAtTheContactIsThatOfTheWholeRecording) {
+TEST_F(ContactWatchTest, TheVelocityAtTheContactMatchesTheWholeRecording) {
   Track whole{kEgoId, AgentClass::kCar, kSize, {}};
   watch_.start(trajectory());
   for (int i = 0; i <= 40; ++i) {  // brakes with 4 m/s2
@@ -70,7 +70,7 @@ TEST_F(ContactWatchTest, AContactBeforeTheAttackIsStartedIsFound) {
   EXPECT_NEAR(watch_.crash()->contactTime(), 11.0, 1e-2);
 }
 
-TEST_F(ContactWatchTest, ANewPlanDoesNotUndoTheContactAndAnotherAttackDoes) {
+TEST_F(ContactWatchTest, ANewPlanKeepsTheContactAndAnotherAttackForgetsIt) {
   watch_.start(trajectory());
   drive(9.5, 11.5);
   AttackerTrajectory away = trajectory();

@@ -21,7 +21,7 @@ const DriveLimitOptions& rows() {
 
 DriveLimits carLimits() { return driveLimitsOf(AgentClass::kCar, kCar, rows()); }
 
-/// What the driver of a hand-made single track does at a time.
+/// Controls of a hand-made single track over time.
 struct Controls {
   std::function<double(double)> steering = [](double) { return 0.0; };
   std::function<double(double)> acceleration = [](double) { return 0.0; };
@@ -68,7 +68,7 @@ std::string brokenBy(const std::vector<TrajectoryPoint>& points, const DriveStat
 
 double ramp(double time, double rate, double most) { return std::min(most, rate * time); }
 
-TEST(DriveCheck, KeepsASingleTrackAtItsLimits) {
+TEST(DriveCheck, AcceptsASingleTrackAtItsLimits) {
   const DriveLimits limits = carLimits();
   Controls controls;
   controls.steering = [&](double t) { return ramp(t, limits.max_steering_rate, 0.2); };
@@ -84,7 +84,7 @@ struct Breach {
   std::function<double(double)> acceleration;
 };
 
-TEST(DriveCheck, NamesTheLimitThatIsBroken) {
+TEST(DriveCheck, NamesTheViolatedLimit) {
   const auto zero = [](double) { return 0.0; };
   const Breach breaches[] = {
       {"max_steering_rate", 8.0, [](double t) { return 0.1 * std::sin(6.0 * t); }, zero},
@@ -122,7 +122,7 @@ TEST(DriveCheck, ABusCannotDoWhatACarCan) {
   EXPECT_EQ(brokenBy(driven(start, controls, bus), start, bus), "max_forward_acceleration");
 }
 
-TEST(DriveCheck, TheMotionGoesOnFromNow) {
+TEST(DriveCheck, MotionMustContinueFromItsStart) {
   Controls controls;
   const DriveState start = startAt(10.0);
   const auto points = driven(start, controls, carLimits());
@@ -140,7 +140,7 @@ TEST(DriveCheck, TheMotionGoesOnFromNow) {
   EXPECT_EQ(brokenBy(points, other), "continues_pose");
 }
 
-TEST(DriveCheck, WhatIsWrittenIsWhatIsDriven) {
+TEST(DriveCheck, StoredValuesMustMatchThePoses) {
   const DriveState start = startAt(10.0);
   const auto points = driven(start, {}, carLimits());
   auto changed = points;
@@ -157,7 +157,7 @@ TEST(DriveCheck, WhatIsWrittenIsWhatIsDriven) {
   EXPECT_EQ(brokenBy(changed, start), "finite");
 }
 
-TEST(DriveCheck, ABoxThatTurnsAboutItsMiddleSlips) {
+TEST(DriveCheck, ABoxThatTurnsAboutItsCentreSlips) {
   const DriveState start = startAt(8.0);
   Controls controls;
   controls.steering = [](double t) { return ramp(t, 0.3, 0.2); };

@@ -33,7 +33,7 @@ std::vector<Track> frame(double time) {
   return {Track{"other", AgentClass::kCar, kCarSize, {standing(time, -50.0)}}};
 }
 
-TEST(EgoTest, LeavesOutAgentsThatAreNoNumber) {
+TEST(EgoTest, IgnoresAgentsThatAreNotFinite) {
   const double nan = std::nan("");
   EgoTest test = testOf(1.0);
   test.addAgents(
@@ -46,7 +46,7 @@ TEST(EgoTest, LeavesOutAgentsThatAreNoNumber) {
   EXPECT_EQ(report->first_other_id, "");
 }
 
-TEST(EgoTest, WaitsUntilTheEgoWasDrivenToTheContact) {
+TEST(EgoTest, HasNoOutcomeBeforeTheContact) {
   EgoTest test = testOf(1.0);
   for (double t = 0.0; t < 0.9; t += 0.1) {
     test.addEgo(standing(kNow + t, 15.0));
@@ -54,7 +54,7 @@ TEST(EgoTest, WaitsUntilTheEgoWasDrivenToTheContact) {
   }
 }
 
-TEST(EgoTest, ReportsTheContactOnceTheOthersAreKnownUpToIt) {
+TEST(EgoTest, ReportsTheContactOnceOtherAgentsAreKnownUpToIt) {
   EgoTest test = testOf(1.0);
   const double contact = (15.0 - 0.5 * (kEgoSize.length + kCarSize.length)) / kSpeed;
   test.addAgents(frame(kNow));
@@ -67,7 +67,7 @@ TEST(EgoTest, ReportsTheContactOnceTheOthersAreKnownUpToIt) {
   EXPECT_NEAR(report->contact_time, kNow + contact, 1e-3);
 }
 
-TEST(EgoTest, SaysNothingOfAnEgoThatWasSeenTooLate) {
+TEST(EgoTest, HasNoOutcomeForAnEgoThatStartsTooLate) {
   for (const double seen_from : {0.0, 0.1, 2.0}) {
     EgoTest test = testOf(1.0);
     for (double t = seen_from; t < 3.15; t += 0.1) test.addEgo(standing(kNow + t, 15.0));
@@ -89,7 +89,7 @@ TEST(EgoTest, JudgesTheStartAgainstTheRecordedHeading) {
   EXPECT_FALSE(report->limits_kept);
 }
 
-TEST(EgoTest, AChangedTrajectoryIsHeldAgainstAllThatWasSeen) {
+TEST(EgoTest, AChangedTrajectoryIsTestedAgainstAllStates) {
   AttackerTrajectory aside = straightAttack();
   for (TrajectoryPoint& point : aside.points) point.pose.y = 10.0;
   EgoTest test(aside, rearEnd(1.0), EgoVehicle{kEgoSize, 0.0});

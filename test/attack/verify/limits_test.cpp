@@ -45,12 +45,12 @@ AttackerTrajectory slowTurn(double turn, std::size_t index) {
   return trajectory;
 }
 
-TEST(FindBrokenLimit, IsEmptyForASteadyDrive) {
+TEST(FindBrokenLimit, IsEmptyAtConstantVelocity) {
   EXPECT_EQ(broken(straightDrive({}, 10.0, 3.0)), "");
   EXPECT_EQ(broken(straightDrive({}, 0.0, 3.0)), "");
 }
 
-TEST(FindBrokenLimit, NamesEachLimitThatIsBrokenAloneAndNoneJustBelow) {
+TEST(FindBrokenLimit, NamesEachViolatedLimitAndNoneJustBelow) {
   EXPECT_EQ(broken(with(values(10.0, 5.01, 0.0))), "max_forward_acceleration");
   EXPECT_EQ(broken(with(values(10.0, 4.99, 0.0))), "");
   EXPECT_EQ(broken(with(values(10.0, -8.01, 0.0))), "max_braking");
@@ -68,7 +68,7 @@ TEST(FindBrokenLimit, NamesEachLimitThatIsBrokenAloneAndNoneJustBelow) {
   EXPECT_EQ(broken(with(values(0.0, 0.0, 0.0))), "");
 }
 
-TEST(FindBrokenLimit, GivesTheValueAndTheLimit) {
+TEST(FindBrokenLimit, ReturnsTheValueAndTheLimit) {
   const auto found = findBrokenLimit(with(values(10.0, -9.5, 0.0)).points, 0.0, kEnd, kLimits);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->value, 9.5);
@@ -86,7 +86,7 @@ TEST(FindBrokenLimit, ReturnsTheWorstByRatio) {
   EXPECT_EQ(found->value, 7.5);
 }
 
-TEST(FindBrokenLimit, LooksUpToTheFirstPointAtOrAfterTheEnd) {
+TEST(FindBrokenLimit, ChecksUpToTheFirstPointAtOrAfterTheEnd) {
   const TrajectoryPoint fast = values(30.0, 0.0, 0.0);
   EXPECT_EQ(broken(with(fast, 19), 0.0, kNow + 1.85), "max_speed");
   EXPECT_EQ(broken(with(fast, 20), 0.0, kNow + 1.85), "");
@@ -94,7 +94,7 @@ TEST(FindBrokenLimit, LooksUpToTheFirstPointAtOrAfterTheEnd) {
   EXPECT_EQ(broken(with(fast, 30), 0.0, kNow + 99.0), "max_speed");
 }
 
-TEST(FindBrokenLimit, RefusesWhatIsNotFinite) {
+TEST(FindBrokenLimit, RejectsValuesThatAreNotFinite) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(broken(with(values(kNan, 0.0, 0.0))), "finite");
   EXPECT_EQ(broken(with(values(10.0, kNan, 0.0))), "finite");
@@ -111,7 +111,7 @@ TEST(FindBrokenLimit, StartsAtTheRecordedYaw) {
   EXPECT_EQ(broken(straightDrive({}, 0.0, 3.0), M_PI), "heading_slack");
 }
 
-TEST(FindBrokenLimit, LetsASlowHeadingChangeByTheSlackAndTheDistance) {
+TEST(FindBrokenLimit, AllowsSlowHeadingChangeByTheSlackAndTheDistance) {
   // The tenth point of the slow stretch is a metre along.
   EXPECT_EQ(broken(slowTurn(0.1745 + 0.3 - 0.001, 10)), "");
   EXPECT_EQ(broken(slowTurn(0.1745 + 0.3 + 0.001, 10)), "heading_slack");
@@ -119,7 +119,7 @@ TEST(FindBrokenLimit, LetsASlowHeadingChangeByTheSlackAndTheDistance) {
   EXPECT_EQ(broken(slowTurn(0.1745 + 0.001, 0), 0.1745 + 0.001), "");
 }
 
-TEST(FindBrokenLimit, CountsASlowHeadingFromWhereTheVehicleBecameSlow) {
+TEST(FindBrokenLimit, MeasuresSlowHeadingChangeFromTheStartOfTheSlowStretch) {
   AttackerTrajectory trajectory = straightDrive({}, 10.0, 3.0);
   for (std::size_t i = 0; i < trajectory.points.size(); ++i) {
     // Turning by 0.05 rad a point while fast, standing from the eleventh point on.
@@ -150,13 +150,13 @@ std::string brokenPositions(const AttackerTrajectory& trajectory, double until =
   return found ? describe(*found) : "";
 }
 
-TEST(FindBrokenPositions, IsEmptyForASteadyDrive) {
+TEST(FindBrokenPositions, IsEmptyAtConstantVelocity) {
   EXPECT_EQ(brokenPositions(straightDrive({}, 10.0, 3.0)), "");
   EXPECT_EQ(brokenPositions(straightDrive({}, 0.0, 3.0)), "");
   EXPECT_EQ(brokenPositions({}), "");
 }
 
-TEST(FindBrokenPositions, HoldsTheTotalAccelerationToSecondDifferences) {
+TEST(FindBrokenPositions, ChecksTheTotalAccelerationBySecondDifferences) {
   EXPECT_EQ(brokenPositions(changingDrive(10.0, 9.2)), "");
   EXPECT_EQ(brokenPositions(changingDrive(10.0, 9.19)), "max_total_acceleration 8.050 > 8.000");
   EXPECT_EQ(brokenPositions(changingDrive(10.0, 10.0, 0.08)), "") << "8 m/s2 across";
@@ -164,7 +164,7 @@ TEST(FindBrokenPositions, HoldsTheTotalAccelerationToSecondDifferences) {
             "max_total_acceleration 8.947 > 8.000");
 }
 
-TEST(FindBrokenPositions, HoldsTheWrittenSpeedToTheStepsBesideIt) {
+TEST(FindBrokenPositions, ChecksTheStoredSpeedAgainstNeighbouringSteps) {
   AttackerTrajectory trajectory = straightDrive({}, 10.0, 3.0);
   trajectory.points[5].speed = 10.29;
   EXPECT_EQ(brokenPositions(trajectory), "");
@@ -173,7 +173,7 @@ TEST(FindBrokenPositions, HoldsTheWrittenSpeedToTheStepsBesideIt) {
   EXPECT_EQ(brokenPositions(straightDrive({}, -1.0, 3.0)), "") << "backwards";
 }
 
-TEST(Effort, IsZeroForASteadyDriveAndOneAtTheLimitThroughout) {
+TEST(Effort, IsZeroAtConstantVelocityAndOneAtTheLimit) {
   AttackerTrajectory trajectory = straightDrive({}, 10.0, 3.0);
   EXPECT_EQ(effort(trajectory.points, kEnd, kLimits), 0.0);
   for (TrajectoryPoint& point : trajectory.points) point.acceleration = -8.0;
@@ -185,7 +185,7 @@ TEST(Effort, IsZeroForASteadyDriveAndOneAtTheLimitThroughout) {
   EXPECT_DOUBLE_EQ(effort(trajectory.points, kEnd, kLimits), 0.25);
 }
 
-TEST(FastestSteering, IsTheFastestChangeOfCurvatureEitherWay) {
+TEST(FastestSteering, IsTheGreatestRateOfCurvatureInEitherDirection) {
   AttackerTrajectory trajectory = straightDrive({}, 10.0, 3.0);
   EXPECT_EQ(fastestSteering(trajectory.points, kEnd, kLimits), 0.0);
   trajectory.points[4].curvature = 0.01;

@@ -46,7 +46,7 @@ class ManoeuvreTest : public testing::Test {
   std::unique_ptr<LaneIndex> lanes_;
 };
 
-TEST_F(ManoeuvreTest, ALeaderThatBrakesFromThenOn) {
+TEST_F(ManoeuvreTest, DetectsABrakingLeader) {
   road(twoLaneRoad());
   ego({0.0, 0.0, 0.0}, 8.0);
   report_.ego_side = Side::kFront;
@@ -63,7 +63,7 @@ TEST_F(ManoeuvreTest, ALeaderThatBrakesFromThenOn) {
   EXPECT_NEAR(found.begin, kNow + 2.5, 0.15);
 }
 
-TEST_F(ManoeuvreTest, ALeaderThatIsSlowAndAFollowerThatIsFast) {
+TEST_F(ManoeuvreTest, DetectsASlowLeaderAndAFastFollower) {
   road(twoLaneRoad());
   ego({0.0, 0.0, 0.0}, 8.0);
   attacker([](double t) {
@@ -75,7 +75,7 @@ TEST_F(ManoeuvreTest, ALeaderThatIsSlowAndAFollowerThatIsFast) {
   EXPECT_EQ(detect(CollisionType::kRearEnd).manoeuvre, Manoeuvre::kFollowerCloses);
 }
 
-TEST_F(ManoeuvreTest, WhoLeavesItsLaneCutsInFromThenOn) {
+TEST_F(ManoeuvreTest, DetectsACutInFromTheLaneDeparture) {
   auto map = emptyMap();
   map->lanes = {straightLane("left", {-200.0, 3.5}, {200.0, 3.5}),
                 straightLane("right", {-200.0, 0.0}, {200.0, 0.0})};
@@ -92,7 +92,7 @@ TEST_F(ManoeuvreTest, WhoLeavesItsLaneCutsInFromThenOn) {
   EXPECT_EQ(detect(CollisionType::kLaneChange).manoeuvre, Manoeuvre::kMerge);
 }
 
-TEST_F(ManoeuvreTest, WhoIsBesideTheEgoInItsLaneDrifts) {
+TEST_F(ManoeuvreTest, DetectsADriftBesideTheEgo) {
   road(twoLaneRoad());
   ego({0.0, 0.0, 0.0}, 8.0);
   attacker([](double t) {
@@ -102,7 +102,7 @@ TEST_F(ManoeuvreTest, WhoIsBesideTheEgoInItsLaneDrifts) {
   EXPECT_EQ(detect(CollisionType::kLaneChange).manoeuvre, Manoeuvre::kDrift);
 }
 
-TEST_F(ManoeuvreTest, WhoseLaneLeadsIntoTheEgosMerges) {
+TEST_F(ManoeuvreTest, DetectsAMerge) {
   auto map = emptyMap();
   map->lanes = {straightLane("main", {-200.0, 0.0}, {200.0, 0.0}),
                 straightLane("ramp", {-60.0, -12.0}, {60.0, 0.0})};
@@ -114,7 +114,7 @@ TEST_F(ManoeuvreTest, WhoseLaneLeadsIntoTheEgosMerges) {
   EXPECT_EQ(detect(CollisionType::kLaneChange).manoeuvre, Manoeuvre::kMerge);
 }
 
-TEST_F(ManoeuvreTest, WhoStandsBesideTheLanesPullsOut) {
+TEST_F(ManoeuvreTest, DetectsAPullOut) {
   road(twoLaneRoad());
   ego({0.0, 0.0, 0.0}, 8.0);
   attacker([](double t) {
@@ -134,7 +134,7 @@ TEST_F(ManoeuvreTest, WhoStandsBesideTheLanesPullsOut) {
   EXPECT_NE(movesOffFrom(-0.3), Manoeuvre::kPullOut) << "waits in traffic";
 }
 
-TEST_F(ManoeuvreTest, AnOncomingCarCrossesTheCentreLineOrOvertakes) {
+TEST_F(ManoeuvreTest, DetectsCentreLineCrossingAndOvertaking) {
   road(twoLaneRoad());
   ego({0.0, 0.0, 0.0}, 8.0);
   attacker([](double t) {
@@ -146,7 +146,7 @@ TEST_F(ManoeuvreTest, AnOncomingCarCrossesTheCentreLineOrOvertakes) {
   EXPECT_EQ(detect(CollisionType::kOppositeDirection).manoeuvre, Manoeuvre::kOvertaking);
 }
 
-TEST_F(ManoeuvreTest, StraightOnOrTurningAtAJunction) {
+TEST_F(ManoeuvreTest, DetectsStraightAndTurningCrossings) {
   road(fourWayJunction());
   ego({-32.0, -1.75, 0.0}, 8.0);
   attacker([](double t) {

@@ -9,7 +9,7 @@ namespace {
 
 const VehicleLimits kLimits = shippedOptions().verification.limits;
 
-TEST(VehicleLimits, AreThoseOfARealCar) {
+TEST(VehicleLimits, AreRealisticForACar) {
   EXPECT_NEAR(kLimits.max_forward_acceleration, 100.0 / 3.6 / 5.6, 0.05);  // 0-100 km/h in 5.6 s
   EXPECT_GT(kLimits.max_braking, 6.43);  // m/s2 that ECE R13-H requires
   EXPECT_LT(kLimits.max_braking, 9.0);   // m/s2, the best cars
@@ -19,12 +19,12 @@ TEST(VehicleLimits, AreThoseOfARealCar) {
   EXPECT_NEAR(kLimits.heading_slack, 10.0 * M_PI / 180.0, 1e-4);
 }
 
-TEST(VehicleLimits, GripAllowsWhatEngineAndBrakesDo) {
+TEST(VehicleLimits, GripAllowsFullAccelerationAndBraking) {
   EXPECT_GE(kLimits.max_total_acceleration, kLimits.max_forward_acceleration);
   EXPECT_GE(kLimits.max_total_acceleration, kLimits.max_braking);
 }
 
-TEST(VerificationOptions, ContactsAreFoundThatTheSearchAimsAt) {
+TEST(VerificationOptions, OverlapToleranceIsBelowTheSearchMargin) {
   EXPECT_LT(shippedOptions().verification.overlap_tolerance,
             shippedOptions().search.overlap_margin);
 }

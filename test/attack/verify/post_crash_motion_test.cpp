@@ -30,7 +30,7 @@ TEST(PostCrashMotion, KeepsTheMomentumOfTwoEqualBoxes) {
   EXPECT_NEAR((motion.attackerAt(10.0).velocity - Vector2(5.0, 3.0)).norm(), 0.0, 1e-9);
 }
 
-TEST(PostCrashMotion, AThreeTimesGreaterBoxHasThreeQuartersOfTheMomentumAndTheWeakerBrakes) {
+TEST(PostCrashMotion, UsesBoxAreaAsMassAndTheWeakerBrakes) {
   const BoxSize long_bus{3.0 * kCarSize.length, kCarSize.width};
   const CrashedVehicle bus{AgentClass::kBus, long_bus, {10.0, {}, {-8.0, 0.0}}};
   const PostCrashMotion motion(car({}, {10.0, 0.0}), bus, limits());
@@ -41,7 +41,7 @@ TEST(PostCrashMotion, AThreeTimesGreaterBoxHasThreeQuartersOfTheMomentumAndTheWe
   EXPECT_NEAR(motion.standTime(), 10.0 + speed / braking, 1e-9);
 }
 
-TEST(PostCrashMotion, BothKeepTheirPlaceToEachOtherUntilTheyStand) {
+TEST(PostCrashMotion, BothKeepTheirRelativePoseUntilTheyStand) {
   const Pose2 ego{1.0, 2.0, 0.3};
   const Pose2 attacker{4.0, 3.0, 2.0};
   const PostCrashMotion motion(car(ego, {6.0, 0.0}), car(attacker, {0.0, 2.0}), limits());
@@ -85,11 +85,11 @@ TEST(MotionAfterContact, BeginsWithTheStatesOfTrajectoryAndEgo) {
   EXPECT_NEAR((motion->egoAt(kNow + 1.25).velocity - Vector2(5.0, 3.0)).norm(), 0.0, 1e-9);
 }
 
-TEST(MotionAfterContact, ATimeThatWasRoundedBeyondTheEndIsTheEnd) {
+TEST(MotionAfterContact, ATimeRoundedBeyondTheEndIsTheEnd) {
   EXPECT_TRUE(motionAfterContact(kNow + 2.0 + 4e-7, straight(), drivingEgo(), limits()));
 }
 
-TEST(MotionAfterContact, IsEmptyWithoutAContactAndWhereTheEgoIsNotKnown) {
+TEST(MotionAfterContact, IsEmptyWithoutAContactOrWithoutAnEgoState) {
   EXPECT_FALSE(motionAfterContact(kNow + 2.5, straight(), drivingEgo(), limits()));
   EXPECT_FALSE(motionAfterContact(kNow + 1.0, straight(), {}, limits()));
   CollisionReport report;

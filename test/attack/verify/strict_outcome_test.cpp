@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-/// An attack in the middle of nowhere, as recorded.
+/// A recorded attack without a map.
 struct Case {
   AttackOptions options = shippedOptions();
   std::shared_ptr<LaneMap> map = emptyMap();
@@ -49,7 +49,7 @@ TEST(Strict, CrossingFromTheSideMeetsEverything) {
   EXPECT_TRUE(outcome.meetsFullDefinitions());
 }
 
-TEST(Strict, ApproachCountsInTheFullDefinitionsAlone) {
+TEST(Strict, ApproachCountsInTheFullDefinitionsOnly) {
   // A left turn across path comes from the opposite direction; this one from the side.
   const StrictOutcome outcome = meeting(CollisionType::kLtap, M_PI_2).outcome();
   EXPECT_TRUE(outcome.meetsAngleBands());
@@ -58,7 +58,7 @@ TEST(Strict, ApproachCountsInTheFullDefinitionsAlone) {
   EXPECT_FALSE(outcome.meetsFullDefinitions());
 }
 
-TEST(Strict, ContactMoreThanHalfASecondOffIsNotOnTime) {
+TEST(Strict, AContactMoreThanHalfASecondOffIsNotOnTime) {
   Case c = meeting(CollisionType::kJunctionCrossing, M_PI_2);
   const double contact = c.outcome().report.contact_time - kNow;
   for (const auto& [tta, on_time] : {std::pair(contact + 0.49, true),
@@ -71,7 +71,7 @@ TEST(Strict, ContactMoreThanHalfASecondOffIsNotOnTime) {
   }
 }
 
-TEST(Strict, SomebodyTouchedBeforeFails) {
+TEST(Strict, AnEarlierContactWithAnotherAgentFails) {
   Case c = meeting(CollisionType::kJunctionCrossing, M_PI_2);
   c.recorded.agents.push_back(futureTrack("wall", kCarSize, {40.0, -20.0, 0.0}, 0.0));
   const StrictOutcome outcome = c.outcome();
@@ -80,7 +80,7 @@ TEST(Strict, SomebodyTouchedBeforeFails) {
   EXPECT_FALSE(outcome.meetsAngleBands());
 }
 
-TEST(Strict, BrokenLimitFails) {
+TEST(Strict, AViolatedLimitFails) {
   Case c = meeting(CollisionType::kJunctionCrossing, M_PI_2);
   c.trajectory.points[10].curvature = 0.21;
   const StrictOutcome outcome = c.outcome();
@@ -89,7 +89,7 @@ TEST(Strict, BrokenLimitFails) {
   EXPECT_FALSE(outcome.meetsFullDefinitions());
 }
 
-TEST(Strict, LimitsAreThoseOfTheRequest) {
+TEST(Strict, UsesTheLimitsOfTheRequest) {
   // Faster than any row of the strict limits, and slower than cars may drive.
   Case c = meeting(CollisionType::kJunctionCrossing, M_PI_2);
   const double speed = 0.5 * (c.options.verification.limits.max_speed +
@@ -104,9 +104,9 @@ TEST(Strict, LimitsAreThoseOfTheRequest) {
   EXPECT_TRUE(outcome.report.limits_kept) << outcome.report.broken_limit;
 }
 
-TEST(Strict, BelievabilityCountsWhereTheRequestAsksForIt) {
+TEST(Strict, BelievabilityCountsIfTheRequestRequiresIt) {
   Case c = meeting(CollisionType::kJunctionCrossing, M_PI_2);
-  c.map = twoLaneRoad();  // along x, which nobody drives across
+  c.map = twoLaneRoad();  // along x, without a crossing lane
   StrictOutcome outcome = c.outcome();
   ASSERT_FALSE(outcome.report.believable());
   EXPECT_TRUE(outcome.meetsFullDefinitions());
@@ -116,7 +116,7 @@ TEST(Strict, BelievabilityCountsWhereTheRequestAsksForIt) {
   EXPECT_FALSE(outcome.meetsFullDefinitions());
 }
 
-TEST(Strict, AngleRulesChangeTheRulesAlone) {
+TEST(Strict, AngleRulesChangeOnlyTheRules) {
   const CrashDefinition angle = rulesOfClips(shippedCrash());
   EXPECT_EQ(angle.rules, TypeRules::kAngle);
   EXPECT_EQ(angle.time_tolerance, shippedCrash().time_tolerance);

@@ -13,7 +13,7 @@ namespace {
 const double kAlong = 0.5 * (kEgoSize.length + kCarSize.length);  // m between middles, end to end
 constexpr double kFine = 2e-4;                                    // s; a millimetre at 5 m/s
 
-/// One attack to verify; the attacker's trajectory is that of straightDrive().
+/// One attack to verify; the attacker's trajectory is straightDrive().
 struct Case {
   AttackOptions options = shippedOptions();
   std::shared_ptr<LaneMap> map = emptyMap();
@@ -116,7 +116,7 @@ TEST(Verify, TypeIsKeptWithinTheBandOnBothSides) {
   EXPECT_TRUE(opposite.report().type_kept);
 }
 
-TEST(Verify, TypeIsKeptWhenTheAttackerComesFromWhereTheTypeWants) {
+TEST(Verify, TypeIsKeptIfTheApproachFits) {
   for (const double sign : {1.0, -1.0}) {
     Case attack = meeting(3.0, sign * M_PI_2);
     attack.request.type = CollisionType::kJunctionCrossing;
@@ -139,7 +139,7 @@ TEST(Verify, TypeIsKeptWhenTheAttackerComesFromWhereTheTypeWants) {
   }
 }
 
-TEST(Verify, ByTheAngleRulesTheHeadingAtContactAloneMakesTheType) {
+TEST(Verify, WithAngleRulesOnlyTheHeadingAtContactDecidesTheType) {
   Case crossing = meeting(0.0, M_PI_2);
   crossing.request.type = CollisionType::kLtap;
   EXPECT_FALSE(crossing.report().type_kept) << "it comes from the side";
@@ -149,7 +149,7 @@ TEST(Verify, ByTheAngleRulesTheHeadingAtContactAloneMakesTheType) {
   EXPECT_FALSE(crossing.report().type_kept);
 }
 
-TEST(Verify, IsOnTimeWithinTheToleranceBothWays) {
+TEST(Verify, IsOnTimeWithinTheToleranceOnBothSides) {
   Case attack = rearEnd();
   for (const auto& [tta, on_time] : std::vector<std::pair<double, bool>>{
            {4.0, true}, {4.495, true}, {4.505, false}, {3.505, true}, {3.495, false}}) {
@@ -160,7 +160,7 @@ TEST(Verify, IsOnTimeWithinTheToleranceBothWays) {
   }
 }
 
-TEST(Verify, NamesTheFirstOfOthersTouchedBeforeTheEgo) {
+TEST(Verify, NamesTheFirstAgentTouchedBeforeTheEgo) {
   Case attack = rearEnd();
   attack.addStanding("second", {40.0, 1.0, 0.0});
   attack.addStanding("first", {30.0, 1.0, 0.0});
@@ -172,7 +172,7 @@ TEST(Verify, NamesTheFirstOfOthersTouchedBeforeTheEgo) {
   EXPECT_FALSE(report.verified());
 }
 
-TEST(Verify, OfOthersTouchedAtOnceNamesTheLeastIdInWhateverOrderTheyCome) {
+TEST(Verify, NamesTheSmallestIdOfAgentsTouchedAtOnce) {
   Case attack = rearEnd();
   for (const char* id : {"b", "a", "c"}) attack.addStanding(id, {1.0, 0.0, 0.0});
   const CollisionReport report = attack.report();
@@ -180,7 +180,7 @@ TEST(Verify, OfOthersTouchedAtOnceNamesTheLeastIdInWhateverOrderTheyCome) {
   EXPECT_NEAR(report.first_other_time, kNow, kFine);
 }
 
-TEST(Verify, IgnoresOthersTouchedAfterTheEgo) {
+TEST(Verify, IgnoresAgentsTouchedAfterTheEgo) {
   Case attack = rearEnd();
   attack.addStanding("late", {60.0 + kCarSize.length + 0.2, 1.0, 0.0});
   EXPECT_EQ(attack.report().first_other_id, "");
@@ -213,7 +213,7 @@ TEST(Verify, FindsNoContactWithinAGapOfTheEgosTrack) {
   EXPECT_FALSE(attack.report().contact);
 }
 
-TEST(Verify, FindsNoContactWithOthersThatHaveVanishedOrAreNotThereYet) {
+TEST(Verify, FindsNoContactWithAbsentAgents) {
   Case attack = rearEnd();
   attack.addStanding("other", {30.0, 1.0, 0.0});
   Track& other = attack.future.agents[0];
@@ -229,7 +229,7 @@ TEST(Verify, FindsNoContactWithOthersThatHaveVanishedOrAreNotThereYet) {
   EXPECT_TRUE(attack.report().verified());
 }
 
-TEST(Verify, FindsAContactWithWhoIsSeenAtOneInstantAlone) {
+TEST(Verify, FindsAContactWithAnAgentOfOneState) {
   Case attack = rearEnd();
   attack.addStanding("other", {30.0, 1.0, 0.0});
   Track& other = attack.future.agents[0];

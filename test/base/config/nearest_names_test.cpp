@@ -42,7 +42,7 @@ TEST(NearestName, IsNoneWhereEveryNameIsFar) {
   EXPECT_EQ(nearestName("x", {}), std::nullopt);
 }
 
-TEST(NearestName, IsHintedAtInWordsThatFollowAComplaint) {
+TEST(NearestName, IsFormattedAsAHint) {
   EXPECT_EQ(nearestNameHint("repaly", kModes), "; did you mean replay?");
   EXPECT_EQ(nearestNameHint("live", kModes), "");
 }

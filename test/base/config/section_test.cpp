@@ -20,7 +20,7 @@ namespace {
 
 Section sectionOf(const std::string& text) { return openConfigText("car.yaml", text); }
 
-/// What is complained about when `read` reads a text; empty when nothing is.
+/// Returns the error message of `read` on a text; "" if it succeeds.
 std::string complaint(const std::string& text, const std::function<void(Section&)>& read) {
   try {
     Section section = sectionOf(text);
@@ -32,7 +32,7 @@ std::string complaint(const std::string& text, const std::function<void(Section&
   return "";
 }
 
-TEST(Section, ReadsWhatIsThere) {
+TEST(Section, ReadsValues) {
   Section section = sectionOf(
       "{length: 4.5, doors: 5, name: Zoe, share: 1, angle: 3.1416, list: [1, -2], plus: [1, 2], "
       "rising: [0, 0.5, 0.5, 1]}");
@@ -64,10 +64,10 @@ TEST(Section, ErrorsNameFileKeyValueAndRange) {
   EXPECT_EQ(complaint("a: [0, 2]", [](Section& s) { s.risingShares("a"); }),
             "car.yaml: a = 2 is not within 0 to 1");
   EXPECT_EQ(complaint("a: [1]", [](Section& s) { s.text("a"); }),
-            "car.yaml: a = [1] is not a text");
+            "car.yaml: a = [1] is not a string");
 }
 
-TEST(Section, KeysThatAreMissingUnknownOrTwiceAreNamed) {
+TEST(Section, NamesMissingUnknownAndDuplicateKeys) {
   EXPECT_EQ(complaint("{}", [](Section& s) { s.positive("a"); }), "car.yaml: a is missing");
   EXPECT_EQ(complaint("a: {b: 1}", [](Section& s) { s.section("a").finish(); }),
             "car.yaml: a.b = 1 is an unknown key");
@@ -77,13 +77,13 @@ TEST(Section, KeysThatAreMissingUnknownOrTwiceAreNamed) {
   EXPECT_NE(complaint("a: [", [](Section&) {}).find("car.yaml: "), std::string::npos);
 }
 
-TEST(Section, APathIsSeenFromTheFolderOfTheFile) {
+TEST(Section, PathsAreRelativeToTheFile) {
   EXPECT_EQ(openConfigText("etc/car.yaml", "a: b/c").path("a"), "etc/b/c");
   EXPECT_EQ(openConfigText("etc/car.yaml", "a: /b/c").path("a"), "/b/c");
   EXPECT_EQ(openConfigText("etc/car.yaml", "a: \"\"").path("a"), "");
 }
 
-TEST(Section, ReadsOptionsByTheReaderBesideThem) {
+TEST(Section, ReadsStructsWithReadOptions) {
   Wheel wheel;
   Section section = sectionOf("{front: {radius: 0.3}, rear: {radius: 0.4, width: 1}}");
   section.read("front", wheel);

@@ -58,7 +58,7 @@ class AsideFileTest : public testing::Test {
   const std::string part_ = path_ + ".part";
 };
 
-TEST_F(AsideFileTest, TakesItsPlaceWhenComplete) {
+TEST_F(AsideFileTest, ReplacesTheFileWhenComplete) {
   writeText(path_, "before");
   AsideFile file(path_);
   file.stream() << "one" << std::string(1, '\0') << "\r\n";
@@ -77,7 +77,7 @@ TEST_F(AsideFileTest, RefusesToReplaceAnUnfinishedRun) {
   EXPECT_FALSE(fs::exists(path_));
 }
 
-TEST_F(AsideFileTest, SaysWhyItCannotBeMade) {
+TEST_F(AsideFileTest, ReportsWhyItCannotBeCreated) {
   EXPECT_EQ(complaintOf([&] { AsideFile(folder_ + "/none/file"); }),
             folder_ + "/none/file: cannot be written: No such file or directory");
 }
@@ -86,7 +86,7 @@ TEST_F(AsideFileTest, AFullDiskLosesNothing) {
   writeText(path_, "before");
   const std::map<std::size_t, std::string> complaints = {
       {9, ": cannot be written: File too large"},
-      {std::size_t{1} << 20U, ": cannot be written to its end; is the disk full?"}};
+      {std::size_t{1} << 20U, ": could not be written completely; is the disk full?"}};
   for (const auto& [size, complaint] : complaints) {
     const FileSizeLimit limit(8);  // bytes
     EXPECT_EQ(complaintOf([&, size = size] { writeText(path_, std::string(size, 'x')); }),
@@ -96,7 +96,7 @@ TEST_F(AsideFileTest, AFullDiskLosesNothing) {
   }
 }
 
-TEST_F(AsideFileTest, WritersOfOnePathEachHaveAFileOfTheirOwn) {
+TEST_F(AsideFileTest, ConcurrentWritersUseSeparateParts) {
   AsideFile first(path_);
   AsideFile second(path_);
   EXPECT_NE(first.partPath(), second.partPath());
@@ -109,7 +109,7 @@ TEST_F(AsideFileTest, WritersOfOnePathEachHaveAFileOfTheirOwn) {
   EXPECT_EQ(namesIn(folder_), std::set<std::string>{"file"});
 }
 
-TEST_F(AsideFileTest, ProcessesThatWriteOnePathLeaveAWholeFile) {
+TEST_F(AsideFileTest, ConcurrentProcessesLeaveACompleteFile) {
   constexpr int kProcesses = 8;
   constexpr int kFiles = 50;
   const std::size_t size = 100000;
@@ -138,7 +138,7 @@ TEST_F(AsideFileTest, ProcessesThatWriteOnePathLeaveAWholeFile) {
   EXPECT_EQ(namesIn(folder_), std::set<std::string>{"file"});
 }
 
-TEST_F(AsideFileTest, WhatAKilledProcessLeftIsRemoved) {
+TEST_F(AsideFileTest, RemovesThePartOfAKilledProcess) {
   const pid_t child = ::fork();
   if (child == 0) {
     AsideFile file(path_);
@@ -152,7 +152,7 @@ TEST_F(AsideFileTest, WhatAKilledProcessLeftIsRemoved) {
   EXPECT_EQ(namesIn(folder_), std::set<std::string>{"file"});
 }
 
-TEST_F(AsideFileTest, FollowsNoLinkThatSomebodyPlanted) {
+TEST_F(AsideFileTest, DoesNotFollowPlantedLinks) {
   const std::string other = folder_ + "/other";
   std::ofstream(other) << "of somebody else";
   for (const auto& target : {other, folder_ + "/not_there"}) {
@@ -167,9 +167,10 @@ TEST_F(AsideFileTest, FollowsNoLinkThatSomebodyPlanted) {
   EXPECT_EQ(namesIn(folder_), (std::set<std::string>{"file", "other"}));
 }
 
-TEST_F(AsideFileTest, ReplacesFilesAlone) {
-  EXPECT_EQ(complaintOf([] { AsideFile("/dev/null"); }), "/dev/null: is there and no file");
-  EXPECT_EQ(complaintOf([&] { writeText(folder_, "text"); }), folder_ + ": is there and no file");
+TEST_F(AsideFileTest, ReplacesOnlyFiles) {
+  EXPECT_EQ(complaintOf([] { AsideFile("/dev/null"); }), "/dev/null: exists and is not a file");
+  EXPECT_EQ(complaintOf([&] { writeText(folder_, "text"); }),
+            folder_ + ": exists and is not a file");
   EXPECT_TRUE(fs::is_directory(folder_));
 }
 

@@ -43,7 +43,7 @@ TEST_F(FileFingerprintTest, ChangesWithContentsNamesAndNumber) {
   EXPECT_TRUE(known.insert(fingerprintOfTree(tree_)).second) << "a byte in the next file";
 }
 
-TEST_F(FileFingerprintTest, IsOfContentsNotOfTimesAndPlaces) {
+TEST_F(FileFingerprintTest, DependsOnContentsNotOnTimesAndPlaces) {
   const std::string before = fingerprintOfTree(tree_);
   fs::last_write_time(tree_ + "/a.json", {});
   EXPECT_EQ(fingerprintOfTree(tree_), before);
@@ -52,7 +52,7 @@ TEST_F(FileFingerprintTest, IsOfContentsNotOfTimesAndPlaces) {
   EXPECT_EQ(fingerprintOfTree(tree_), before);
 }
 
-TEST_F(FileFingerprintTest, OfALargeFileIsOfSizeTimeAndEnds) {
+TEST_F(FileFingerprintTest, OfALargeFileCoversSizeTimeAndEnds) {
   const std::string path = folder_.path() + "/large";
   const std::uintmax_t size = (std::uintmax_t{64} << 20U) + 1;
   std::ofstream(path) << "begin";
@@ -76,7 +76,7 @@ TEST_F(FileFingerprintTest, OfALargeFileIsOfSizeTimeAndEnds) {
   EXPECT_TRUE(known.insert(fingerprintOfFiles({path})).second);
 }
 
-TEST_F(FileFingerprintTest, NamesWhatCannotBeRead) {
+TEST_F(FileFingerprintTest, NamesAFileThatCannotBeRead) {
   try {
     fingerprintOfTree(folder_.path() + "/none");
     FAIL();

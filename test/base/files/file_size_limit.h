@@ -6,8 +6,8 @@
 
 namespace forge {
 
-/// While it lives, no file of this process grows beyond so many bytes: as on a full disk, writing
-/// fails.
+/// While it exists, no file of this process can grow beyond a number of bytes: writing fails as on
+/// a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

@@ -9,7 +9,7 @@
 
 namespace forge {
 
-/// What a stopped run leaves: PATH.part, and beside it the checksums of its complete items.
+/// Creates the files of an interrupted run: PATH.part and the checksums of its complete items.
 inline void leavePart(const std::string& path, const std::string& text,
                       const ItemLayout& layout = {}) {
   std::ofstream(path + ".part", std::ios::binary) << text;

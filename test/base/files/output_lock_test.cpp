@@ -38,7 +38,7 @@ class OutputLockTest : public testing::Test {
   const std::string file_ = folder_.path() + "/out.bag";
 };
 
-TEST_F(OutputLockTest, NamesTheProcessThatHasIt) {
+TEST_F(OutputLockTest, NamesTheProcessThatHoldsIt) {
   const std::string held =
       ": is being written by process " + std::to_string(static_cast<long>(::getpid()));
   const OutputLock folder = OutputLock::ofFolder(out_);
@@ -47,13 +47,13 @@ TEST_F(OutputLockTest, NamesTheProcessThatHasIt) {
   EXPECT_EQ(complaintOf([&] { return OutputLock::ofFile(file_); }), file_ + held);
 }
 
-TEST_F(OutputLockTest, FolderThatCannotBeMadeIsNamed) {
+TEST_F(OutputLockTest, NamesAFolderThatCannotBeCreated) {
   std::ofstream(out_) << "a file";
   const auto lock = [&] { return OutputLock::ofFolder(out_ + "/in"); };
-  EXPECT_EQ(complaintOf(lock), out_ + "/in: cannot be made: Not a directory");
+  EXPECT_EQ(complaintOf(lock), out_ + "/in: cannot be created: Not a directory");
 }
 
-TEST_F(OutputLockTest, EndsWithoutATrace) {
+TEST_F(OutputLockTest, RemovesItsFiles) {
   { const OutputLock lock = OutputLock::ofFolder(out_); }
   EXPECT_FALSE(fs::exists(out_)) << "nothing was written to it";
   fs::create_directory(out_);
@@ -64,7 +64,7 @@ TEST_F(OutputLockTest, EndsWithoutATrace) {
   EXPECT_EQ(complaintOfFolder(), "");
 }
 
-TEST_F(OutputLockTest, OfAKilledProcessIsTakenOver) {
+TEST_F(OutputLockTest, TakesOverTheLockOfAKilledProcess) {
   const pid_t child = ::fork();
   if (child == 0) {
     const OutputLock lock = OutputLock::ofFolder(out_);
@@ -75,21 +75,21 @@ TEST_F(OutputLockTest, OfAKilledProcessIsTakenOver) {
   EXPECT_EQ(complaintOfFolder(), "");
 }
 
-TEST_F(OutputLockTest, AFileOfThatNameIsLeftAsItIs) {
+TEST_F(OutputLockTest, KeepsAnotherFileOfThatName) {
   const std::string mine = folder_.write("out.bag.lock", "yarn.lock 1");
-  EXPECT_EQ(
-      complaintOf([&] { return OutputLock::ofFile(file_); }),
-      file_ + ": cannot be written: " + mine + ": is in the way: it is no lock of this program");
+  EXPECT_EQ(complaintOf([&] { return OutputLock::ofFile(file_); }),
+            file_ + ": cannot be written: " + mine +
+                ": is not a lock file of this program; delete it, or choose another output");
   std::ifstream file(mine);
   std::string text;
   std::getline(file, text);
   EXPECT_EQ(text, "yarn.lock 1");
 }
 
-TEST_F(OutputLockTest, OneProcessOfManyHasIt) {
+TEST_F(OutputLockTest, OnlyOneProcessHoldsIt) {
   constexpr int kProcesses = 8;
   constexpr int kTimes = 500;
-  const std::string alone = folder_.path() + "/alone";  // there while somebody has the lock
+  const std::string alone = folder_.path() + "/alone";  // exists while a process holds the lock
   std::vector<pid_t> children;
   for (int process = 0; process < kProcesses; ++process) {
     children.push_back(::fork());
@@ -101,7 +101,7 @@ TEST_F(OutputLockTest, OneProcessOfManyHasIt) {
         is_alone &= fs::create_directory(alone);
         fs::remove(alone);
       } catch (const std::runtime_error&) {
-        continue;  // another has it
+        continue;  // another process holds it
       }
     }
     ::_exit(is_alone ? 0 : 1);
@@ -114,7 +114,7 @@ TEST_F(OutputLockTest, OneProcessOfManyHasIt) {
   EXPECT_FALSE(fs::exists(file_ + ".lock"));
 }
 
-TEST_F(OutputLockTest, FollowsNoLink) {
+TEST_F(OutputLockTest, DoesNotFollowLinks) {
   const std::string other = folder_.path() + "/other";
   std::ofstream(other) << "of somebody else";
   fs::create_symlink(other, file_ + ".lock");

@@ -64,14 +64,14 @@ TEST_F(ResumableFileTest, HasItsNameOnlyWhenComplete) {
   EXPECT_TRUE(fs::exists(path_ + ".options"));
 }
 
-TEST_F(ResumableFileTest, GoesOnAfterTheLastCompleteLine) {
+TEST_F(ResumableFileTest, ResumesAfterTheLastCompleteLine) {
   {
     ResumableFile file(path_, kOptions);
     resumed(file);
     file.append("one");
     file.append("two");
   }
-  std::ofstream(part_, std::ios::app) << "thr";  // killed while it was written
+  std::ofstream(part_, std::ios::app) << "thr";  // killed while writing
   ResumableFile file(path_, kOptions);
   std::vector<std::string> places;
   file.resume([&](const std::string& where, const std::string& line) {
@@ -83,7 +83,7 @@ TEST_F(ResumableFileTest, GoesOnAfterTheLastCompleteLine) {
   EXPECT_EQ(contentOf(path_), "one\ntwo\nthree\n");
 }
 
-TEST_F(ResumableFileTest, AnAlteredLineIsRefusedAndCanBeDoneAgain) {
+TEST_F(ResumableFileTest, RejectsAnAlteredLineThatCanBeRepeated) {
   leavePart(path_, "one\ntwo\nthree\n");
   writeText(path_ + ".options", "mode: history\nversion: v1.0-mini\n");
   std::ofstream(part_) << "one\ntvo\nthree\n";
@@ -94,11 +94,11 @@ TEST_F(ResumableFileTest, AnAlteredLineIsRefusedAndCanBeDoneAgain) {
     });
     FAIL() << "taken";
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr(part_ + ": line 2: is not as it was written"));
+    EXPECT_THAT(error.what(), HasSubstr(part_ + ": line 2: was altered"));
   }
   EXPECT_THAT(lines, ElementsAre("one"));
   EXPECT_EQ(contentOf(part_), "one\ntvo\nthree\n");
-  std::ofstream(part_) << "one\n";  // as the message says
+  std::ofstream(part_) << "one\n";  // the remedy in the message
   ResumableFile file(path_, kOptions);
   EXPECT_THAT(resumed(file), ElementsAre("one"));
   file.append("two");
@@ -107,7 +107,7 @@ TEST_F(ResumableFileTest, AnAlteredLineIsRefusedAndCanBeDoneAgain) {
   EXPECT_FALSE(fs::exists(part_ + ".sums"));
 }
 
-TEST_F(ResumableFileTest, LinesThatChangedPlacesAreRefused) {
+TEST_F(ResumableFileTest, RejectsReorderedLines) {
   leavePart(path_, "one\ntwo\n");
   writeText(path_ + ".options", "mode: history\nversion: v1.0-mini\n");
   std::ofstream(part_) << "two\none\n";
@@ -115,10 +115,11 @@ TEST_F(ResumableFileTest, LinesThatChangedPlacesAreRefused) {
   EXPECT_THROW(resumed(file), std::runtime_error);
 }
 
-TEST_F(ResumableFileTest, WhatHasNoChecksumYetIsDoneAgain) {
+TEST_F(ResumableFileTest, RepeatsItemsWithoutChecksum) {
   leavePart(path_, "one\ntwo\n");
   writeText(path_ + ".options", "mode: history\nversion: v1.0-mini\n");
-  for (const std::uintmax_t left : {17 + 5, 17, 16, 0}) {  // killed while it was written, or before
+  for (const std::uintmax_t left :
+       {17 + 5, 17, 16, 0}) {  // killed during or before writing the checksum
     fs::resize_file(part_ + ".sums", left);
     ResumableFile file(path_, kOptions);
     EXPECT_EQ(resumed(file).size(), left / 17) << left;
@@ -127,7 +128,7 @@ TEST_F(ResumableFileTest, WhatHasNoChecksumYetIsDoneAgain) {
   }
 }
 
-TEST_F(ResumableFileTest, WhatTheReaderThrowsLeavesTheFile) {
+TEST_F(ResumableFileTest, AnExceptionOfTheReaderKeepsTheFile) {
   {
     ResumableFile file(path_, kOptions);
     resumed(file);
@@ -141,7 +142,7 @@ TEST_F(ResumableFileTest, WhatTheReaderThrowsLeavesTheFile) {
   EXPECT_EQ(contentOf(part_), "one\ntw");
 }
 
-TEST_F(ResumableFileTest, ACompleteFileIsLeftAlone) {
+TEST_F(ResumableFileTest, KeepsACompleteFile) {
   {
     ResumableFile file(path_, kOptions);
     resumed(file);
@@ -152,25 +153,25 @@ TEST_F(ResumableFileTest, ACompleteFileIsLeftAlone) {
   EXPECT_TRUE(again.isComplete());
   EXPECT_FALSE(fs::exists(part_));
   EXPECT_THAT(complaint({{"mode", "replay"}, {"version", "v1.0-mini"}}),
-              AllOf(HasSubstr(path_ + ":"), HasSubstr("mode = history, now mode = replay")));
+              AllOf(HasSubstr(path_ + ":"), HasSubstr("mode = history, not mode = replay")));
 }
 
-TEST_F(ResumableFileTest, OtherOptionsAreRefusedOnceThereAreLines) {
+TEST_F(ResumableFileTest, RejectsOtherOptionsOnceThereAreLines) {
   { const ResumableFile file(path_, kOptions); }
   EXPECT_EQ(complaint({{"mode", "replay"}}), "") << "nothing to lose yet";
   std::ofstream(part_) << "one\n";
   EXPECT_EQ(complaint({{"mode", "replay"}}), "");
   EXPECT_THAT(complaint({}), HasSubstr("mode = replay"));
-  EXPECT_THAT(complaint(), AllOf(HasSubstr(part_), HasSubstr("mode = replay, now mode = history")));
+  EXPECT_THAT(complaint(), AllOf(HasSubstr(part_), HasSubstr("mode = replay, not mode = history")));
   EXPECT_EQ(contentOf(part_), "one\n");
 }
 
-TEST_F(ResumableFileTest, TwoWritersAtOnceAreRefused) {
+TEST_F(ResumableFileTest, RejectsASecondWriter) {
   const ResumableFile file(path_, kOptions);
   EXPECT_THAT(complaint(), AllOf(HasSubstr(part_), HasSubstr("is being written")));
 }
 
-TEST_F(ResumableFileTest, AFullDiskKeepsTheLinesBefore) {
+TEST_F(ResumableFileTest, KeepsEarlierLinesOnAFullDisk) {
   ResumableFile file(path_, kOptions);
   resumed(file);
   file.append("one");
@@ -185,7 +186,7 @@ TEST_F(ResumableFileTest, AFullDiskKeepsTheLinesBefore) {
   EXPECT_EQ(contentOf(part_), "one\n");
 }
 
-TEST_F(ResumableFileTest, AnItemOfSeveralLinesIsCutOffWhole) {
+TEST_F(ResumableFileTest, CutsOffIncompleteItemsOfSeveralLines) {
   const ItemLayout layout = {"header", 2};
   {
     ResumableFile file(path_, kOptions, layout);

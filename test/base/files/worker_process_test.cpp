@@ -10,7 +10,7 @@ namespace {
 
 WorkerProcess shell(const std::string& script) { return WorkerProcess({"/bin/sh", "-c", script}); }
 
-/// What receive() complains of.
+/// Returns the error message of receive().
 template <typename Error>
 std::string complaintOf(WorkerProcess& process) {
   char byte = 0;
@@ -34,7 +34,7 @@ TEST(WorkerProcess, AnswersOverItsStream) {
   }
 }
 
-TEST(WorkerProcess, IsLeftAloneAfterItsTime) {
+TEST(WorkerProcess, TimesOut) {
   WorkerProcess process = shell("sleep 60");
   process.setTimeout(0.1);
   const auto start = std::chrono::steady_clock::now();
@@ -42,7 +42,7 @@ TEST(WorkerProcess, IsLeftAloneAfterItsTime) {
   EXPECT_GE(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(100));
 }
 
-TEST(WorkerProcess, SaysHowItEnded) {
+TEST(WorkerProcess, ReportsHowItEnded) {
   for (const auto& [script, words] :
        {std::pair("exit 7", "exit code 7"), std::pair("kill -SEGV $$", "signal 11")}) {
     WorkerProcess process = shell(script);
@@ -65,7 +65,7 @@ TEST(WorkerProcess, EndsWithItsObject) {
   EXPECT_NE(kill(pid, 0), 0);
 }
 
-TEST(RunProgram, SaysHowTheProgramEnded) {
+TEST(RunProgram, ReportsHowTheProgramEnded) {
   EXPECT_EQ(runProgram({"/bin/sh", "-c", "exit 0"}), std::nullopt);
   EXPECT_EQ(runProgram({"/bin/sh", "-c", "exit 3"}), "with exit code 3");
   EXPECT_EQ(runProgram({"/bin/sh", "-c", "kill -9 $$"}), "by signal 9");

@@ -76,7 +76,7 @@ TEST(OrientedBox, LargestAxisGapBoundsTheDistance) {
   }
 }
 
-TEST(OrientedBox, SharedAreaAgreesWithSortedCrossings) {
+TEST(OrientedBox, IntersectionAreaAgreesWithSortedCrossings) {
   reference::Random random(7);
   for (int i = 0; i < kPairs; ++i) {
     const OrientedBox a = random.box(6.0);
@@ -96,7 +96,7 @@ TEST(OrientedBox, KnownCases) {
   EXPECT_NEAR(distance(unit, {{5.0, 6.0, 0.0}, {2.0, 2.0}}), 5.0, 1e-12);
   EXPECT_NEAR(intersectionArea(unit, unit), 4.0, 1e-12);
   EXPECT_NEAR(intersectionOverUnion(unit, unit), 1.0, 1e-12);
-  // A square within, and the octagon of a square turned by 45 degrees.
+  // A square inside, and the octagon shared with a square rotated by 45 degrees.
   EXPECT_NEAR(intersectionArea(unit, {{0.2, 0.1, 0.7}, {0.5, 0.5}}), 0.25, 1e-12);
   EXPECT_NEAR(intersectionArea(unit, {{0.0, 0.0, M_PI_4}, {2.0, 2.0}}), 8.0 * (M_SQRT2 - 1.0),
               1e-12);
@@ -112,7 +112,7 @@ TEST(OrientedBox, ZeroSizeBoxesArePoints) {
   EXPECT_NEAR(distance(point, {{5.0, 0.0, 0.0}, {0.0, 0.0}}), 4.0, 1e-12);
 }
 
-TEST(TouchedSide, IsWhereTheOtherBoxStands) {
+TEST(TouchedSide, IsTheSideOfTheOtherBox) {
   const BoxSize size{4.0, 2.0};
   const std::pair<Pose2, Side> places[] = {
       {{4.0, 0.8, 0.0}, Side::kFront},     {{-4.0, -0.8, 0.0}, Side::kRear},
@@ -126,7 +126,7 @@ TEST(TouchedSide, IsWhereTheOtherBoxStands) {
   }
 }
 
-/// Asks every line along the side's normal on its own whether it meets `other`.
+/// Tests for every line along the side's normal whether it intersects `other`.
 double overlapByLines(const OrientedBox& box, Side side, const OrientedBox& other) {
   constexpr int kLines = 20000;
   const bool is_across = side == Side::kFront || side == Side::kRear;
@@ -144,7 +144,7 @@ double overlapByLines(const OrientedBox& box, Side side, const OrientedBox& othe
   return static_cast<double>(met) / kLines;
 }
 
-TEST(SideOverlap, IsTheShareOfWidthsThatMeetEndToEndAndOfLengthsSideBySide) {
+TEST(SideOverlap, IsTheSharedWidthEndToEndAndTheSharedLengthSideBySide) {
   const OrientedBox box{{3.0, -7.0, 2.5}, {4.0, 2.0}};
   const auto overlap = [&](const Pose2& place, const BoxSize& size, Side side) {
     return sideOverlap(box, side, {compose(box.center, place), size});
@@ -158,7 +158,7 @@ TEST(SideOverlap, IsTheShareOfWidthsThatMeetEndToEndAndOfLengthsSideBySide) {
   EXPECT_EQ(overlap({4.0, 2.5, 0.0}, {4.0, 2.0}, Side::kFront), 0.0) << "beside it";
 }
 
-TEST(SideOverlap, IsWhatLinesAlongTheNormalMeet) {
+TEST(SideOverlap, AgreesWithRaysAlongTheNormal) {
   const OrientedBox box{{-20.0, 5.0, -1.0}, {4.4, 1.8}};
   for (const double heading : {0.2, 0.9, 1.5, 2.4, -2.8}) {
     for (const Pose2& place : {Pose2{3.6, 1.1, heading}, Pose2{-3.8, -0.7, heading},

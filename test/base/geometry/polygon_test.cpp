@@ -12,7 +12,7 @@ namespace {
 
 using Ring = std::vector<Vector2>;
 
-// Turns of the ring around the point, from the angles at which its edges are seen.
+// Winding number of the ring around the point, from the angles of its edges.
 int windings(const Ring& ring, const Vector2& point) {
   double total = 0.0;
   for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -32,7 +32,7 @@ TEST(Polyline, DropsCoincidentPoints) {
   EXPECT_EQ(line.arcLengths(), (std::vector<double>{0.0, 3.0, 7.0}));
 }
 
-TEST(Polyline, RefusesWhatIsNoLine) {
+TEST(Polyline, RejectsFewerThanTwoDistinctPoints) {
   EXPECT_THROW(Polyline({}), std::invalid_argument);
   EXPECT_THROW(Polyline({{1, 2}}), std::invalid_argument);
   EXPECT_THROW(Polyline({{1, 2}, {1, 2}}), std::invalid_argument);
@@ -52,7 +52,7 @@ TEST(Polyline, YawTurnsLinearlyBetweenSegmentMiddles) {
   EXPECT_NEAR((line.poseAt(5.0).position() - Vector2(4.0, 1.0)).norm(), 0.0, 1e-12);
 }
 
-TEST(Polyline, GoesStraightOnBeyondItsEnds) {
+TEST(Polyline, ContinuesStraightBeyondItsEnds) {
   const Polyline line({{0, 0}, {4, 0}, {4, 8}});
   const Pose2 before = line.poseAt(-3.0);
   EXPECT_NEAR((before.position() - Vector2(-3.0, 0.0)).norm(), 0.0, 1e-12);
@@ -109,7 +109,8 @@ TEST(Polyline, LateralIsPositiveOnTheLeft) {
     const Polyline line(randomPoints(random));
     const double offset = random.between(-1.0, 1.0);
     const double arc_length = random.between(0.0, line.length());
-    // Off the middle of a chord, so that the side is plain; skipped where another part is nearer.
+    // Off the middle of a chord, so that the side is unambiguous; skipped if another part is
+    // nearer.
     const auto& s = line.arcLengths();
     std::size_t k = 0;
     while (s[k + 1] < arc_length) {

@@ -8,8 +8,8 @@
 
 #include "collision_forge/base/geometry/oriented_box.h"
 
-/// A second, slow way to the answers of src/geometry: points, edges and crossings of outlines, with
-/// none of its separating axes, clipping or box frames.
+/// A slow, independent reference implementation of the geometry functions: points, edges and
+/// crossings of outlines, without separating axes, clipping or box frames.
 namespace forge::reference {
 
 using Points = std::vector<Vector2>;
@@ -28,7 +28,7 @@ inline Points outline(const OrientedBox& box) {
   return points;
 }
 
-/// True when the point is left of, or on, every edge of a counter-clockwise convex outline.
+/// Returns true if the point is left of, or on, every edge of a counter-clockwise convex outline.
 inline bool isInside(const Points& convex, const Vector2& point) {
   for (std::size_t i = 0; i < convex.size(); ++i) {
     const Vector2& a = convex[i];
@@ -48,7 +48,7 @@ inline double pointToSegment(const Vector2& point, const Vector2& a, const Vecto
   return ratio >= 1.0 ? (point - b).norm() : std::abs(cross(b - a, point - a)) / (b - a).norm();
 }
 
-/// Adds the point in which two segments cross, if they do.
+/// Adds the intersection of two segments, if any.
 inline void addCrossing(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d,
                         Points& crossings) {
   const double denominator = cross(b - a, d - c);
@@ -62,7 +62,7 @@ inline void addCrossing(const Vector2& a, const Vector2& b, const Vector2& c, co
   }
 }
 
-/// All corners of either outline within the other, and all crossings of their edges.
+/// Returns all corners of either outline inside the other, and all crossings of their edges.
 inline Points sharedPoints(const Points& p, const Points& q) {
   Points shared;
   std::copy_if(p.begin(), p.end(), std::back_inserter(shared),
@@ -93,7 +93,7 @@ inline double distance(const OrientedBox& a, const OrientedBox& b) {
   return best;
 }
 
-/// The shared points span the shared area, which is convex: sort them around their mean.
+/// Area of the intersection, which is convex: sorts its vertices around their mean.
 inline double intersectionArea(const OrientedBox& a, const OrientedBox& b) {
   Points shared = sharedPoints(outline(a), outline(b));
   Vector2 mean = Vector2::Zero();
@@ -112,7 +112,7 @@ inline double intersectionArea(const OrientedBox& a, const OrientedBox& b) {
   return area;
 }
 
-/// Seeded draws for tests.
+/// Seeded random numbers for tests.
 class Random {
  public:
   explicit Random(unsigned seed) : engine_(seed) {}

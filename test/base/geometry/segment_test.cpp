@@ -5,11 +5,11 @@
 namespace forge {
 namespace {
 
-TEST(NearestShare, IsWhereThePerpendicularMeetsThePiece) {
+TEST(NearestShare, IsTheFootOfThePerpendicular) {
   EXPECT_DOUBLE_EQ(nearestShare({1.0, 1.0}, {5.0, 1.0}, {2.0, 9.0}), 0.25);
 }
 
-TEST(NearestShare, IsAnEndBeyondThePiece) {
+TEST(NearestShare, IsAnEndBeyondTheSegment) {
   EXPECT_EQ(nearestShare({1.0, 1.0}, {5.0, 1.0}, {-2.0, 9.0}), 0.0);
   EXPECT_EQ(nearestShare({1.0, 1.0}, {5.0, 1.0}, {7.0, -9.0}), 1.0);
 }

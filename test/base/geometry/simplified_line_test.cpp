@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-TEST(Simplified, DropsWhatLiesOnTheWay) {
+TEST(Simplified, DropsPointsOnStraightParts) {
   EXPECT_EQ(simplified({{0, 0}, {1, 0.05}, {2, 0}, {3, 0}}, 0.1),
             (std::vector<Vector2>{{0, 0}, {3, 0}}));
 }

@@ -22,7 +22,7 @@ double distanceAt(const BoxMotion& a, const BoxMotion& b, double time) {
   return reference::distance(boxAt(a, time), boxAt(b, time));
 }
 
-// First of many fine time steps at which the boxes share a point, and the least distance of all.
+// First of many fine time steps at which the boxes share a point, and the smallest distance of all.
 struct Stepped {
   std::optional<double> contact;
   double least_distance = std::numeric_limits<double>::infinity();
@@ -41,7 +41,7 @@ Stepped stepThrough(const BoxMotion& a, const BoxMotion& b) {
   return result;
 }
 
-// How far the boxes can come closer within one of the fine steps.
+// Largest decrease of the distance between the boxes in one of the fine steps.
 double closingPerStep(const BoxMotion& a, const BoxMotion& b) {
   double closing = 0.0;
   for (const BoxMotion& m : {a, b}) {
@@ -73,7 +73,7 @@ void compare(const BoxMotion& a, const BoxMotion& b, Counts& counts) {
   EXPECT_LE(*found, 1.0);
   EXPECT_LE(distanceAt(a, b, *found), kTolerance + 1e-9);
   EXPECT_LE(stepped.least_distance, kTolerance + closingPerStep(a, b));
-  for (int i = 0; i < 50; ++i) {  // apart at every instant before
+  for (int i = 0; i < 50; ++i) {  // apart at every earlier time
     EXPECT_GT(distanceAt(a, b, *found * i / 50.0), *found > 0.0 ? 0.0 : -1.0);
   }
 }
@@ -140,13 +140,13 @@ TEST(FirstContact, ZeroSizeBoxesMeetOnlyHeadOn) {
 TEST(FirstContact, EndsForExtremeInput) {
   const BoxMotion a{{-1e12, 0, 0}, {1e12, 0, 3}, {4.0, 2.0}};
   EXPECT_TRUE(firstContact(a, {{0, 0, 0}, {0, 0, 0}, {4.0, 2.0}}, 0.0));
-  // Passing each other 2 mm apart, turning a little: grazing takes the most steps.
+  // Pass each other at 2 mm while rotating slightly: grazing takes the most steps.
   const BoxMotion left{{0, 2.002, 0.0}, {20, 2.002, 0.0}, {4.0, 2.0}};
   const BoxMotion right{{20, 0, -5e-4}, {0, 0, 5e-4}, {4.0, 2.0}};
   EXPECT_FALSE(firstContact(left, right, 0.0));
 }
 
-TEST(FirstContact, RefusesNumbersThatAreNotFinite) {
+TEST(FirstContact, RejectsNumbersThatAreNotFinite) {
   const BoxMotion good{{0, 0, 0}, {1, 0, 0}, {4.0, 2.0}};
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {

@@ -13,7 +13,7 @@ TEST(TouchPoint, IsTheMiddleOfTheSharedSide) {
   EXPECT_TRUE(touchPoint(front, {{5.5, 1, 0}, {5, 2}}).isApprox(Vector2(8, 0.5)));
 }
 
-TEST(TouchPoint, IsTheCornerThatPokesASide) {
+TEST(TouchPoint, IsTheCornerThatTouchesASide) {
   const double half_diagonal = std::sqrt(2.0);
   const OrientedBox diamond{{-half_diagonal, 0.3, std::atan(1.0)}, {2, 2}};
   EXPECT_TRUE(touchPoint({{2, 0, 0}, {4, 2}}, diamond).isApprox(Vector2(0, 0.3), 1e-9));

@@ -30,7 +30,7 @@ Polygon rectangle(double min_x, double min_y, double max_x, double max_y) {
   return {{{min_x, min_y}, {max_x, min_y}, {max_x, max_y}, {min_x, max_y}}, {}};
 }
 
-/// A star about a middle, with corners at random distances.
+/// A star around a centre, with corners at random distances.
 std::vector<Vector2> star(Random& random, const Vector2& middle, double low, double high) {
   std::vector<Vector2> ring;
   for (int i = 0; i < 13; ++i) {
@@ -101,8 +101,8 @@ TEST(AreaRaster, AgreesWithThePolygonsAwayFromTheirEdges) {
   }
 }
 
-TEST(AreaRaster, IsHalfACellWrongAtMost) {
-  // Edges that are not on the grid of cells, which begins at the lower left corner.
+TEST(AreaRaster, IsAccurateToHalfACell) {
+  // Edges that are not on the grid of cells.
   LaneMap map;
   map.drivable_area = {rectangle(0.0, 0.0, 20.2, 10.3)};
   const AreaRaster raster(map.drivable_area);
@@ -114,7 +114,7 @@ TEST(AreaRaster, IsHalfACellWrongAtMost) {
   }
 }
 
-TEST(AreaRaster, TakesHolesOutAndTheUnionOfPolygons) {
+TEST(AreaRaster, RespectsHolesAndUnions) {
   LaneMap map;
   map.drivable_area = {rectangle(0.0, 0.0, 40.0, 40.0)};
   map.drivable_area[0].holes = {rectangle(10.0, 10.0, 30.0, 30.0).exterior};
@@ -145,7 +145,7 @@ TEST(AreaRaster, NothingIsDrivableBeyondTheMap) {
   EXPECT_FALSE(raster.contains({0.0, nan}));
 }
 
-TEST(AreaRaster, AnswersTheSameToManyThreadsAtOnce) {
+TEST(AreaRaster, IsConsistentAcrossThreads) {
   const LaneMap map = stars(3);
   const AreaRaster alone(map.drivable_area);
   const AreaRaster shared(map.drivable_area);
@@ -167,7 +167,7 @@ TEST(AreaRaster, AnswersTheSameToManyThreadsAtOnce) {
   }
 }
 
-TEST(AreaRaster, OfAPartHasTheCellsOfTheWhole) {
+TEST(AreaRaster, OfACropHasTheSameCells) {
   const LaneMap whole = stars(7);
   LaneMap part;
   part.drivable_area = {whole.drivable_area[3]};

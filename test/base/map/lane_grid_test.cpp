@@ -62,7 +62,7 @@ TEST(LaneGrid, SamplesFollowEveryCentrelineHalfAMetreApart) {
   }
 }
 
-TEST(LaneGrid, FindsWhatALookAtAllSamplesFinds) {
+TEST(LaneGrid, AgreesWithASearchOverAllSamples) {
   LaneRandom random(2);
   const LaneIndex index = indexOf(randomMap(random, 60));
   const std::vector<LaneSample> all = allSamples(index);
@@ -94,7 +94,7 @@ TEST(LaneGrid, FindsWhatALookAtAllSamplesFinds) {
   EXPECT_GT(wrong_way, 100);
 }
 
-TEST(LaneGrid, OnALaneIsWhoIsNearOneAndHeadsAlongIt) {
+TEST(LaneGrid, IsOnLaneWhenNearAndHeadingAlongIt) {
   const LaneIndex index = indexOf(road());
   const auto isOn = [&](const Pose2& pose) {
     return index.grid().isOnLane(pose, 2.0, 25.0 * kDegree);
@@ -110,7 +110,7 @@ TEST(LaneGrid, OnALaneIsWhoIsNearOneAndHeadsAlongIt) {
   EXPECT_TRUE(index.grid().isOnLane({0.0, 0.0, M_PI}, 1.0, M_PI)) << "any heading will do";
 }
 
-TEST(LaneGrid, WrongWayIsWhoHasOnlyOncomingLanesNear) {
+TEST(LaneGrid, IsWrongWayWithOnlyOncomingLanesNear) {
   const LaneIndex index = indexOf(road());
   const auto isWrong = [&](const Pose2& pose) { return index.grid().isWrongWay(pose, 2.0); };
   EXPECT_TRUE(isWrong({0.0, 3.5, 0.0}));
@@ -129,7 +129,7 @@ TEST(LaneGrid, FindsLanesFarFromTheOrigin) {
   EXPECT_TRUE(indexOf(map).grid().isOnLane({-4e6, 0.0, 0.0}, 2.0, 0.1));
 }
 
-TEST(LaneGrid, RefusesACentrelineOfADamagedMap) {
+TEST(LaneGrid, RejectsACentrelineOfADamagedMap) {
   LaneMap map;
   map.lanes = {makeLane("endless", {{0.0, 0.0}, {1e6, 0.0}})};
   EXPECT_THROW(indexOf(map), std::invalid_argument);

@@ -14,7 +14,7 @@ namespace {
 
 LaneIndex makeIndex(const LaneMap& map) { return LaneIndex(std::make_shared<LaneMap>(map)); }
 
-// A lane along +x that parts at (20, 0) to the left, straight on and to the right.
+// A lane along +x that forks at (20, 0) to the left, straight on and to the right.
 LaneMap fork() {
   LaneMap map;
   map.lanes = {makeLane("in", {{0, 0}, {10, 0}, {20, 0}}, {"left", "straight", "right", "bare"}),
@@ -84,7 +84,7 @@ TEST(LanesNear, KeepsToDistanceAndHeading) {
   EXPECT_NEAR(matches[0].heading_error, 0.2, 1e-9);
   EXPECT_TRUE(index.lanesNear({10.0, 1.0, 0.2}, 0.99, 0.5).empty());
   EXPECT_TRUE(index.lanesNear({10.0, 1.0, 0.2}, 4.0, 0.19).empty());
-  // Both ways when any heading will do, nearest first.
+  // Both directions if any heading is allowed, nearest first.
   EXPECT_EQ(idsOf(index, index.lanesNear({10.0, 1.0, 0.2}, 4.0, M_PI)),
             (std::vector<std::string>{"in", "oncoming"}));
   EXPECT_EQ(idsOf(index, index.lanesNear({10.0, 1.0, M_PI - 0.1}, 4.0, 0.5)),
@@ -179,7 +179,7 @@ TEST(PathAhead, ALaneThatSwervesTurnsMoreThanOneThatDoesNot) {
   EXPECT_EQ(makeIndex(map).straightestSuccessor(0), 1u) << "the first of equals";
 }
 
-TEST(PathAhead, EndsWithTheLanesAndGoesStraightOn) {
+TEST(PathAhead, EndsWithTheLanesAndContinuesStraight) {
   const LaneIndex index = makeIndex(fork());
   const Polyline path = index.pathAhead(2, 0.0, 500.0);
   EXPECT_NEAR(path.length(), 40.0, 0.01);
@@ -205,7 +205,7 @@ TEST(PathAhead, JointsThatDoNotMeetExactlyBendNothing) {
   }
 }
 
-TEST(PathAhead, GoesRoundARingAndEndsOnATinyOne) {
+TEST(PathAhead, FollowsALoopAndEndsOnATinyOne) {
   LaneMap map;
   map.lanes = {makeLane("a", arc({10, 0, M_PI_2}, 10 * M_PI, M_PI), {"b"}),
                makeLane("b", arc({-10, 0, -M_PI_2}, 10 * M_PI, M_PI), {"a"}),
@@ -249,7 +249,7 @@ TEST(PathsAhead, BranchesBeyondTheDistanceAreNotTaken) {
   EXPECT_EQ(makeIndex(twoForks()).pathsAhead(0, 5.0, 10.0, 10).size(), 1u);
 }
 
-TEST(PathsAhead, KeepsToTheLargestNumber) {
+TEST(PathsAhead, AreAtMostMaxPathsOverBranches) {
   const LaneIndex index = makeIndex(twoForks());
   EXPECT_EQ(lanesOf(index.pathsAhead(0, 5.0, 60.0, 2)),
             (std::vector<std::vector<std::size_t>>{{0, 2, 4}, {0, 1}}));

@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-/// A circle of `radius` about (0, radius) from the origin on, to the left, a point every `spacing`.
+/// A circle of `radius` around (0, radius) from the origin, to the left, a point every `spacing`.
 std::vector<Vector2> leftBend(double radius, double length, double spacing) {
   std::vector<Vector2> points;
   for (int i = 0; i * spacing <= length + 1e-9; ++i) {
@@ -23,38 +23,7 @@ std::vector<Vector2> mirrored(std::vector<Vector2> points) {
   return points;
 }
 
-Lane makeLane(const std::string& id, const std::vector<Vector2>& points,
-              const std::vector<std::string>& outgoing = {}) {
-  Lane lane;
-  lane.id = id;
-  lane.outgoing = outgoing;
-  for (const Vector2& point : points) lane.centerline.push_back({point.x(), point.y(), 0.0});
-  return lane;
-}
-
-/// Along +x, parting at x = 20 to the left, straight on and to the right.
-LaneMap fork() {
-  const auto from20 = [](std::vector<Vector2> points) {
-    for (Vector2& point : points) point.x() += 20.0;
-    return points;
-  };
-  LaneMap map;
-  map.lanes = {makeLane("in", {{0, 0}, {10, 0}, {20, 0}}, {"left", "straight", "right", "bare"}),
-               makeLane("left", from20(leftBend(15.0, 24.0, 1.0))),
-               makeLane("straight", {{20, 0}, {40, 0}}, {"after"}),
-               makeLane("right", from20(mirrored(leftBend(15.0, 24.0, 1.0)))),
-               makeLane("bare", {}),
-               makeLane("after", {{40, 0}, {90, 0}}),
-               makeLane("beside", {{0, 1.5}, {30, 1.5}})};
-  return map;
-}
-
-std::vector<ReferencePath> ahead(const LaneMap& map, const Pose2& pose, double distance,
-                                 std::size_t max_paths) {
-  return pathsAhead(LaneIndex(std::make_shared<LaneMap>(map)), pose, distance, 1.0, 0.5, max_paths);
-}
-
-TEST(ReferencePath, TellsItsBendsEveryMetre) {
+TEST(ReferencePath, ReturnsCurvatureEveryMetre) {
   const ReferencePath left(Polyline(leftBend(15.0, 30.4, 1.0)));
   const std::vector<double> bends = left.bends();
   ASSERT_EQ(bends.size(), static_cast<std::size_t>(left.length()) + 1);
@@ -68,7 +37,7 @@ TEST(ReferencePath, TellsItsBendsEveryMetre) {
   }
 }
 
-TEST(ReferencePath, HasAnotherOneBesideIt) {
+TEST(ReferencePath, HasAParallelPath) {
   const ReferencePath left(Polyline(leftBend(15.0, 30.0, 1.0)));
   const ReferencePath inside = left.beside(2.0);
   EXPECT_NEAR(inside.length(), left.length() * 13.0 / 15.0, 0.6) << "nearer to the middle";
@@ -79,7 +48,7 @@ TEST(ReferencePath, HasAnotherOneBesideIt) {
   EXPECT_NEAR(left.beside(-2.0).length(), left.length() * 17.0 / 15.0, 0.6);
 }
 
-TEST(ReferencePath, BeyondEitherEndGoesStraightOn) {
+TEST(ReferencePath, ContinuesStraightBeyondItsEnds) {
   const ReferencePath path(Polyline(leftBend(20.0, 20.0, 1.0)));
   for (const double beyond : {0.5, 3.0, 50.0}) {
     const ReferencePath::Place before = path.at(-beyond);
@@ -97,7 +66,7 @@ TEST(ReferencePath, BeyondEitherEndGoesStraightOn) {
   }
 }
 
-TEST(ReferencePath, OfABendHasItsCurvatureAndHeading) {
+TEST(ReferencePath, CurvatureAndHeadingMatchTheBend) {
   for (const double radius : {10.0, 20.0, 60.0}) {
     for (const double side : {1.0, -1.0}) {
       const std::vector<Vector2> left = leftBend(radius, 30.0, 0.5);
@@ -115,7 +84,7 @@ TEST(ReferencePath, OfABendHasItsCurvatureAndHeading) {
   }
 }
 
-TEST(ReferencePath, TakesTheKinksOutOfALine) {
+TEST(ReferencePath, SmoothsKinks) {
   // A corner of 0.6 rad within a line, as between two lanes that do not join smoothly.
   const Vector2 corner(15.0, 0.0);
   const Vector2 end = corner + 15.0 * Vector2(std::cos(0.6), std::sin(0.6));
@@ -131,7 +100,7 @@ TEST(ReferencePath, TakesTheKinksOutOfALine) {
   EXPECT_GT(path.at(15.0).pose.y, 0.1);
 }
 
-TEST(ReferencePath, ProjectsOntoTheClosestPlace) {
+TEST(ReferencePath, ProjectsToTheClosestPoint) {
   const ReferencePath path(Polyline(leftBend(20.0, 40.0, 1.0)));
   for (double s = -5.0; s <= 45.0; s += 1.37) {
     for (const double lateral : {-3.0, 0.0, 3.0}) {
@@ -142,55 +111,14 @@ TEST(ReferencePath, ProjectsOntoTheClosestPlace) {
   }
 }
 
-TEST(ReferencePath, OfAShortLineGoesOnAsTheLineDoes) {
+TEST(ReferencePath, ContinuesAShortLine) {
   const ReferencePath path(Polyline({{0.0, 0.0}, {0.0, 0.3}}));
   EXPECT_NEAR(path.length(), 0.3, 1e-9);
   EXPECT_NEAR(path.at(5.0).pose.y, 5.0, 1e-9);
   EXPECT_NEAR(path.at(5.0).pose.yaw, M_PI_2, 1e-9);
 }
 
-TEST(PathsAhead, FollowEveryBranchTheStraightestFirst) {
-  const auto paths = ahead(fork(), {2.0, 0.3, 0.0}, 30.0, 10);
-  ASSERT_EQ(paths.size(), 3u) << "a lane without a centreline is no branch";
-  for (const ReferencePath& path : paths) {
-    EXPECT_NEAR(path.at(0.0).pose.x, 2.0, 1e-9) << "they begin beside the pose";
-    EXPECT_NEAR(path.at(0.0).pose.y, 0.0, 1e-9) << "on the lane";
-  }
-  EXPECT_NEAR(paths[0].at(35.0).pose.y, 0.0, 1e-6);
-  EXPECT_GT(paths[1].at(35.0).pose.y, 5.0) << "the others in the order of the map";
-  EXPECT_LT(paths[2].at(35.0).pose.y, -5.0);
-}
-
-TEST(PathsAhead, AreAtMostAsManyAsAskedFor) {
-  EXPECT_TRUE(ahead(fork(), {2.0, 0.0, 0.0}, 30.0, 0).empty());
-  EXPECT_EQ(ahead(fork(), {2.0, 0.0, 0.0}, 30.0, 1).size(), 1u);
-  EXPECT_EQ(ahead(fork(), {2.0, 0.0, 0.0}, 30.0, 2).size(), 2u);
-}
-
-TEST(PathsAhead, TakeNearerLanesFirst) {
-  const auto y_at_start = [](double y) {
-    std::vector<double> starts;
-    for (const ReferencePath& path : ahead(fork(), {2.0, y, 0.0}, 10.0, 10)) {
-      starts.push_back(path.at(0.0).pose.y);
-    }
-    return starts;
-  };
-  EXPECT_EQ(y_at_start(0.7), (std::vector<double>{0.0, 1.5}));
-  EXPECT_EQ(y_at_start(0.8), (std::vector<double>{1.5, 0.0}));
-  EXPECT_EQ(y_at_start(-0.5), (std::vector<double>{0.0}));
-}
-
-TEST(PathsAhead, ComeToAnEndInARingOfLanes) {
-  LaneMap map;
-  map.lanes = {makeLane("a", {{0, 0}, {2, 0}}, {"b"}), makeLane("b", {{2, 0}, {2, 2}}, {"c"}),
-               makeLane("c", {{2, 2}, {0, 2}}, {"d"}), makeLane("d", {{0, 2}, {0, 0}}, {"a"})};
-  const auto paths = ahead(map, {0.5, 0.0, 0.0}, 1e6, 10);
-  ASSERT_EQ(paths.size(), 1u);
-  EXPECT_GT(paths[0].length(), 6.0) << "once around, the corners cut";
-  EXPECT_LT(paths[0].length(), 100.0);
-}
-
-TEST(ReferencePath, APoseIsSeenFromThePath) {
+TEST(ReferencePath, ReturnsFrenetCoordinates) {
   const ReferencePath path(Polyline(leftBend(40.0, 60.0, 1.0)));
   const Pose2 place = path.at(25.0).pose;
   const PathPose seen = path.seen(compose(place, {0.0, -1.5, 0.3}));

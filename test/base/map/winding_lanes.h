@@ -31,7 +31,7 @@ inline Lane makeLane(const std::string& id, const std::vector<Vector2>& points,
   return lane;
 }
 
-/// Points of an arc from `start`, turning by `turn` in all.
+/// Returns points of an arc from `start` with a total turn of `turn`.
 inline std::vector<Vector2> arc(const Pose2& start, double length, double turn) {
   std::vector<Vector2> points = {start.position()};
   double yaw = start.yaw + 0.05 * turn;
@@ -41,7 +41,7 @@ inline std::vector<Vector2> arc(const Pose2& start, double length, double turn) 
   return points;
 }
 
-/// Winding lanes of all directions, with a bare lane and a single-point lane among them.
+/// Returns winding lanes of all directions, including one without points and one of a single point.
 inline LaneMap randomMap(LaneRandom& random, int count) {
   LaneMap map;
   for (int i = 0; i < count; ++i) {

@@ -7,14 +7,14 @@
 namespace forge {
 namespace {
 
-TEST(MissBetween, IsTheDistanceOfTheMiddlesAndTheShorterTurn) {
+TEST(MissBetween, IsTheDistanceOfTheCentresAndTheShorterTurn) {
   const PatternMiss miss = missBetween({-4.0, 1.0, M_PI - 0.1}, {-1.0, 5.0, -M_PI + 0.2});
   EXPECT_NEAR(miss.distance, 5.0, 1e-12);
   EXPECT_NEAR(miss.heading, 0.3, 1e-12);
   EXPECT_EQ(missBetween({1.0, 2.0, 3.0}, {1.0, 2.0, 3.0}).distance, 0.0);
 }
 
-TEST(CornerMiss, IsNoLessThanAnyCornersWay) {
+TEST(CornerMiss, BoundsTheDisplacementOfEveryCorner) {
   const BoxSize size{4.6, 1.9};
   for (const Pose2& found : {Pose2{0.5, -0.2, 0.3}, {0.0, 0.0, -0.4}, {2.0, 1.0, 0.0}}) {
     const double bound = cornerMiss(missBetween({}, found), size);

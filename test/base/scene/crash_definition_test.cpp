@@ -9,7 +9,7 @@ namespace {
 
 constexpr BoxSize kEgo{4.0, 2.0};
 constexpr BoxSize kAttacker{5.0, 2.2};
-constexpr double kBit = 1e-6;  // to either side of a border
+constexpr double kBit = 1e-6;  // to either side of a bound
 constexpr DrivingSide kBothSides[] = {DrivingSide::kRight, DrivingSide::kLeft};
 
 bool fits(CollisionType type, const Pose2& offset, DrivingSide side = DrivingSide::kRight) {
@@ -66,7 +66,7 @@ TEST(ContactFits, ARearEndEndsWhereTheBoxesAreFurtherApartAcrossThanAlong) {
   }
 }
 
-TEST(ContactFits, ARearEndLooksAtTheShadowOfATurnedBox) {
+TEST(ContactFits, ARearEndUsesTheProjectionOfARotatedBox) {
   const double yaw = 0.17;
   const double reach_x = 2.0 + 2.5 * std::cos(yaw) + 1.1 * std::sin(yaw);
   const double reach_y = 1.0 + 2.5 * std::sin(yaw) + 1.1 * std::cos(yaw);

@@ -5,7 +5,7 @@
 namespace forge {
 namespace {
 
-TEST(FindTrack, IsTheOneOfTheIdOrNull) {
+TEST(FindTrack, ReturnsTheTrackOrNull) {
   const std::vector<Track> tracks = {{"a", AgentClass::kCar, {}, {}},
                                      {"b", AgentClass::kBus, {}, {}}};
   EXPECT_EQ(findTrack(tracks, "b"), &tracks[1]);

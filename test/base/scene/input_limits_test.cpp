@@ -77,7 +77,7 @@ std::string errorOfTrajectory(const std::function<void(AttackerTrajectory&)>& sp
   return errorOf([&] { checkTrajectory(spoilt, shippedLimits(), "attack"); });
 }
 
-TEST(InputLimits, PointsOfMapsNameWhereTheyAre) {
+TEST(InputLimits, ErrorsInMapsNameThePoint) {
   EXPECT_EQ(errorOfMap([](LaneMap& map) { map.lanes[0].centerline[1].x = 1e9; }),
             "town: lane \"a\": centerline[1].x = 1000000000 is outside -50000 to 50000");
   EXPECT_EQ(errorOfMap([](LaneMap& map) { map.lanes[0].centerline[0].yaw = kNan; }),
@@ -90,7 +90,7 @@ TEST(InputLimits, PointsOfMapsNameWhereTheyAre) {
               StartsWith("town: lane \"a\": speed_limit = 1000 is outside 0 to 150"));
 }
 
-TEST(InputLimits, TheEgoAndTheFramesOfAScene) {
+TEST(InputLimits, ChecksEgoAndFramesOfAScene) {
   EXPECT_EQ(errorOfScene([](Scene& scene) { scene.ego.states[1].pose.y = -6e4; }),
             "log: ego: states[1].y = -60000 is outside -50000 to 50000");
   EXPECT_THAT(errorOfScene([](Scene& scene) { scene.ego.states[1].velocity.x() = 200.0; }),
@@ -102,7 +102,7 @@ TEST(InputLimits, TheEgoAndTheFramesOfAScene) {
   EXPECT_THAT(errorOfScene([](Scene& scene) { scene.frame_times[0] = -1.0; }),
               StartsWith("log: frames[0].time = -1 is outside 0 to 4294967295"));
   EXPECT_THAT(errorOfScene([](Scene& scene) { scene.agents.resize(20001); }),
-              StartsWith("log: agents: 20001, more than 20000"));
+              StartsWith("log: agents: 20001 is above the limit of 20000"));
   EXPECT_THAT(errorOfScene([](Scene& scene) {
                 LaneMap map = oneLane();
                 map.lanes[0].centerline[1].x = 1e9;
@@ -111,7 +111,7 @@ TEST(InputLimits, TheEgoAndTheFramesOfAScene) {
               StartsWith("log: lane \"a\""));
 }
 
-TEST(InputLimits, AgentsBeyondAreLeftOutWithAWarningAKind) {
+TEST(InputLimits, RemovesAgentsBeyondTheLimitsWithAWarningPerKind) {
   Scene spoilt = scene();
   spoilt.agents.push_back(car("d"));
   spoilt.agents[0].size.width = 0.05;
@@ -121,13 +121,12 @@ TEST(InputLimits, AgentsBeyondAreLeftOutWithAWarningAKind) {
   checkScene(spoilt, shippedLimits(), "log", &warnings);
   ASSERT_EQ(spoilt.agents.size(), 1u);
   EXPECT_EQ(spoilt.agents[0].id, "c");
-  EXPECT_THAT(
-      warnings,
-      ElementsAre("2 agents whose box is beyond the limits of input left out (first: a)",
-                  "1 agents whose motion is beyond the limits of input left out (first: b)"));
+  EXPECT_THAT(warnings,
+              ElementsAre("2 agents with a box beyond the input limits left out (first: a)",
+                          "1 agents with a motion beyond the input limits left out (first: b)"));
 }
 
-TEST(InputLimits, SnapshotsAndFutures) {
+TEST(InputLimits, ChecksSnapshotsAndFutures) {
   Snapshot snapshot{10.5, car(kEgoId), {car("a"), car("b")}, nullptr};
   snapshot.agents[0].states[1].pose.x = 1e9;
   EXPECT_NO_THROW(checkSnapshot(snapshot, shippedLimits(), "scene"));
@@ -145,7 +144,7 @@ TEST(InputLimits, SnapshotsAndFutures) {
               StartsWith("future: ego_samples[0]: states[0].time = nan is outside"));
 }
 
-TEST(InputLimits, AFutureWithoutStatesOfTheEgoIsRefused) {
+TEST(InputLimits, RejectsAFutureWithoutStatesOfTheEgo) {
   Future future{car(kEgoId), {car("a"), car("b")}, {car(kEgoId), car(kEgoId)}};
   future.agents[0].states.clear();
   EXPECT_NO_THROW(checkFuture(future, shippedLimits(), "future"));
@@ -153,19 +152,19 @@ TEST(InputLimits, AFutureWithoutStatesOfTheEgoIsRefused) {
   EXPECT_EQ(future.agents[0].id, "b");
   future.ego_samples[1].states.clear();
   EXPECT_EQ(errorOf([&] { checkFuture(future, shippedLimits(), "future"); }),
-            "future: ego_samples[1]: states: there are none");
+            "future: ego_samples[1]: states is empty");
   future.ego.states.clear();
   EXPECT_EQ(errorOf([&] { checkFuture(future, shippedLimits(), "future"); }),
-            "future: ego: states: there are none");
+            "future: ego: states is empty");
 }
 
-TEST(InputLimits, TrajectoriesNamePointAndField) {
+TEST(InputLimits, ErrorsInTrajectoriesNamePointAndField) {
   EXPECT_EQ(errorOfTrajectory([](auto& spoilt) { spoilt.size.length = 1e9; }),
             "attack: attacker \"a\": size.length = 1000000000 is outside 0.1 to 50");
   EXPECT_THAT(errorOfTrajectory([](auto& spoilt) { spoilt.points.clear(); }),
-              HasSubstr("points: there are none"));
+              HasSubstr("points is empty"));
   EXPECT_THAT(errorOfTrajectory([](auto& spoilt) { spoilt.points.resize(5001); }),
-              HasSubstr("points: 5001, more than 5000"));
+              HasSubstr("points: 5001 is above the limit of 5000"));
   EXPECT_THAT(errorOfTrajectory([](auto& spoilt) { spoilt.points[1].time = 80.0; }),
               HasSubstr("points[1].time from the first point = 69.5 is outside 0 to 60"));
   EXPECT_THAT(errorOfTrajectory([](auto& spoilt) { spoilt.points[1].time = 10.5; }),
@@ -178,7 +177,7 @@ TEST(InputLimits, TrajectoriesNamePointAndField) {
               HasSubstr("past[1].x = 1000000000 is outside"));
 }
 
-TEST(InputLimits, PatternsAreWithinThem) {
+TEST(InputLimits, PatternsMustBeWithinTheLimits) {
   const CollisionPattern good{CollisionType::kRearEnd, "a", 12.0, {{1.0, 2.0, 0.0}, {4.0, 2.0}},
                               {-4.0, 0.0, 0.0},        5.0};
   EXPECT_NO_THROW(checkPattern(good, shippedLimits(), "answer"));
@@ -192,7 +191,7 @@ TEST(InputLimits, PatternsAreWithinThem) {
               StartsWith("answer: pattern ego.width = 0 is outside"));
 }
 
-TEST(InputLimits, PlansAreFewPointsNearby) {
+TEST(InputLimits, PlansMustHaveFewPointsNearby) {
   std::vector<TrajectoryPoint> plan(5000);
   plan[7].pose.x = kNan;
   EXPECT_EQ(errorOf([&] { checkPlan(plan, shippedLimits(), "plan"); }), "");
@@ -201,7 +200,7 @@ TEST(InputLimits, PlansAreFewPointsNearby) {
             "plan: points[3].y = -60000 is outside -50000 to 50000");
   plan.emplace_back();
   EXPECT_EQ(errorOf([&] { checkPlan(plan, shippedLimits(), "plan"); }),
-            "plan: points: 5001, more than 5000");
+            "plan: points: 5001 is above the limit of 5000");
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ IndexedScene recording() {
   return {scene, std::make_shared<const LaneIndex>(scene.map)};
 }
 
-TEST(Moment, IsWhatIsKnownAtItAndWhatCame) {
+TEST(Moment, HoldsSnapshotAndRecordedFuture) {
   const IndexedScene indexed = recording();
   const auto found = momentAt(indexed, 4.0 + 5e-7, 4);
   const Moment& moment = std::get<Moment>(found);
@@ -40,7 +40,7 @@ TEST(Moment, IsWhatIsKnownAtItAndWhatCame) {
   EXPECT_EQ(moment.past->agents.front().states.back().time, 4.0);
 }
 
-TEST(Moment, TheTimeOfNoFrameIsRefusedWithTheNearest) {
+TEST(Moment, RejectsATimeWithoutFrameNamingTheNearest) {
   for (const double now : {4.1, 3.9}) {
     const auto found = momentAt(recording(), now, 4);
     const Status& status = std::get<Status>(found);

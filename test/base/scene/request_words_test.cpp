@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-TEST(RequestWords, EveryNameInTheListOfCollisionTypesIsTaken) {
+TEST(RequestWords, ParsesEveryListedCollisionType) {
   std::string words = collisionTypeWords();
   for (char& letter : words) {
     if (letter == '(' || letter == ')' || letter == ',') letter = ' ';
@@ -32,7 +32,7 @@ TEST(RequestWords, ClassesAreReadBack) {
   }
 }
 
-TEST(RequestWords, EveryManoeuvreIsNamedByOneType) {
+TEST(RequestWords, EveryManoeuvreBelongsToOneType) {
   std::size_t found = 0;
   for (const CollisionType type : kCollisionTypes) {
     const std::string names = ", " + manoeuvreNames(type) + ",";

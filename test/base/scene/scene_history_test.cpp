@@ -32,7 +32,15 @@ TEST(SceneHistory, KeepsTheNewestFrames) {
   EXPECT_NEAR(snapshot.ego.states.back().velocity.x(), 4.0, 1e-12);
 }
 
-TEST(SceneHistory, GathersTheFramesOfEachAgentSortedById) {
+TEST(SceneHistory, TheEgoHasTheSizeThatWasSet) {
+  SceneHistory history(3, kVehicle);
+  history.add(frameAt(0.0));
+  EXPECT_EQ(history.snapshot().ego.size.length, kVehicle.size.length);
+  history.setEgoSize({5.286, 2.332});
+  EXPECT_EQ(history.snapshot().ego.size.length, 5.286);
+}
+
+TEST(SceneHistory, CollectsTheStatesOfEachAgentSortedById) {
   SceneHistory history(8, kVehicle);
   history.add(frameAt(0.0, {seen("b", {0.0, 0.0, 0.0}), seen("gone", {5.0, 5.0, 0.0})}));
   history.add(frameAt(0.5, {seen("b", {1.0, 0.0, 0.0})}));
@@ -74,7 +82,7 @@ TEST(SceneHistory, RefusesAnEgoPoseThatIsNotFinite) {
   EXPECT_TRUE(history.empty());
 }
 
-TEST(SceneHistory, StartsAnewWhenTimeDoesNotAdvance) {
+TEST(SceneHistory, RestartsWhenTimeDoesNotAdvance) {
   SceneHistory history(4, kVehicle);
   history.add(frameAt(0.0, {seen("a", {})}));
   history.add(frameAt(0.5, {seen("a", {})}));
@@ -85,7 +93,7 @@ TEST(SceneHistory, StartsAnewWhenTimeDoesNotAdvance) {
   EXPECT_TRUE(snapshot.agents.empty());
 }
 
-TEST(SceneHistory, FramesWhoseStampsJitterAreLateAndNoRestart) {
+TEST(SceneHistory, JitteringFramesAreLateAndDoNotRestart) {
   SceneHistory history(4, kVehicle);
   EXPECT_FALSE(history.isLate(0.0));
   history.add(frameAt(5.0));
@@ -96,7 +104,7 @@ TEST(SceneHistory, FramesWhoseStampsJitterAreLateAndNoRestart) {
   EXPECT_FALSE(history.isLate(5.0 - 1.01 * kRestart)) << "a replay that starts again";
 }
 
-TEST(SceneHistory, HoweverOftenFramesComeThoseShownAreAnIntervalApart) {
+TEST(SceneHistory, SnapshotFramesAreAnIntervalApartAtAnyRate) {
   constexpr double kEpoch = 1533000000.0;  // s, as nuScenes' clock, which rounds
   for (const double rate : {4.0, 10.0, 20.0}) {
     SceneHistory history(4, kVehicle);
@@ -114,7 +122,7 @@ TEST(SceneHistory, HoweverOftenFramesComeThoseShownAreAnIntervalApart) {
   }
 }
 
-TEST(SceneHistory, GoesOnFromASnapshotAndItsMap) {
+TEST(SceneHistory, ContinuesFromASnapshotWithItsMap) {
   Snapshot start;
   start.now = 1.0;
   start.map = std::make_shared<const LaneMap>();
@@ -169,7 +177,7 @@ TEST(SceneHistory, EqualsTheSnapshotOfTheSameFramesInAScene) {
   }
 }
 
-TEST(AgentsAt, AreThoseWithAStateThenAndThatStateAlone) {
+TEST(AgentsAt, ReturnsAgentsWithTheirStateAtTheTime) {
   const Track here{
       "here", {}, {4.0, 2.0}, {{1.0, {1.0, 0.0, 0.0}, {}}, {2.0, {2.0, 0.0, 0.0}, {}}}};
   const Track gone{"gone", {}, {4.0, 2.0}, {{1.0, {9.0, 0.0, 0.0}, {}}}};
@@ -180,7 +188,7 @@ TEST(AgentsAt, AreThoseWithAStateThenAndThatStateAlone) {
   EXPECT_EQ(agents[0].states[0].pose.x, 2.0);
 }
 
-TEST(NewestFrame, IsTheEgoNowAndThoseWhoAreThere) {
+TEST(NewestFrame, HoldsEgoAndAgentsAtT0) {
   Snapshot snapshot;
   snapshot.now = 2.0;
   snapshot.ego.states = {{1.0, {1.0, 0.0, 0.0}, {}}, {2.0, {3.0, 0.0, 0.0}, {}}};

@@ -56,7 +56,7 @@ TEST(SnapshotAt, HoldsTheNewestFramesAndNothingLater) {
   EXPECT_EQ(snapshot.agents[1].size.length, 6.0);
 }
 
-TEST(HistoryTimes, AreAnIntervalApartHoweverOftenFramesCame) {
+TEST(HistoryTimes, AreAnIntervalApartAtAnyFrameRate) {
   using Times = std::vector<double>;
   EXPECT_EQ(historyTimes({}, 3), Times());
   EXPECT_EQ(historyTimes({1.0, 1.5, 2.0, 2.5}, 3), (Times{1.5, 2.0, 2.5}));

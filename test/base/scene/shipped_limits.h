@@ -4,7 +4,7 @@
 
 namespace forge {
 
-/// Of config/input_limits.yaml.
+/// Returns the limits of config/input_limits.yaml.
 inline const InputLimits& shippedLimits() {
   static const InputLimits limits = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").input_limits;
   return limits;

@@ -11,9 +11,8 @@
 
 namespace forge {
 
-/// The fields of an attack by name. A struct with one field more does not compile here: whoever
-/// adds a field adds it to each function below, to wholeAttack(), to the scenario file and to the
-/// message.
+/// The fields of an attack by name. A new field of a struct breaks the build here; add it to each
+/// function below, to wholeAttack(), to the scenario file and to the message.
 using AttackFields = std::map<std::string, std::variant<double, std::string>>;
 
 inline void addFields(const std::string& name, const Pose2& pose, AttackFields& fields) {
@@ -98,7 +97,7 @@ inline void addFields(const CollisionReport& report, AttackFields& fields) {
   fields["report.unbelievable"] = unbelievable;
 }
 
-/// Of an attack without its alternatives.
+/// Compares all fields except the alternatives.
 inline AttackFields fieldsOf(const Realization& attack) {
   const auto& [status, aim, miss, trajectory, report, effort, alternatives] = attack;
   const auto& [code, message] = status;
@@ -115,8 +114,9 @@ inline AttackFields fieldsOf(const Realization& attack) {
   return fields;
 }
 
-/// An attack whose fields all differ from those of an empty one, and whose numbers differ from each
-/// other. It is of an added vehicle, whose speed is along its heading, and has no alternatives.
+/// An attack whose fields all differ from the defaults and whose numbers all differ from each
+/// other. The attacker is an added vehicle with velocity along its heading; there are no
+/// alternatives.
 inline Realization wholeAttack(double now) {
   Realization attack;
   attack.aim = {CollisionType::kLaneChange, "a1", now + 4.0, {{40.0, 1.0, 0.5}, {4.084, 1.73}},
@@ -153,7 +153,7 @@ inline Realization wholeAttack(double now) {
   return attack;
 }
 
-/// Numbers are compared to a micrometre and a microsecond.
+/// Compares numbers to 1e-6 m and 1e-6 s.
 inline void expectSame(const Realization& found, const Realization& expected) {
   const AttackFields fields = fieldsOf(found);
   const AttackFields wanted = fieldsOf(expected);

@@ -8,7 +8,8 @@
 namespace forge {
 namespace {
 
-/// The ego drives along x on a road with two lanes that way, from 10 s before now to 10 s after.
+/// The ego drives along x on a road with two lanes in that direction, from 10 s before to 10 s
+/// after t0.
 IndexedScene onTwoLanes() {
   const auto map = twoLaneRoad();
   IndexedScene recording{{}, std::make_shared<const LaneIndex>(map)};
@@ -28,13 +29,13 @@ bool isAllowed(CollisionType type, const IndexedScene& recording) {
   return roadAllowsAsked(asked, recording, config);
 }
 
-TEST(AllowedRequests, AreThoseWithALaneOfTheTypesDirection) {
+TEST(AllowedRequests, RequireALaneOfTheTypesDirection) {
   const IndexedScene recording = onTwoLanes();
   EXPECT_TRUE(isAllowed(CollisionType::kRearEnd, recording));
   EXPECT_FALSE(isAllowed(CollisionType::kJunctionCrossing, recording));
 }
 
-TEST(AllowedRequests, AreJudgedWhereTheEgoIsAtTheTimeAskedFor) {
+TEST(AllowedRequests, AreJudgedAtTheEgosPlaceAtImpact) {
   IndexedScene recording = onTwoLanes();
   for (AgentState& state : recording.scene.ego.states) {
     if (state.time > kNow + 2.0) state.pose = {0.0, 1000.0, 0.0};
@@ -42,7 +43,7 @@ TEST(AllowedRequests, AreJudgedWhereTheEgoIsAtTheTimeAskedFor) {
   EXPECT_FALSE(isAllowed(CollisionType::kRearEnd, recording));
 }
 
-TEST(AllowedRequests, AreAllWhereNoLaneIsKnown) {
+TEST(AllowedRequests, IncludeAllWithoutLanes) {
   IndexedScene recording = onTwoLanes();
   recording.lanes = std::make_shared<const LaneIndex>(emptyMap());
   EXPECT_TRUE(isAllowed(CollisionType::kJunctionCrossing, recording));

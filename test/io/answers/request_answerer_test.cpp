@@ -29,7 +29,7 @@ class RequestAnswererTest : public testing::Test {
   RequestAnswerer answerer_{scenes_, method_, config_.crash, config_.ego_vehicle, config_.adaptive};
 };
 
-TEST_F(RequestAnswererTest, AnswersAsTheGeneratorDoes) {
+TEST_F(RequestAnswererTest, AgreesWithGenerateCollision) {
   const auto indexed = scenes_.at("scene-0001");
   for (const CollisionType type : kCollisionTypes) {
     const SceneRequest request = asked(type);
@@ -43,7 +43,7 @@ TEST_F(RequestAnswererTest, AnswersAsTheGeneratorDoes) {
   }
 }
 
-TEST_F(RequestAnswererTest, AnAdaptiveAttackIsAsAskedInTheRecordingOrDeclined) {
+TEST_F(RequestAnswererTest, AnAdaptiveAttackIsTheRequestedCrashOrRejected) {
   int attacks = 0;
   for (const CollisionType type : kCollisionTypes) {
     SceneRequest request = asked(type);
@@ -65,7 +65,7 @@ TEST_F(RequestAnswererTest, AnAdaptiveAttackIsAsAskedInTheRecordingOrDeclined) {
   EXPECT_GT(attacks, 0);
 }
 
-TEST_F(RequestAnswererTest, ATimeThatIsNoFrameIsAnsweredWithTheNearest) {
+TEST_F(RequestAnswererTest, RejectsATimeWithoutFrameNamingTheNearest) {
   SceneRequest request = asked(CollisionType::kRearEnd);
   const double frame = request.now;
   for (const double now : {frame + 0.1, frame - 0.1}) {

@@ -11,14 +11,14 @@
 #include <thread>
 #include <vector>
 
-// These tests are run twice: by themselves, and by three ranks of mpirun in step. Then every rank
-// runs each test, and only the master takes results and sees errors.
+// These tests run twice: in one process, and in three ranks of mpirun. In the second case every
+// rank runs each test, and only the master takes results and gets errors.
 namespace forge {
 namespace {
 
 constexpr std::size_t kCount = 300;
 
-/// The more, the later in a group of eight: results come out of order.
+/// Delays early items of each group of eight, so that results arrive out of order.
 std::string slowly(std::size_t index) {
   std::this_thread::sleep_for(std::chrono::microseconds(200 * (8 - index % 8)));
   return std::to_string(index * index);
@@ -34,7 +34,7 @@ struct Taken {
   }
 };
 
-/// Checks that exactly the items [first, end) were taken, in order, on the master alone.
+/// Checks that exactly the items [first, end) were taken, in order, only on the master.
 void expectTaken(const Taken& taken, std::size_t first, std::size_t end) {
   if (!isMaster()) {
     EXPECT_TRUE(taken.indices.empty());
@@ -47,7 +47,7 @@ void expectTaken(const Taken& taken, std::size_t first, std::size_t end) {
   }
 }
 
-/// What dispatch() throws here; empty for nothing.
+/// Returns the error message of dispatch(); "" if there is none.
 template <typename Work, typename Take>
 std::string errorOf(const Work& work, const Take& take, int jobs) {
   try {
@@ -109,7 +109,7 @@ TEST(Dispatch, AnErrorOfTakeEndsTheRun) {
 }
 
 TEST(Dispatch, EveryProcessDoesItsShare) {
-  // The answer of an item is the process that worked on it; with mpirun that is each rank.
+  // The result of an item is the id of the process that worked on it; with mpirun, of each rank.
   const char* const size = std::getenv("OMPI_COMM_WORLD_SIZE");
   const std::size_t ranks = size ? std::stoul(size) : 1;
   std::map<std::string, std::size_t> items_of_process;

@@ -10,7 +10,7 @@ namespace {
 
 class InterruptionNoticeDeathTest : public testing::TestWithParam<int> {
  protected:
-  /// In a process of its own: raises the signal, and leaves with 0 if that does not end it.
+  /// Raises the signal in a process of its own, which exits with 0 if the signal does not end it.
   [[noreturn]] static void raiseIn(void (*before)(int)) {
     ::signal(GetParam(), before);
     const InterruptionNotice notice("written up to here\n");
@@ -19,7 +19,7 @@ class InterruptionNoticeDeathTest : public testing::TestWithParam<int> {
   }
 };
 
-TEST_P(InterruptionNoticeDeathTest, SaysSoBeforeTheSignalEndsTheProcess) {
+TEST_P(InterruptionNoticeDeathTest, PrintsTheMessageBeforeTheSignalEndsTheProcess) {
   EXPECT_EXIT(raiseIn(SIG_DFL), testing::KilledBySignal(GetParam()), "written up to here");
 }
 
@@ -27,7 +27,7 @@ TEST_P(InterruptionNoticeDeathTest, AnIgnoredSignalStaysIgnored) {
   EXPECT_EXIT(raiseIn(SIG_IGN), testing::ExitedWithCode(0), "^$");
 }
 
-TEST_P(InterruptionNoticeDeathTest, WhatASignalDidBeforeItDoesAfterwards) {
+TEST_P(InterruptionNoticeDeathTest, RestoresTheEarlierHandlers) {
   EXPECT_EXIT(
       {
         ::signal(GetParam(), [](int /*signal*/) { ::_exit(7); });

@@ -13,7 +13,7 @@ ItemResult failure(std::size_t index) {
   return {index, "", std::make_exception_ptr(std::runtime_error("broken"))};
 }
 
-TEST(Ledger, HandsResultsOnInOrder) {
+TEST(Ledger, ReturnsResultsInOrder) {
   Ledger ledger(0, 3, 10);
   ledger.put(result(2));
   EXPECT_FALSE(ledger.next());
@@ -27,7 +27,7 @@ TEST(Ledger, HandsResultsOnInOrder) {
   EXPECT_TRUE(ledger.isFinished());
 }
 
-TEST(Ledger, KeepsASlowItemFromPilingUpResults) {
+TEST(Ledger, LimitsTheResultsThatWaitForASlowItem) {
   Ledger ledger(0, 100, 3);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(ledger.deal(), i);
   ledger.put(result(1));
@@ -40,7 +40,7 @@ TEST(Ledger, KeepsASlowItemFromPilingUpResults) {
   EXPECT_FALSE(ledger.deal());
 }
 
-TEST(Ledger, DealsNothingAfterAFailureAndHandsOnWhatWasBefore) {
+TEST(Ledger, AssignsNothingAfterAFailureAndReturnsEarlierResults) {
   Ledger ledger(0, 100, 10);
   for (std::size_t i = 0; i < 4; ++i) ledger.deal();
   ledger.put(failure(2));

@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-TEST(Printable, WhatATerminalWouldActOnIsEscaped) {
+TEST(Printable, EscapesControlCharacters) {
   EXPECT_EQ(printable("\033[2J\033]0;title\a"), "\\x1b[2J\\x1b]0;title\\x07");
   EXPECT_EQ(printable("a\rb\x7f" + std::string(1, '\0')), "a\\x0db\\x7f\\x00");
   EXPECT_EQ(printable("\xC2\x9B"
@@ -17,7 +17,7 @@ TEST(Printable, WhatATerminalWouldActOnIsEscaped) {
       << "CSI as one character";
 }
 
-TEST(Printable, BytesThatAreNoTextAreEscaped) {
+TEST(Printable, EscapesInvalidUtf8) {
   EXPECT_EQ(printable("\x9b"
                       "31m"),
             "\\x9b31m");
@@ -25,7 +25,7 @@ TEST(Printable, BytesThatAreNoTextAreEscaped) {
   EXPECT_EQ(printable("\xC0\xAF\xFF"), "\\xc0\\xaf\\xff");
 }
 
-TEST(PrintableOutput, EscapesWhatGoesThroughCout) {
+TEST(PrintableOutput, EscapesCout) {
   std::ostringstream shown;
   std::streambuf* const before = std::cout.rdbuf(shown.rdbuf());
   {

@@ -19,7 +19,7 @@ class ProgressLineTest : public testing::Test {
   ProgressLine::Output output(bool is_terminal) {
     return {stream_, is_terminal, [this] { return time_; }};
   }
-  /// What has been printed since the last call.
+  /// Returns the output since the last call.
   std::string printed() {
     const std::string text = stream_.str();
     stream_.str("");
@@ -30,21 +30,21 @@ class ProgressLineTest : public testing::Test {
   double time_ = 1000.0;  // s
 };
 
-TEST_F(ProgressLineTest, TellsShareRateAndTimeLeft) {
+TEST_F(ProgressLineTest, ShowsShareRateAndTimeLeft) {
   ProgressLine line("requests", 0.0, output(false));
   time_ += 20.0;
   line.show(50, 200);  // 2.5 a second, 150 to go
   EXPECT_EQ(printed(), "requests  25 %, 2.5/s, 60 s left\n");
 }
 
-TEST_F(ProgressLineTest, WhatWasDoneBeforeCountsForTheShareAlone) {
+TEST_F(ProgressLineTest, EarlierWorkCountsForTheShareOnly) {
   ProgressLine line("requests", 0.5, output(false));
   time_ += 20.0;
   line.show(124, 200);  // 24 in 20 s, 76 to go
   EXPECT_EQ(printed(), "requests  62 %, 1.2/s, 63 s left\n");
 }
 
-TEST_F(ProgressLineTest, PipedThereIsALineEveryTenSecondsAndOneAtTheEnd) {
+TEST_F(ProgressLineTest, InAPipeItPrintsALineEveryTenSecondsAndOneAtTheEnd) {
   ProgressLine line("scenes", 0.0, output(false));
   int lines = 0;
   for (int second = 1; second <= 35; ++second) {
@@ -88,13 +88,13 @@ TEST_F(ProgressLineTest, WorkThatEndsEarlyEndsItsLine) {
   EXPECT_EQ(printed(), "");
 }
 
-/// What `print` leaves on a terminal that stdout and stderr go to.
+/// Returns the output of `print` on a terminal that is both stdout and stderr.
 std::string shownOnATerminal(const std::function<void()>& print) {
   const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
   EXPECT_EQ(::grantpt(terminal), 0);
   EXPECT_EQ(::unlockpt(terminal), 0);
   const int screen = ::open(::ptsname(terminal), O_RDWR | O_NOCTTY);
-  std::fflush(nullptr);  // or the child writes what waits to be written, too
+  std::fflush(nullptr);  // or the child would write buffered output, too
   const pid_t child = ::fork();
   if (child == 0) {
     ::dup2(screen, STDOUT_FILENO);
@@ -119,7 +119,7 @@ std::string shownOnATerminal(const std::function<void()>& print) {
   return lines.substr(1);
 }
 
-TEST(PrintLine, StandsAloneOnATerminalThatShowsProgress) {
+TEST(PrintLine, ReplacesTheProgressLineOnATerminal) {
   const std::string shown = shownOnATerminal([] {
     double time = 0.0;
     ProgressLine progress("work", 0.0, {std::cerr, true, [&] { return time += 1.0; }});

@@ -11,9 +11,8 @@
 #include "collision_forge/io/batch/dispatch.h"
 #include "collision_forge/io/batch/ranks.h"
 
-// Over two ranks, one of which stops: that ends the run, so each is a run of mpirun of its own,
-// which test/CMakeLists.txt reads the output of. One process alone does not stop, and has nobody to
-// watch.
+// Two ranks, one of which stops. That ends the run, so each test is a run of mpirun of its own,
+// whose output test/CMakeLists.txt checks. In a single process there is nothing to watch.
 namespace forge {
 namespace {
 
@@ -30,7 +29,7 @@ void dispatchWithOneThatStops(int stopping) {
       8,
       [&](std::size_t) {
         stopIf(Ranks::get().rank() == stopping);
-        // So that the other does not do all of them before the one that stops has come.
+        // Keeps the other rank from doing all items before this one arrives.
         if (Ranks::get().size() > 1) std::this_thread::sleep_for(std::chrono::seconds(1));
         return std::string();
       },

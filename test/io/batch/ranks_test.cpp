@@ -5,7 +5,7 @@
 namespace forge {
 namespace {
 
-// Run twice, as dispatch_test.cpp: by one process, and by three ranks in step.
+// Runs twice, as dispatch_test.cpp: in one process, and in three ranks.
 
 TEST(Ranks, SumsAreTheSameForAll) {
   const Ranks& ranks = Ranks::get();

@@ -13,7 +13,7 @@
 #include "collision_forge/io/batch/ranks.h"
 #include "io/logs/nuscenes_fixture.h"
 
-// These tests are run twice, as those of dispatch(): by themselves, and by ranks of mpirun.
+// These tests run twice, as dispatch_test.cpp: in one process, and in ranks of mpirun.
 namespace forge {
 namespace {
 
@@ -29,7 +29,7 @@ std::string contentOf(const std::string& path) {
   return content.str();
 }
 
-/// Squares of the first numbers, two lines an item.
+/// Squares of the first numbers, two lines per item.
 class RunTest : public testing::Test {
  protected:
   forge::Run squares() {
@@ -63,7 +63,7 @@ class RunTest : public testing::Test {
     return text;
   }
 
-  /// What a run before left.
+  /// Creates the files of an interrupted run.
   void leave(const std::string& path, const std::string& text) const {
     if (!isMaster()) return;
     std::ofstream(path) << text;
@@ -78,7 +78,7 @@ class RunTest : public testing::Test {
     std::ofstream(path_ + ".options") << "power: 2\nprogram: " << program << "\n";
   }
 
-  /// What carryOut() throws here; empty for nothing.
+  /// Returns the error message of carryOut(); "" if there is none.
   std::string complaintOf(const forge::Run& run) {
     try {
       carryOut(run);
@@ -88,7 +88,7 @@ class RunTest : public testing::Test {
     return "";
   }
 
-  /// Errors are the master's.
+  /// Only the master gets errors.
   void expectComplaint(const forge::Run& run, const std::string& text) {
     const std::string complaint = complaintOf(run);
     if (isMaster()) {
@@ -104,7 +104,7 @@ class RunTest : public testing::Test {
   std::vector<std::string> taken_;
 };
 
-TEST_F(RunTest, ResultsAreTakenAndWrittenInOrderByTheMasterAlone) {
+TEST_F(RunTest, OnlyTheMasterTakesAndWritesResultsInOrder) {
   carryOut(squares());
   EXPECT_EQ(taken_.size(), isMaster() ? kCount : 0u);
   EXPECT_EQ(fs::exists(path_), isMaster());
@@ -113,7 +113,7 @@ TEST_F(RunTest, ResultsAreTakenAndWrittenInOrderByTheMasterAlone) {
   }
 }
 
-TEST_F(RunTest, AStoppedRunGoesOnAfterTheLastWholeItem) {
+TEST_F(RunTest, ResumesAfterTheLastCompleteItem) {
   leavePartOf(expected(7) + "7\n");  // killed within an item
   forge::Run run = squares();
   const auto work = run.work;
@@ -128,7 +128,7 @@ TEST_F(RunTest, AStoppedRunGoesOnAfterTheLastWholeItem) {
   EXPECT_FALSE(fs::exists(part_));
 }
 
-TEST_F(RunTest, ACompleteFileIsReadAndLeftAlone) {
+TEST_F(RunTest, ReadsACompleteFileAndKeepsIt) {
   leave(path_, expected());
   forge::Run run = squares();
   run.work = [](std::size_t) -> std::string { throw std::logic_error("nothing is to be done"); };
@@ -138,11 +138,11 @@ TEST_F(RunTest, ACompleteFileIsReadAndLeftAlone) {
   EXPECT_FALSE(fs::exists(part_));
 }
 
-TEST_F(RunTest, OtherOptionsAreRefusedAndNothingIsLost) {
+TEST_F(RunTest, RejectsOtherOptionsAndKeepsTheFile) {
   leavePartOf(expected(7));
   forge::Run run = squares();
   run.options = {{"power", "3"}};
-  expectComplaint(run, "power = 2, now power = 3");
+  expectComplaint(run, "power = 2, not power = 3");
   run.options = {};
   expectComplaint(run, "power = 2");
   if (isMaster()) {
@@ -150,13 +150,13 @@ TEST_F(RunTest, OtherOptionsAreRefusedAndNothingIsLost) {
   }
 }
 
-TEST_F(RunTest, ItemsThatAreNotTheRunsAreRefusedByLine) {
+TEST_F(RunTest, RejectsForeignItemsByLine) {
   leavePartOf(expected(2) + "3\n9\n");
   expectComplaint(squares(), part_ + ": line 6: is not of 2");
   leavePartOf("another header\n");
   expectComplaint(squares(), part_ + ": line 1");
   leavePartOf(expected(kCount + 1));
-  expectComplaint(squares(), "there are 40 numbers only");
+  expectComplaint(squares(), "there are only 40 numbers");
 }
 
 TEST_F(RunTest, AnErrorKeepsTheItemsBeforeIt) {
@@ -172,11 +172,11 @@ TEST_F(RunTest, AnErrorKeepsTheItemsBeforeIt) {
   }
 }
 
-TEST(RunAgree, AllRanksHaveTheMastersDecision) {
+TEST(RunAgree, AllRanksReturnTheMastersDecision) {
   EXPECT_EQ(agree([] { return isMaster() ? 7u : 3u; }), 7u);
 }
 
-TEST(RunAgree, AnErrorIsTheMastersAndTheOthersHaveNothing) {
+TEST(RunAgree, AnErrorOfTheMasterLeavesOtherRanksWithoutDecision) {
   const auto decide = []() -> std::size_t {
     if (isMaster()) throw std::runtime_error("undecided");
     return 1;

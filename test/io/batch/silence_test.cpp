@@ -5,18 +5,18 @@
 namespace forge {
 namespace {
 
-TEST(Silence, NamesWhoIsSilentForLonger) {
+TEST(Silence, ReturnsTheSilentRank) {
   Silence silence(3, 1.0);
   for (const int other : {1, 2}) silence.expect(other);
   for (int second = 0; second < 5; ++second) {
     silence.pass(1.0);
-    silence.hear(1);
+    silence.reset(1);
   }
   EXPECT_EQ(silence.longerThan(5.0), std::nullopt);
   EXPECT_EQ(silence.longerThan(4.5), 2);
 }
 
-TEST(Silence, NothingIsExpectedOfWhoHasLeftOrHasNotCome) {
+TEST(Silence, IgnoresRanksThatLeftOrHaveNotJoined) {
   Silence silence(2, 1.0);
   silence.expect(0);
   silence.leave(0);
@@ -26,7 +26,7 @@ TEST(Silence, NothingIsExpectedOfWhoHasLeftOrHasNotCome) {
   EXPECT_EQ(silence.longerThan(0.5), std::nullopt);
 }
 
-TEST(Silence, TimeInWhichThisProcessSleptDoesNotCount) {
+TEST(Silence, IgnoresTimeInWhichThisProcessWasPaused) {
   Silence silence(1, 1.0);
   silence.expect(0);
   silence.pass(3600.0);

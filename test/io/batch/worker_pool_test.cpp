@@ -15,7 +15,7 @@ constexpr milliseconds kPatience{10'000};
 TEST(WorkerPool, WorksOnAsManyItemsAtATimeAsItHasThreads) {
   std::atomic<int> inside{0};
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
-  // Each item waits for the other two: this ends in time only if three threads work.
+  // Each item waits for two others: the test ends in time only if three threads work.
   WorkerPool pool(3, [&](std::size_t) {
     ++inside;
     while (inside < 3 && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
@@ -53,7 +53,7 @@ TEST(WorkerPool, KeepsTheException) {
   EXPECT_THROW(std::rethrow_exception(results[0].error), std::out_of_range);
 }
 
-TEST(WorkerPool, DropsWhatIsNotBegunWhenItEnds) {
+TEST(WorkerPool, DropsPendingItemsWhenItEnds) {
   std::atomic<int> worked{0};
   std::atomic<bool> has_begun{false};
   {

@@ -19,7 +19,7 @@ const char* const kName =
     "data_hcis_v4.6_trainval_singapore-onenorth_LTAP_scene-0911_2-14-0.08333333333333333-9_92.4_"
     "f00d.csv";
 
-/// Ten frames of ego, attacker and a third that is there in frame 8 alone.
+/// Ten frames of ego, attacker and a third vehicle that is present only in frame 8.
 std::string smallFile() {
   std::ostringstream text;
   text << "TRACK_ID,TIMESTAMP,V,X,Y,YAW\n";
@@ -34,7 +34,7 @@ std::string smallFile() {
   return text.str();
 }
 
-/// What reading says; empty when it succeeds.
+/// Returns the error message of reading; "" if it succeeds.
 std::string complaint(const std::string& name, const std::string& text) {
   const TemporaryFolder folder;
   try {
@@ -45,7 +45,7 @@ std::string complaint(const std::string& name, const std::string& text) {
   return "";
 }
 
-/// The complaint about smallFile() with the first `from` replaced.
+/// Returns the error message for smallFile() with the first `from` replaced.
 std::string complaintAfter(const std::string& from, const std::string& to) {
   std::string text = smallFile();
   const std::size_t at = text.find(from);
@@ -53,7 +53,7 @@ std::string complaintAfter(const std::string& from, const std::string& to) {
   return complaint(kName, text.replace(at, from.size(), to));
 }
 
-/// The complaint about smallFile() under a name with the first `from` replaced.
+/// Returns the error message for smallFile() under a name with the first `from` replaced.
 std::string complaintAboutName(const std::string& from, const std::string& to) {
   std::string name = kName;
   const std::size_t at = name.find(from);
@@ -61,7 +61,7 @@ std::string complaintAboutName(const std::string& from, const std::string& to) {
   return complaint(name.replace(at, from.size(), to), smallFile());
 }
 
-/// smallFile() without the lines that contain `part`.
+/// Returns smallFile() without the lines that contain `part`.
 std::string without(const std::string& part) {
   std::istringstream lines(smallFile());
   std::string text;
@@ -124,7 +124,7 @@ TEST(CollideClip, RowsOfZerosAreMissingFrames) {
   EXPECT_NEAR(track.frames[8]->pose.yaw, M_PI / 2.0, 1e-15);
 }
 
-TEST(CollideClip, EveryNumberSurvivesWritingAndReading) {
+TEST(CollideClip, RoundTripsEveryNumber) {
   CollideClip clip = straightClip(CollisionType::kRearEnd, 3.21, 20, 7.1, {-31.3, 0.2, 0.3}, 9.7);
   for (CollideTrack& track : clip.tracks) {
     double noise = 0.1234567890123456;
@@ -158,8 +158,7 @@ TEST(CollideClip, EveryNumberSurvivesWritingAndReading) {
 
 TEST(CollideClip, NameErrorsNameTheField) {
   EXPECT_THAT(complaintAboutName("_f00d", ""), HasSubstr("ten parts"));
-  EXPECT_THAT(complaintAboutName("hcis", "hcos"),
-              HasSubstr("\"hcos\" of the name is not \"hcis\""));
+  EXPECT_THAT(complaintAboutName("hcis", "hcos"), HasSubstr("\"hcos\" is not \"hcis\""));
   EXPECT_THAT(complaintAboutName("LTAP", "XY"), HasSubstr("type = \"XY\""));
   EXPECT_THAT(complaintAboutName("scene-0911", ""), HasSubstr("scene = \"\""));
   EXPECT_THAT(complaintAboutName("_2-14-", "_6-14-"), HasSubstr("placement = \"6\""));
@@ -182,7 +181,8 @@ TEST(CollideClip, RowErrorsNameLineColumnAndValue) {
               HasSubstr("line 10: X = \"1e9\" is outside -50000 to 50000"));
   EXPECT_THAT(complaintAfter("2.5,1.25", "-1e308,1.25"),
               HasSubstr("line 10: V = \"-1e308\" is outside -150 to 150"));
-  EXPECT_THAT(complaintAfter("2.5,1.25", "2.5"), HasSubstr("line 10: 5 values, the header has 6"));
+  EXPECT_THAT(complaintAfter("2.5,1.25", "2.5"),
+              HasSubstr("line 10: 5 values, but the header has 6"));
   EXPECT_THAT(complaintAfter("1542800668198393", "1.5e9"),
               HasSubstr("line 2: TIMESTAMP = \"1.5e9\""));
   EXPECT_THAT(complaintAfter("aaaa,", ","), HasSubstr("line 2: TRACK_ID = \"\" is empty"));
@@ -193,7 +193,7 @@ TEST(CollideClip, TimestampsMustIncreaseAndAgree) {
               HasSubstr("line 3: TIMESTAMP = \"1542800668198393\" is not after"));
   EXPECT_THAT(
       complaintAfter("ego,1542800669198393", "ego,1542800669198394"),
-      HasSubstr("line 14: TIMESTAMP = \"1542800669198394\" is another than that of frame 2"));
+      HasSubstr("line 14: TIMESTAMP = \"1542800669198394\" differs from the timestamp of frame 2"));
 }
 
 TEST(CollideClip, EveryTrackMustHaveARowAFrame) {

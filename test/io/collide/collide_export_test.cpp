@@ -19,17 +19,17 @@ namespace {
 using testing::ElementsAre;
 
 constexpr double kDegree = M_PI / 180.0;
-constexpr double kStart = 1533153458.0;  // s, of the recording's first frame
+constexpr double kStart = 1533153458.0;  // s, time of the recording's first frame
 constexpr int kFrames = 20;
 constexpr int kNow = 9;  // frame of the recording
 constexpr int kFirst = kNow - kCollideNowFrame;
 constexpr double kTta = 4.0;  // s
 constexpr int kCollisionFrame = 15;
 constexpr double kEgoSpeed = 10.0;     // m/s, along x
-constexpr double kAttackSpeed = 14.0;  // m/s, from now on
-constexpr double kGap = 20.0;          // m between the middles at now, the attacker behind
+constexpr double kAttackSpeed = 14.0;  // m/s, from t0 on
+constexpr double kGap = 20.0;          // m between the box centres at t0, the attacker behind
 
-/// Every second frame is late: neither times nor places are multiples of anything.
+/// Every second frame is late, so that neither times nor positions are round numbers.
 double frameTime(int frame) { return kStart + 0.5 * frame + (frame % 2 == 0 ? 0.04 : 0.0); }
 
 double xOfEgo(double time) { return 100.0 + kEgoSpeed * (time - frameTime(kNow)); }
@@ -43,7 +43,7 @@ Track agent(const std::string& id, AgentClass agent_class, int first, int last, 
   return track;
 }
 
-/// The ego, an attacker behind it, a car that is there in part of the frames, one that comes after
+/// The ego, an attacker behind it, a car that is present in some frames, a car that appears after
 /// the clip, and a pedestrian.
 Scene recording() {
   Scene scene;
@@ -63,7 +63,7 @@ Scene recording() {
   return scene;
 }
 
-/// The attacker drives into the ego's rear from now on.
+/// The attacker hits the ego's rear; trajectory from t0 on.
 Scenario attack() {
   Scenario scenario;
   scenario.asked = {"scene-0042", frameTime(kNow), {}};
@@ -108,7 +108,7 @@ TEST(CollideExport, NameHasEveryField) {
             "4-3-0.5833333333333334-15_7.25_attacker");
 }
 
-TEST(CollideExport, PlacementIsThatOfTheTypeAndTheContact) {
+TEST(CollideExport, PlacementFollowsTypeAndContact) {
   const Pose2 ego{10.0, 20.0, M_PI_2};  // heads along y: its left is towards -x
   const auto at = [&](double x, double y, double turn) {
     return Pose2{x, y, wrapAngle(ego.yaw + turn)};
@@ -131,7 +131,7 @@ TEST(CollideExport, CollisionFrameIsTheNearestToTheTta) {
   }
 }
 
-TEST(CollideExport, AnAddedAttackerIsAsItsPastSaysUpToNow) {
+TEST(CollideExport, AddedAttackerFollowsItsPastUpToT0) {
   Scenario scenario = attack();
   AttackerTrajectory& trajectory = scenario.answer.trajectory;
   trajectory.attacker_id = "added";
@@ -148,7 +148,7 @@ TEST(CollideExport, AnAddedAttackerIsAsItsPastSaysUpToNow) {
   EXPECT_EQ(obstacleOf(scenario), ClipObstacle::kAttackerMissing);
 }
 
-TEST(CollideExport, OthersAreTheVehiclesInTheFramesInWhichTheyAre) {
+TEST(CollideExport, OtherVehiclesAppearInTheirRecordedFrames) {
   const CollideClip clip = clipOf(attack());
   std::vector<std::string> ids;
   for (const CollideTrack& track : clip.tracks) ids.push_back(track.id);
@@ -161,7 +161,7 @@ TEST(CollideExport, OthersAreTheVehiclesInTheFramesInWhichTheyAre) {
   }
 }
 
-TEST(CollideExport, WhatIsReadAgainCollidesUnderThePublishedProtocol) {
+TEST(CollideExport, RoundTrippedClipCollidesUnderThePublishedProtocol) {
   const TemporaryFolder folder;
   CollideExporter exporter(folder.path());
   exporter.add(attack(), recording(), 3);
@@ -187,7 +187,7 @@ TEST(CollideExport, WhatIsReadAgainCollidesUnderThePublishedProtocol) {
   EXPECT_NEAR(0.1 * (outcome.step - 5 * kCollideNowFrame), contact, 0.1 + 0.04);
 }
 
-TEST(CollideExport, WhatTheLayoutCannotHoldHasItsObstacle) {
+TEST(CollideExport, ReportsWhyTheLayoutCannotHoldAnAttack) {
   Scenario early = attack();
   early.asked.now = frameTime(6);
   EXPECT_EQ(obstacleOf(early), ClipObstacle::kShortHistory);
@@ -255,7 +255,7 @@ TEST(CollideExport, ObstaclesAreCountedAndNamed) {
   EXPECT_EQ(listCollideClips(folder.path(), "val").size(), 1u);
 }
 
-TEST(CollideExport, ClipsThatAreThereAreLeftAloneAndMissingOnesWritten) {
+TEST(CollideExport, WritesOnlyMissingClips) {
   const TemporaryFolder folder;
   const auto exportTwo = [&] {
     CollideExporter exporter(folder.path());
@@ -268,7 +268,7 @@ TEST(CollideExport, ClipsThatAreThereAreLeftAloneAndMissingOnesWritten) {
   ASSERT_EQ(paths.size(), 2u);
   const std::filesystem::file_time_type old{};
   for (const std::string& path : paths) std::filesystem::last_write_time(path, old);
-  // As an end in the middle of the second clip leaves it.
+  // As left by an interruption in the middle of the second clip.
   std::filesystem::rename(paths[1], paths[1] + ".part");
   std::filesystem::resize_file(paths[1] + ".part", 100);
   exportTwo();

@@ -8,9 +8,9 @@
 
 namespace forge {
 
-inline constexpr double kClipStart = 1533153458.396528;  // s, of frame 0; now is 3.5 s later
+inline constexpr double kClipStart = 1533153458.396528;  // s, of frame 0; t0 is 3.5 s later
 
-/// Frames 0 to `last_frame` at 2 Hz, straight on at constant speed through `now` in frame 7.
+/// Frames 0 to `last_frame` at 2 Hz at constant velocity through `now` in frame 7.
 inline CollideTrack straightClipTrack(const std::string& id, const Pose2& now, double speed,
                                       int last_frame) {
   CollideTrack track{id, {}};
@@ -21,7 +21,7 @@ inline CollideTrack straightClipTrack(const std::string& id, const Pose2& now, d
   return track;
 }
 
-/// The ego at the origin heading along x at now, and an attacker, both straight on.
+/// The ego is at the origin heading along x at t0; ego and attacker move at constant velocity.
 inline CollideClip straightClip(CollisionType type, double angle_degrees, int last_frame,
                                 double ego_speed, const Pose2& attacker_now,
                                 double attacker_speed) {
@@ -45,7 +45,7 @@ inline CollideClip straightClip(CollisionType type, double angle_degrees, int la
   return clip;
 }
 
-/// Somebody who stands at `pose` all the time.
+/// A vehicle at rest at `pose`.
 inline CollideTrack standingClipTrack(const std::string& id, const Pose2& pose, int last_frame) {
   return straightClipTrack(id, pose, 0.0, last_frame);
 }

@@ -12,7 +12,7 @@ const CollideOptions kOptions{{4.7, 2.0}, 2.0, 0.1};
 constexpr int kLastFrame = 11;
 constexpr double kRounding = 1e-6;  // m and s; times since 1970 have 1e-7 s
 
-/// An attacker 20 m behind at 8 m/s, and somebody who stands beside.
+/// An attacker 20 m behind at 8 m/s, and a vehicle at rest beside the road.
 CollideClip clipWithThird() {
   CollideClip clip =
       straightClip(CollisionType::kRearEnd, 0.0, kLastFrame, 5.0, {-20.0, 0.0, 0.0}, 8.0);
@@ -38,7 +38,7 @@ TEST(CollideScene, HistoryOfEgoAndOthersIsAsRecorded) {
   EXPECT_EQ(agent(snapshot.agents, "third").states.back().time, clip.now());
 }
 
-TEST(CollideScene, NothingOfTheAttackersHistoryIsShown) {
+TEST(CollideScene, HidesTheAttackersHistory) {
   CollideClip clip = clipWithThird();
   const Snapshot straight = snapshotAt(toScene(clip, kOptions, nullptr), clip.now(), 8);
   for (std::size_t frame = 0; frame < kCollideNowFrame; ++frame) {
@@ -69,7 +69,7 @@ TEST(CollideScene, AttackersDerivedMotionIsItsRecordedSpeed) {
   EXPECT_NEAR(motion.yaw_rate, 0.0, 1e-9);
 }
 
-TEST(CollideScene, FutureIsRecordedThenStraightOn) {
+TEST(CollideScene, FutureIsRecordedThenConstantVelocity) {
   CollideClip clip = clipWithThird();
   // The ego's last interval: 3 m ahead and 1 m left, heading 0.5 rad.
   CollideState& last = *clip.tracks[1].frames[kLastFrame];

@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-/// The row of that name; an empty one without it.
+/// Returns the row of that name; an empty row if there is none.
 CaptionRow rowOf(const ScenarioView& view, const std::string& name) {
   for (const CaptionRow& row : reportRows(view)) {
     if (row.name == name) return row;
@@ -23,15 +23,15 @@ TEST(CaptionText, NamesTheAttackersClassAndOrigin) {
   EXPECT_NE(detailsText(view).find("by an added construction vehicle"), std::string::npos);
 }
 
-TEST(CaptionText, TheVerdictSaysWhatTheRecordingHasAndTheFirstConditionThatFails) {
+TEST(CaptionText, TheVerdictNamesTheFirstFailedCondition) {
   ScenarioView view = sampleView();
-  EXPECT_EQ(verdictText(view), "crash as asked in the recording");
+  EXPECT_EQ(verdictText(view), "requested crash in the recording");
   EXPECT_EQ(verdictOf(view), Verdict::kWanted);
   const auto reason = [&view] {
     return verdictText(view).substr(verdictText(view).find(": ") + 2);
   };
   view.report.first_other_id = "truck-of-a-long-name";
-  EXPECT_EQ(reason(), "touches truck- first");
+  EXPECT_EQ(reason(), "hits truck- first");
   view.report.limits_kept = false;
   EXPECT_EQ(reason(), "a limit broken");
   view.report.on_time = false;
@@ -45,7 +45,7 @@ TEST(CaptionText, TheVerdictSaysWhatTheRecordingHasAndTheFirstConditionThatFails
   EXPECT_EQ(verdictOf(view), Verdict::kUnwanted);
 }
 
-TEST(CaptionText, APictureOfATestNamesThePlannerAndWhetherItIsHit) {
+TEST(CaptionText, APlannerTestNamesThePlannerAndTheHit) {
   ScenarioView view = sampleView();
   view.planner = "pdm against adaptive";
   EXPECT_EQ(titleText(view), "pdm against adaptive: Rear end in scene-0001");
@@ -54,24 +54,24 @@ TEST(CaptionText, APictureOfATestNamesThePlannerAndWhetherItIsHit) {
   EXPECT_EQ(rowOf(view, "Contact").passed, false);
 }
 
-TEST(CaptionText, AnEscapeHasNoContactAndThatIsWanted) {
+TEST(CaptionText, AnAvoidedHitHasNoContactAndIsWanted) {
   ScenarioView view = sampleView();
   view.planner = "pdm";
   view.report.contact = false;
   view.escaped_hit = view.snapshot.now + 3.25;
-  EXPECT_EQ(verdictText(view), "escapes the hit");
+  EXPECT_EQ(verdictText(view), "avoids the hit");
   EXPECT_EQ(verdictOf(view), Verdict::kWanted);
   EXPECT_EQ(rowOf(view, "Contact").value, "none (hit: +3.25 s)");
   EXPECT_EQ(rowOf(view, "Contact").passed, true);
 }
 
-TEST(CaptionText, AnOutcomeTellsTimeAngleAndWhatIsNotAsAsked) {
+TEST(CaptionText, AnOutcomeShowsTimeAngleAndTheFailedCondition) {
   ScenarioView view = sampleView();
   view.report.relative_heading = -0.21;  // rad
-  EXPECT_EQ(outcomeText(view).contact, "touches after 2.0 s, 12°");
-  EXPECT_EQ(outcomeText(view).verdict, "as asked");
+  EXPECT_EQ(outcomeText(view).contact, "contact after 2.0 s, 12°");
+  EXPECT_EQ(outcomeText(view).verdict, "as requested");
   view.report.first_other_id = "truck";
-  EXPECT_EQ(outcomeText(view).verdict, "somebody else first");
+  EXPECT_EQ(outcomeText(view).verdict, "another agent first");
   view.report.on_time = false;
   EXPECT_EQ(outcomeText(view).verdict, "another time");
   view.report.contact = false;

@@ -22,7 +22,7 @@ TEST(CloseUpInset, FollowsTheVehiclesAfterTheContact) {
             packedColor(options.attacker_color));
 }
 
-TEST(CloseUpInset, ShowsTheContactFromNearInItsSquareAlone) {
+TEST(CloseUpInset, ShowsTheContactOnlyInItsSquare) {
   const ScenarioView view = sampleView();
   const DrawingOptions options = sampleOptions();
   const ScenePainter scene(view, options, 6.0, PictureKind::kStill, false);

@@ -12,7 +12,7 @@
 namespace forge {
 namespace {
 
-/// A GIF file read back, frames laid over each other as a viewer does.
+/// A GIF file read back, with frames composed as in a viewer.
 struct Animation {
   int width = 0;
   int height = 0;
@@ -61,7 +61,7 @@ Animation readGif(const std::string& path) {
   return animation;
 }
 
-/// The palette may shift a channel a little.
+/// Allows the palette to shift a channel slightly.
 bool looksLike(std::uint32_t pixel, const Color& color) {
   const std::uint32_t wanted = packedColor(color);
   for (const unsigned shift : {16U, 8U, 0U}) {
@@ -93,7 +93,7 @@ class DrawGif : public testing::Test {
   std::string path_ = temporaryPath("scenario.gif");
 };
 
-TEST_F(DrawGif, HasTheAskedWidthFramesAndDelays) {
+TEST_F(DrawGif, HasTheConfiguredWidthFramesAndDelays) {
   const Animation animation = draw();
   EXPECT_EQ(animation.width, options_.gif_width);
   EXPECT_LE(animation.height, options_.gif_height);

@@ -36,7 +36,8 @@ class DrawPng : public testing::Test {
  protected:
   void TearDown() override { std::remove(path_.c_str()); }
 
-  /// Draws the view and says what is at a place on the ground, in the map and in the close-up.
+  /// Draws the view and returns the colours at points on the ground, in the map and in the
+  /// close-up.
   void draw() { drawScenarioPng(path_, view_, options_); }
   std::uint32_t onMap(const Vector2& world) const {
     return Picture(path_).at(painter().mapViewport().toPixel(world));
@@ -51,7 +52,7 @@ class DrawPng : public testing::Test {
   std::string path_ = temporaryPath("scenario.png");
 };
 
-/// The message of the error that drawing ends with; empty without one.
+/// Returns the error message of drawing; "" if it succeeds.
 template <typename Draw>
 std::string errorOf(const Draw& draw) {
   try {
@@ -83,7 +84,7 @@ TEST_F(DrawPng, ARoadThatLeadsNorthLiesLevelWithNorthToTheRight) {
   EXPECT_GT(north.y(), 0.0);
 }
 
-TEST_F(DrawPng, ShowsEverybodyWhereTheyAreAtContact) {
+TEST_F(DrawPng, ShowsAllVehiclesAtContact) {
   options_.view_margin = 12.0;
   draw();
   EXPECT_EQ(onMap({10, 0}), packedColor(options_.ego_color));
@@ -102,7 +103,7 @@ TEST_F(DrawPng, MarksTheContactOnMapAndCloseUp) {
   EXPECT_EQ(onCloseUp({5, 0}), packedColor(options_.attacker_color));
 }
 
-TEST_F(DrawPng, RefusesWhatCannotBeDrawnAndKeepsTheOldFile) {
+TEST_F(DrawPng, RejectsInvalidViewsAndKeepsTheOldFile) {
   draw();
   const std::string before = readBytes(path_);
   view_.trajectory.points.resize(5);

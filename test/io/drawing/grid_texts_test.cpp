@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-TEST(GridTexts, BesideARowStandsWhatWasAskedFor) {
+TEST(GridTexts, RowLabelsShowTheRequest) {
   GridCell cell{sampleView(), ""};
   cell.view.pattern.type = CollisionType::kLtap;
   cell.view.tta = 4.5;
@@ -17,14 +17,14 @@ TEST(GridTexts, BesideARowStandsWhatWasAskedFor) {
   EXPECT_EQ(texts.scene, "scene-0001");
 }
 
-TEST(GridTexts, UnderACellStandsWhatCameOrWhyNothingDid) {
+TEST(GridTexts, CaptionsShowTheOutcomeOrTheReason) {
   GridCell missed{sampleView(), ""};
   missed.view.report.contact = false;
   const GridRowTexts texts =
       gridRowTexts({{sampleView(), ""}, missed, {sampleView(), "no answer: low confidence"}});
   ASSERT_EQ(texts.outcomes.size(), 3u);
-  EXPECT_EQ(texts.outcomes[0].contact, "touches after 2.0 s, 0°");
-  EXPECT_EQ(texts.outcomes[0].verdict, "as asked");
+  EXPECT_EQ(texts.outcomes[0].contact, "contact after 2.0 s, 0°");
+  EXPECT_EQ(texts.outcomes[0].verdict, "as requested");
   EXPECT_EQ(texts.outcomes[1].contact, "no contact");
   EXPECT_EQ(texts.outcomes[1].verdict, "");
   EXPECT_EQ(texts.outcomes[2].contact, "no answer: low confidence");

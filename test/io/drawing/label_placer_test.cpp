@@ -11,7 +11,7 @@ bool overlap(const PixelRect& a, const PixelRect& b) {
   return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
-TEST(LabelPlacer, KeepsOffObstacles) {
+TEST(LabelPlacer, AvoidsObstacles) {
   LabelPlacer free_placer(kArea);
   const PixelRect taken = free_placer.place({200, 150}, 80, 20);
   LabelPlacer placer(kArea);

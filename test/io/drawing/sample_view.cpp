@@ -14,7 +14,7 @@ namespace {
 constexpr double kNow = 100.0;
 constexpr double kContactTime = 102.04;
 
-/// Drives east and is at `at` at the time of contact; states every half second in [from, to].
+/// A vehicle that drives east and is at `at` at contact time; states every 0.5 s in [from, to].
 Track makeTrack(const std::string& id, const BoxSize& size, const Vector2& at, double speed,
                 double from, double to) {
   Track track;
@@ -84,7 +84,7 @@ ScenarioView sampleCrash() {
   ScenarioView view = sampleView();
   DriveLimitOptions limits;
   for (DriveLimits& row : limits.rows) row.max_braking = 7.75;
-  // With areas of 8 and 10 m2 they go on at (4 * 5 + 5 * 9.95) / 9 = 7.75 m/s.
+  // With areas of 8 and 10 m2 both continue at (4 * 5 + 5 * 9.95) / 9 = 7.75 m/s.
   const CrashedVehicle ego{AgentClass::kCar,
                            view.future.ego.size,
                            {kContactTime, view.report.ego_at_contact, {5.0, 0.0}}};

@@ -13,7 +13,7 @@ namespace {
 
 GridCell touching() { return {sampleView(), ""}; }
 
-/// The attacker backs away.
+/// The attacker reverses, so there is no contact.
 GridCell missing() {
   GridCell cell = touching();
   cell.view.report.contact = false;
@@ -58,13 +58,13 @@ TEST_F(DrawScenarioGrid, EveryCellIsItsScenarioAtItsContact) {
     EXPECT_EQ(at(image, grid, row, 0, {10.3, 0}), packedColor(options_.ego_color));
     EXPECT_EQ(at(image, grid, row, 0, {5, 0}), packedColor(options_.attacker_color));
   }
-  // Without contact, at the time asked for: 2 s from now.
+  // Without a contact, at the requested time: 2 s after t0.
   EXPECT_EQ(at(image, grid, 0, 1, {10, 0}), packedColor(options_.ego_color));
   EXPECT_NE(at(image, grid, 0, 1, {8, 0}), packedColor(options_.contact_color));
   EXPECT_EQ(at(image, grid, 0, 1, {-18.9, 0}), packedColor(options_.attacker_color));
 }
 
-TEST_F(DrawScenarioGrid, WhatCameIsToldWhenItHasComeRefusalsAtOnce) {
+TEST_F(DrawScenarioGrid, OutcomesAppearAtContactAndRejectionsAtOnce) {
   const GridPainter grid = painter(PictureKind::kAnimation);
   const Image before = grid.paint(2.0);
   const Image after = grid.paint(2.1);
@@ -77,19 +77,19 @@ TEST_F(DrawScenarioGrid, WhatCameIsToldWhenItHasComeRefusalsAtOnce) {
     }
     return false;
   };
-  EXPECT_FALSE(hasText(before, 0)) << "touches after 2.04 s";
+  EXPECT_FALSE(hasText(before, 0)) << "contact after 2.04 s";
   EXPECT_TRUE(hasText(after, 0));
   EXPECT_TRUE(hasText(before, 1)) << "asked for after 2 s";
   EXPECT_TRUE(hasText(before, 2));
 }
 
-TEST_F(DrawScenarioGrid, CellsPlayInStepAndStandStillAfterTheirRowsEnd) {
+TEST_F(DrawScenarioGrid, CellsAreSynchronousAndHoldTheirLastFrame) {
   ScenarioView early = sampleView();
   early.report.contact_time = 101.0;
   early.report.ego_at_contact = {4.8, 0.0, 0.0};
   early.report.attacker_at_contact = {-4.9, 0.0, 0.0};
   for (AgentState& state : early.future.agents[1].states) {
-    state.pose.x = -14.0 + 8.0 * (state.time - 100.0);  // the truck drives by
+    state.pose.x = -14.0 + 8.0 * (state.time - 100.0);  // the truck passes
   }
   grid_.rows = {{touching(), touching(), touching()}, {{early, ""}, {early, ""}, {early, ""}}};
   const GridPainter grid = painter(PictureKind::kAnimation);
@@ -99,13 +99,13 @@ TEST_F(DrawScenarioGrid, CellsPlayInStepAndStandStillAfterTheirRowsEnd) {
   const Image half = grid.paint(0.5);
   EXPECT_EQ(at(half, grid, 0, 1, {2.3, -0.6}), packedColor(options_.ego_color));
   EXPECT_EQ(at(half, grid, 1, 1, {2.3, -0.6}), packedColor(options_.ego_color));
-  // The second row ends 1.5 s from now, when the truck, 8 m long, is at -2 m.
+  // The second row ends 1.5 s after t0, when the truck, 8 m long, is at -2 m.
   const Image last = grid.paint(grid.end());
   EXPECT_EQ(at(last, grid, 1, 2, {-2, 8}), packedColor(options_.agent_color));
   EXPECT_NE(at(last, grid, 1, 2, {5, 8}), packedColor(options_.agent_color));
 }
 
-TEST_F(DrawScenarioGrid, EndsWhereNothingMoreIsKnown) {
+TEST_F(DrawScenarioGrid, EndsWithTheKnownMotion) {
   grid_.rows.pop_back();
   for (GridCell& cell : grid_.rows[0]) cell.view.seconds_after_stand = 60.0;
   EXPECT_NEAR(painter().end(), 4.0, 1e-6) << "the ego's future";
@@ -113,7 +113,7 @@ TEST_F(DrawScenarioGrid, EndsWhereNothingMoreIsKnown) {
   EXPECT_NEAR(painter().end(), 3.0, 1e-6) << "an attacker that goes on";
 }
 
-TEST_F(DrawScenarioGrid, GridsOfNothingAndUnevenOnesAreRefused) {
+TEST_F(DrawScenarioGrid, RejectsEmptyAndUnevenGrids) {
   EXPECT_THROW(drawScenarioGridPng(path_, {{"one"}, {}}, options_), std::invalid_argument);
   EXPECT_THROW(drawScenarioGridGif(path_, {{}, {{}}}, options_), std::invalid_argument);
   grid_.rows[1].pop_back();

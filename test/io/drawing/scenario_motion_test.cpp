@@ -29,10 +29,10 @@ TEST(ScenarioMotion, AnAddedAttackerComesFromItsOwnPast) {
   EXPECT_DOUBLE_EQ(motion.attackerAt(99.0)->center.x, -25.0);
   EXPECT_EQ(motion.attackerAt(99.0)->size.length, view.trajectory.size.length);
   EXPECT_FALSE(motion.attackerAt(98.4));
-  EXPECT_EQ(motion.othersAt(99.0).size(), 1U);
+  EXPECT_EQ(motion.otherAgentsAt(99.0).size(), 1U);
 }
 
-TEST(ScenarioMotion, EgoAndAttackerMoveAsTheCrashHasItFromTheContactOn) {
+TEST(ScenarioMotion, FollowsThePostCrashMotionAfterContact) {
   const ScenarioView view = sampleCrash();
   const ScenarioMotion motion(view);
   EXPECT_DOUBLE_EQ(motion.egoAt(102.04)->center.x, 10.0);
@@ -47,28 +47,28 @@ TEST(ScenarioMotion, AnAnimationEndsSomeSecondsAfterTheStandOrWithTheRecording) 
   EXPECT_NEAR(ScenarioMotion(view).endTime(), 103.54, 1e-6);
   view.seconds_after_stand = 3.0;
   EXPECT_NEAR(ScenarioMotion(view).endTime(), 104.0, 1e-6) << "the recording's end";
-  view.future.ego.states.resize(6);  // up to 102.5 s, as an ego that was driven up to the contact
+  view.future.ego.states.resize(6);  // up to 102.5 s, as for an ego driven up to the contact
   EXPECT_NEAR(ScenarioMotion(view).endTime(), 104.0, 1e-6) << "the others are known up to then";
   for (Track& track : view.future.agents) track.states.resize(6);
   EXPECT_NEAR(ScenarioMotion(view).endTime(), 103.04, 1e-6) << "not before both stand";
 }
 
-TEST(ScenarioMotion, OthersInThePathAtContactWereElsewhereWhenPassed) {
+TEST(ScenarioMotion, AgentsInThePathAtContactWereElsewhereWhenPassed) {
   ScenarioView view = sampleView();
-  EXPECT_TRUE(ScenarioMotion(view).passedOthers().empty()) << "the truck stands beside the road";
+  EXPECT_TRUE(ScenarioMotion(view).passedAgents().empty()) << "the truck stands beside the road";
   // Crosses from the north: at contact it is on the attacker's path, 12.5 m behind the contact.
   Track& truck = view.future.agents.back();
   for (AgentState& state : truck.states) {
     state.pose = {-7.0, 10.0 * (102.04 - state.time), 0.0};
   }
-  const auto passed = ScenarioMotion(view).passedOthers();
+  const auto passed = ScenarioMotion(view).passedAgents();
   ASSERT_EQ(passed.size(), 1U);
   EXPECT_NEAR(passed.front().at_key_time.box.center.y, 0.0, 1e-9);
-  // The attacker's rear, 2.5 m behind its middle, leaves the truck's front at x = -3: 0.6 s before.
+  // The attacker's rear, 2.5 m behind its centre, leaves the truck's front at x = -3: 0.6 s before.
   EXPECT_NEAR(passed.front().then.box.center.y, 6.0, 1.0 + 1e-6);
 }
 
-TEST(ScenarioMotion, OfAnEscapeTheKeyTimeIsThatOfTheHit) {
+TEST(ScenarioMotion, KeyTimeOfAnAvoidedHitIsTheHit) {
   ScenarioView view = sampleView();
   view.report.contact = false;
   EXPECT_DOUBLE_EQ(ScenarioMotion(view).keyTime(), view.pattern.time);

@@ -21,7 +21,7 @@ TEST(Viewport, TurnsItsDirectionToTheRight) {
   EXPECT_TRUE(north_right.toWorld(Vector2(340, 150)).isApprox(Vector2(1000, -490)));
 }
 
-TEST(FitViewport, FitsTheTurnedPoints) {
+TEST(FitViewport, FitsTheRotatedPoints) {
   const Viewport wide = fitViewport(kArea, {{5, 0}, {5, 70}, {-5, 35}}, 5.0, 1.0, M_PI_2);
   EXPECT_DOUBLE_EQ(wide.pixelsPerMetre(), 5.0);
   EXPECT_TRUE(wide.toPixel({0, 35}).isApprox(kArea.center()));

@@ -42,7 +42,7 @@ std::vector<Vector2> pointsOf(const xml_node& bound) {
   return points;
 }
 
-/// The states of a dynamic obstacle, the initial one first.
+/// Returns the states of a dynamic obstacle, the initial one first.
 std::vector<xml_node> statesOf(const xml_node& obstacle) {
   std::vector<xml_node> states = {obstacle.child("initialState")};
   for (const xml_node& state : obstacle.child("trajectory").children("state")) {
@@ -51,14 +51,14 @@ std::vector<xml_node> statesOf(const xml_node& obstacle) {
   return states;
 }
 
-/// Poses a metre apart along x, `length` metres from (x, y) on.
+/// Returns poses 1 m apart along x, over `length` metres from (x, y).
 std::vector<Pose2> straight(double x, double y, double length) {
   std::vector<Pose2> poses;
   for (double way = 0.0; way <= length; way += 1.0) poses.push_back({x + way, y, 0.0});
   return poses;
 }
 
-/// To the left, `radius` metres about the origin, for `angle` radians.
+/// Returns a left arc of `radius` metres around the origin over `angle` radians.
 std::vector<Pose2> leftBend(double radius, double angle) {
   std::vector<Pose2> poses;
   for (int i = 0; i <= 20; ++i) {
@@ -75,7 +75,7 @@ Lane laneAlong(const std::string& id, std::vector<Pose2> centerline) {
   return lane;
 }
 
-/// A track that is at (x, y) with `speed` along x at these steps.
+/// Returns a track at (x, y) with `speed` along x at these steps.
 Track trackAt(const std::string& id, AgentClass agent_class, const std::vector<int>& steps,
               double speed, double step = 0.1) {
   Track track{id, agent_class, {3.0, 1.5}, {}};
@@ -100,13 +100,13 @@ class CommonRoad : public testing::Test {
     return {std::istreambuf_iterator<char>(file), {}};
   }
 
-  /// The element "commonRoad"; lives until the next call.
+  /// Returns the element "commonRoad"; valid until the next call.
   xml_node written(const CrashRecord& record, bool ego_free = false) {
     EXPECT_TRUE(document_.load_string(textOf(record, ego_free).c_str()));
     return document_.child("commonRoad");
   }
 
-  /// Of a record with these lanes.
+  /// Returns it for a record with these lanes.
   std::vector<xml_node> laneletsOf(const std::vector<Lane>& lanes) {
     CrashRecord record = slowCarRecord();
     record.lanes.lanes = lanes;
@@ -114,7 +114,7 @@ class CommonRoad : public testing::Test {
     return {range.begin(), range.end()};
   }
 
-  /// m, at the beginning of the only lanelet.
+  /// Returns the width of the only lanelet at its start, m.
   double widthOf(const Lane& lane) {
     const auto lanelets = laneletsOf({lane});
     EXPECT_EQ(lanelets.size(), 1U);
@@ -141,7 +141,7 @@ class CommonRoad : public testing::Test {
   pugi::xml_document document_;
 };
 
-TEST_F(CommonRoad, TheHeaderTellsWhatTheFileIs) {
+TEST_F(CommonRoad, TheHeaderDescribesTheFile) {
   const xml_node root = written(slowCarRecord());
   const auto attribute = [&](const char* name) {
     return std::string(root.attribute(name).value());
@@ -154,7 +154,7 @@ TEST_F(CommonRoad, TheHeaderTellsWhatTheFileIs) {
   EXPECT_TRUE(std::regex_match(attribute("benchmarkID"), pattern));
 }
 
-TEST_F(CommonRoad, TheSourceTellsTheCrash) {
+TEST_F(CommonRoad, TheSourceDescribesTheCrash) {
   CrashRecord record = slowCarRecord();
   record.scenario.answer.report.manoeuvre = Manoeuvre::kLeadSlow;
   const std::string source = written(record).attribute("source").value();
@@ -181,7 +181,7 @@ TEST_F(CommonRoad, TheLocationIsTheMapsOriginOrUnknown) {
   EXPECT_THAT(written(record).attribute("benchmarkID").value(), testing::StartsWith("USA_Boston"));
 }
 
-TEST_F(CommonRoad, TagsAreOfTheTypeAndTheManoeuvre) {
+TEST_F(CommonRoad, TagsFollowTypeAndManoeuvre) {
   EXPECT_EQ(tagsOf(CollisionType::kRearEnd, Manoeuvre::kLeadSlow), Words{"lane_following"});
   EXPECT_EQ(tagsOf(CollisionType::kLaneChange, Manoeuvre::kDrift), Words{"lane_change"});
   EXPECT_EQ(tagsOf(CollisionType::kLaneChange, Manoeuvre::kCutIn),
@@ -198,7 +198,7 @@ TEST_F(CommonRoad, TagsAreOfTheTypeAndTheManoeuvre) {
 
 TEST_F(CommonRoad, ElementsStandInTheOrderOfTheSchema) {
   CrashRecord record = slowCarRecord();
-  record.others.push_back(trackAt("parked", AgentClass::kCar, allSteps(record), 0.0));
+  record.other_agents.push_back(trackAt("parked", AgentClass::kCar, allSteps(record), 0.0));
   std::vector<std::string> order;
   for (const xml_node& child : written(record)) {
     if (order.empty() || order.back() != child.name()) order.emplace_back(child.name());
@@ -207,7 +207,7 @@ TEST_F(CommonRoad, ElementsStandInTheOrderOfTheSchema) {
                                  "dynamicObstacle", "planningProblem"));
 }
 
-TEST_F(CommonRoad, NumbersAreUniqueAndReferencesFindTheirs) {
+TEST_F(CommonRoad, IdsAreUniqueAndReferencesResolve) {
   const xml_node root = written(slowCarRecord());
   Words ids;
   for (const auto& found : root.select_nodes("*[@id]")) {
@@ -256,7 +256,7 @@ TEST_F(CommonRoad, NoBoundRunsBackwardsInATightBend) {
   }
 }
 
-TEST_F(CommonRoad, TheWidthIsThatOfTheOutline) {
+TEST_F(CommonRoad, TheWidthFollowsTheOutline) {
   Lane lane = laneAlong("lane", straight(0.0, 0.0, 20.0));
   EXPECT_NEAR(widthOf(lane), shippedConfig().exports.lane_width, 1e-6);
   const auto outlined = [&](double width) {
@@ -268,7 +268,7 @@ TEST_F(CommonRoad, TheWidthIsThatOfTheOutline) {
   EXPECT_NEAR(outlined(15.0), 8.0, 1e-6);
 }
 
-TEST_F(CommonRoad, LanesWithoutACourseAreLeftOutWithTheirLinks) {
+TEST_F(CommonRoad, DropsLanesWithoutCentrelineAndTheirLinks) {
   Lane whole = laneAlong("whole", straight(0.0, 0.0, 20.0));
   whole.incoming = {"empty"};
   whole.outgoing = {"point", "beyond"};
@@ -282,14 +282,14 @@ TEST_F(CommonRoad, LanesWithoutACourseAreLeftOutWithTheirLinks) {
   EXPECT_FALSE(lanelets[0].child("successor").next_sibling("successor"));
 }
 
-TEST_F(CommonRoad, APointTwiceInACentrelineIsOne) {
+TEST_F(CommonRoad, DropsRepeatedCentrelinePoints) {
   std::vector<Pose2> poses = straight(0.0, 0.0, 5.0);
   poses.insert(poses.begin() + 2, poses[2]);
   const auto bound = pointsOf(laneletsOf({laneAlong("lane", poses)}).at(0).child("leftBound"));
   EXPECT_EQ(bound.size(), poses.size() - 1);
 }
 
-TEST_F(CommonRoad, LanesSideBySideKnowEachOther) {
+TEST_F(CommonRoad, ParallelLanesAreAdjacent) {
   const auto lanelets = laneletsOf(
       {laneAlong("right", straight(0.0, 0.0, 20.0)), laneAlong("left", straight(0.4, 3.6, 20.0))});
   EXPECT_EQ(refOf(lanelets[0], "adjacentLeft"), lanelets[1].attribute("id").value());
@@ -299,7 +299,7 @@ TEST_F(CommonRoad, LanesSideBySideKnowEachOther) {
   EXPECT_FALSE(lanelets[1].child("adjacentLeft"));
 }
 
-TEST_F(CommonRoad, LanesThatAreNotSideBySideAllAlongDoNot) {
+TEST_F(CommonRoad, PartlyParallelLanesAreNotAdjacent) {
   const Lane lane = laneAlong("lane", straight(0.0, 0.0, 20.0));
   std::vector<Pose2> opposite = straight(0.0, 3.5, 20.0);
   std::reverse(opposite.begin(), opposite.end());
@@ -325,7 +325,7 @@ TEST_F(CommonRoad, LanesThatAreNotSideBySideAllAlongDoNot) {
   }
 }
 
-TEST_F(CommonRoad, WhereTwoCouldBeBesideNobodyIs) {
+TEST_F(CommonRoad, AmbiguousNeighboursAreNotAdjacent) {
   for (const double side : {1.0, -1.0}) {
     const auto lanelets = laneletsOf({laneAlong("lane", straight(0.0, 0.0, 20.0)),
                                       laneAlong("beside", straight(0.0, 3.5 * side, 20.0)),
@@ -337,7 +337,7 @@ TEST_F(CommonRoad, WhereTwoCouldBeBesideNobodyIs) {
   }
 }
 
-TEST_F(CommonRoad, LaneletsInJunctionsSaySo) {
+TEST_F(CommonRoad, LaneletsInJunctionsAreMarked) {
   Lane crossing = laneAlong("crossing", straight(0.0, 0.0, 20.0));
   crossing.is_intersection = true;
   const auto lanelets = laneletsOf({crossing, laneAlong("road", straight(20.0, 0.0, 20.0))});
@@ -346,9 +346,9 @@ TEST_F(CommonRoad, LaneletsInJunctionsSaySo) {
   EXPECT_TRUE(lanelets[1].select_node("laneletType[text()='urban']"));
 }
 
-TEST_F(CommonRoad, AnObstacleOutOfSightForATimeIsOneAStretch) {
+TEST_F(CommonRoad, ATrackWithGapsIsOneObstaclePerStretch) {
   CrashRecord record = slowCarRecord();
-  record.others = {trackAt("b", AgentClass::kBicycle, {0, 1, 2, 5, 8, 9}, 3.0)};
+  record.other_agents = {trackAt("b", AgentClass::kBicycle, {0, 1, 2, 5, 8, 9}, 3.0)};
   std::vector<std::vector<int>> steps;
   for (const xml_node& obstacle : written(record).children("dynamicObstacle")) {
     if (std::string(obstacle.child_value("type")) != "bicycle") continue;
@@ -359,17 +359,17 @@ TEST_F(CommonRoad, AnObstacleOutOfSightForATimeIsOneAStretch) {
   EXPECT_THAT(steps, ElementsAre(ElementsAre(0, 1, 2), ElementsAre(8, 9)));
 }
 
-TEST_F(CommonRoad, WhoStandsAllTheTimeIsAStaticObstacle) {
+TEST_F(CommonRoad, VehiclesAtRestAreStaticObstacles) {
   CrashRecord record = slowCarRecord();
   const std::vector<int> steps = allSteps(record);
   const std::vector<int> later(steps.begin() + 3, steps.end());
-  record.others = {trackAt("parked", AgentClass::kTruck, steps, 0.0),
-                   trackAt("cone", AgentClass::kStaticObject, later, 0.0),
-                   trackAt("creeping", AgentClass::kCar, steps, 0.1),
-                   trackAt("turning", AgentClass::kCar, steps, 0.0),
-                   trackAt("later", AgentClass::kCar, later, 0.0),
-                   trackAt("waiting", AgentClass::kPedestrian, steps, 0.0)};
-  record.others[3].states.back().pose.yaw += 0.2;
+  record.other_agents = {trackAt("parked", AgentClass::kTruck, steps, 0.0),
+                         trackAt("cone", AgentClass::kStaticObject, later, 0.0),
+                         trackAt("creeping", AgentClass::kCar, steps, 0.1),
+                         trackAt("turning", AgentClass::kCar, steps, 0.0),
+                         trackAt("later", AgentClass::kCar, later, 0.0),
+                         trackAt("waiting", AgentClass::kPedestrian, steps, 0.0)};
+  record.other_agents[3].states.back().pose.yaw += 0.2;
   const xml_node root = written(record);
   std::vector<std::string> types;
   for (const xml_node& obstacle : root.children("staticObstacle")) {
@@ -383,7 +383,7 @@ TEST_F(CommonRoad, WhoStandsAllTheTimeIsAStaticObstacle) {
   EXPECT_EQ(root.select_nodes("dynamicObstacle").size(), 2U + 4U);
 }
 
-TEST_F(CommonRoad, TypesAreThoseOfTheSchema) {
+TEST_F(CommonRoad, TypesAreValidInTheSchema) {
   const std::vector<std::pair<AgentClass, std::string>> types = {
       {AgentClass::kCar, "car"},
       {AgentClass::kTruck, "truck"},
@@ -396,8 +396,9 @@ TEST_F(CommonRoad, TypesAreThoseOfTheSchema) {
       {AgentClass::kPedestrian, "pedestrian"},
       {AgentClass::kAnimal, "unknown"}};
   CrashRecord record = slowCarRecord();
-  record.others.clear();
-  for (const auto& type : types) record.others.push_back(trackAt("b", type.first, {0, 1, 2}, 2.0));
+  record.other_agents.clear();
+  for (const auto& type : types)
+    record.other_agents.push_back(trackAt("b", type.first, {0, 1, 2}, 2.0));
   const auto obstacles = written(record).select_nodes("dynamicObstacle[@id>3]/type");
   ASSERT_EQ(obstacles.size(), types.size());
   for (std::size_t i = 0; i < types.size(); ++i) {
@@ -426,7 +427,7 @@ TEST_F(CommonRoad, TheProblemBeginsAtNowAndEndsWhereTheEgoDoes) {
   EXPECT_EQ(number(goal, "position/rectangle/length"), record.ego.size.length);
 }
 
-TEST_F(CommonRoad, AFreeEgoIsAProblemAlone) {
+TEST_F(CommonRoad, AFreeEgoIsOnlyAPlanningProblem) {
   const CrashRecord record = slowCarRecord(0.0);
   const xml_node root = written(record, true);
   EXPECT_FALSE(root.find_child_by_attribute("dynamicObstacle", "id", "1"));

@@ -15,7 +15,7 @@ inline const Config& shippedConfig() {
   return config;
 }
 
-/// A track that stands, or goes along x, from `first` to `last` s after now, a state every 0.5 s.
+/// A track at rest or moving along x, from `first` to `last` s after t0, a state every 0.5 s.
 inline Track straightTrack(const std::string& id, AgentClass agent_class, const Pose2& at_now,
                            double speed, double first, double last) {
   Track track{id, agent_class, {4.0, 1.7}, {}};
@@ -26,9 +26,9 @@ inline Track straightTrack(const std::string& id, AgentClass agent_class, const 
   return track;
 }
 
-/// The ego goes along x at 10 m/s, from 3 s before to 6 s after now. Car "a" stood 32 m ahead of it
-/// up to now. Others: a walker, a bicycle that is out of sight for a time, and a bus far away. Two
-/// lanes follow each other along x; "far" is far away.
+/// The ego drives along x at 10 m/s, from 3 s before to 6 s after t0. Car "a" is at rest 32 m ahead
+/// of it up to t0. Other agents: a pedestrian, a bicycle that is out of sight for a time, and a bus
+/// far away. Two consecutive lanes along x; lane "far" is far away.
 inline IndexedScene straightScene() {
   IndexedScene indexed;
   Scene& scene = indexed.scene;
@@ -53,7 +53,7 @@ inline IndexedScene straightScene() {
   return indexed;
 }
 
-/// Car "a" goes on at 2 m/s from now: the front of the ego reaches its rear 3.5 s later.
+/// Car "a" drives at 2 m/s from t0 on: the ego's front reaches its rear 3.5 s later.
 inline Scenario slowCar() {
   Scenario scenario;
   scenario.asked.scene = "scene-0001";
@@ -70,7 +70,7 @@ inline Scenario slowCar() {
   return scenario;
 }
 
-/// Of slowCar() in straightScene(), with `history` seconds before now.
+/// The record of slowCar() in straightScene(), with `history` seconds before t0.
 inline CrashRecord slowCarRecord(double history = 2.0, const Scenario& scenario = slowCar()) {
   static const IndexedScene indexed = straightScene();
   static const LaneArcs no_arcs;

@@ -17,7 +17,7 @@ std::vector<double> timesOf(const Track& track) {
 }
 
 const Track& otherOf(const CrashRecord& record, const std::string& id) {
-  for (const Track& track : record.others) {
+  for (const Track& track : record.other_agents) {
     if (track.id == id) return track;
   }
   throw std::runtime_error("no " + id);
@@ -38,7 +38,7 @@ TEST(CrashRecord, BeginsAtZeroWithTheHistoryAndEndsAfterTheContact) {
   EXPECT_NEAR(record.ego.states[50].pose.x, 30.0, 1e-6);
 }
 
-TEST(CrashRecord, AttackerIsAsRecordedThenDrivesItsAttack) {
+TEST(CrashRecord, AttackerIsAsRecordedThenFollowsItsTrajectory) {
   const CrashRecord record = slowCarRecord();
   EXPECT_NEAR(record.attacker.states.front().time, 1.0, 1e-9);
   EXPECT_NEAR(stateAt(record.attacker, 1.5)->pose.x, 32.0, 1e-6);
@@ -46,7 +46,7 @@ TEST(CrashRecord, AttackerIsAsRecordedThenDrivesItsAttack) {
   EXPECT_NEAR(stateAt(record.attacker, 4.0)->velocity.x(), 2.0, 1e-6);
 }
 
-TEST(CrashRecord, AfterTheContactBothSlideToAStandAsOne) {
+TEST(CrashRecord, AfterContactBothDecelerateTogether) {
   const CrashRecord record = slowCarRecord();
   const double gap = stateAt(record.attacker, 5.6)->pose.x - stateAt(record.ego, 5.6)->pose.x;
   EXPECT_NEAR(gap, 4.0 - 5e-3, 1e-6);  // boxes overlap
@@ -54,12 +54,12 @@ TEST(CrashRecord, AfterTheContactBothSlideToAStandAsOne) {
   EXPECT_LT(record.ego.states.back().velocity.norm(), 1.0);
 }
 
-TEST(CrashRecord, OthersAreThoseNearAtTheStepsAtWhichTheyWereSeen) {
+TEST(CrashRecord, HoldsNearbyAgentsAtTheStepsInSight) {
   const CrashRecord record = slowCarRecord();
-  ASSERT_EQ(record.others.size(), 2u);
-  EXPECT_EQ(record.others[0].id, "bicycle");
+  ASSERT_EQ(record.other_agents.size(), 2u);
+  EXPECT_EQ(record.other_agents[0].id, "bicycle");
   EXPECT_EQ(timesOf(otherOf(record, "walker")), timesOf(record.ego));
-  const auto stretches = seenStretches(otherOf(record, "bicycle"), record.step);
+  const auto stretches = splitAtGaps(otherOf(record, "bicycle"), record.step);
   ASSERT_EQ(stretches.size(), 2u);
   EXPECT_NEAR(stretches[0].back().time, 1.0, 1e-9);
   EXPECT_NEAR(stretches[1].front().time, 3.0, 1e-9);
@@ -89,10 +89,10 @@ TEST(CrashRecord, AddedAttackerComesWithItsPast) {
   EXPECT_NEAR(record.attacker.states.front().time, 1.5, 1e-9);
   EXPECT_NEAR(record.attacker.states.front().pose.x, 31.0, 1e-6);
   EXPECT_EQ(otherOf(record, "a").states.size(),
-            56u);  // the car that was recorded is one of the others
+            56u);  // the recorded car is one of the other agents
 }
 
-TEST(CrashRecord, NamesThatLeadElsewhereAndAnEgoThatIsNotThereAreRefused) {
+TEST(CrashRecord, RejectsUnsafeNamesAndAMissingEgo) {
   for (const char* name : {"../evil", "/abs", "", ".hidden", "a b"}) {
     Scenario scenario = slowCar();
     scenario.asked.scene = name;

@@ -30,7 +30,7 @@ TEST(DrivableEdge, AHoleIsAnEdge) {
                                     Vector2(10, 20), Vector2(10, 10)));
 }
 
-TEST(DrivableEdge, WhatLiesBetweenPolygonsIsNone) {
+TEST(DrivableEdge, SharedBordersAreNoEdge) {
   const auto lines =
       drivableEdges({rectangle(0, 0, 10, 4), rectangle(10, 0, 20, 4)}, kOrigin, kFar);
   EXPECT_THAT(lines, UnorderedElementsAre(
@@ -39,7 +39,7 @@ TEST(DrivableEdge, WhatLiesBetweenPolygonsIsNone) {
 }
 
 TEST(DrivableEdge, ALineIsCutWhereItLeadsIntoAnotherPolygon) {
-  // A street from the left runs into one from bottom to top.
+  // A street from the left joins one that runs from bottom to top.
   const auto lines =
       drivableEdges({rectangle(-30, -2, 0.2, 2), rectangle(-3, -30, 3, 30)}, kOrigin, kFar);
   const auto ends = [&](const Line& line) { return line.front().x() == -30.0; };
@@ -50,7 +50,7 @@ TEST(DrivableEdge, ALineIsCutWhereItLeadsIntoAnotherPolygon) {
   EXPECT_EQ(street->size(), 2u);
 }
 
-TEST(DrivableEdge, OnlyWhatIsNearIsTold) {
+TEST(DrivableEdge, ReturnsOnlyNearbyEdges) {
   const std::vector<Polygon> street = {rectangle(-100, -2, 100, 2)};
   const auto lines = drivableEdges(street, {{20.0, 0.0}, {30.0, 0.0}}, 10.0);
   ASSERT_EQ(lines.size(), 2u);

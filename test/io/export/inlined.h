@@ -10,8 +10,8 @@
 
 namespace forge {
 
-/// The JSON of what was written, with the items of arrays where the arrays stand: [[1,2],[3,4]],
-/// for flags [true,false], for a float its number.
+/// Returns the written JSON with arrays inlined: [[1,2],[3,4]]; flags as [true,false], a float as
+/// its number.
 inline std::string inlined(const PickleContent& content) {
   static const std::regex array(R"re(\{"ndarray":\[([\d,]*)\],"dtype":"(..)","at":(\d+)\})re");
   const auto item = [&](std::size_t place, bool is_flag) {
@@ -45,7 +45,7 @@ inline std::string inlined(const PickleContent& content) {
   return text + rest;
 }
 
-/// What was written by `write`.
+/// Returns the JSON that `write` writes.
 inline std::string inlined(const std::function<void(PickleWriter&)>& write) {
   PickleWriter writer;
   write(writer);

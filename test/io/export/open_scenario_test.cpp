@@ -16,7 +16,7 @@ using pugi::xml_node;
 
 class OpenScenario : public testing::Test {
  protected:
-  /// The file of that ending, read again.
+  /// Returns the file of that ending, parsed.
   pugi::xml_document written(const CrashRecord& record, const std::string& ending,
                              bool ego_free = false) {
     makeOpenScenarioWriter(planFor(folder_.path(), ego_free))->write(record);
@@ -38,7 +38,7 @@ class OpenScenario : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(OpenScenario, WhoComesLaterIsAddedAndWhoGoesIsDeleted) {
+TEST_F(OpenScenario, AddsLateEntitiesAndDeletesThoseThatLeave) {
   const auto document = written(slowCarRecord(), ".xosc");
   std::set<std::string> there;
   for (const auto& one : document.select_nodes("//Init//Private")) {
@@ -56,7 +56,7 @@ TEST_F(OpenScenario, WhoComesLaterIsAddedAndWhoGoesIsDeleted) {
   EXPECT_EQ(deleted, (std::set<std::string>{"other_1", "other_1_2"}));
 }
 
-TEST_F(OpenScenario, ParametersTellTheCrashAndTheStoryboardEndsWithTheRecord) {
+TEST_F(OpenScenario, ParametersDescribeTheCrashAndTheStoryboardEndsWithTheRecord) {
   const CrashRecord record = slowCarRecord();
   const auto document = written(record, ".xosc");
   const auto value = [&](const std::string& name) {
@@ -73,7 +73,7 @@ TEST_F(OpenScenario, ParametersTellTheCrashAndTheStoryboardEndsWithTheRecord) {
             record.end());
 }
 
-TEST_F(OpenScenario, HeadingsGoOnOverPi) {
+TEST_F(OpenScenario, HeadingsAreUnwrapped) {
   CrashRecord record = slowCarRecord();
   for (std::size_t i = 0; i < record.ego.states.size(); ++i) {
     record.ego.states[i].pose.yaw = wrapAngle(3.0 + 0.01 * static_cast<double>(i));
@@ -88,7 +88,7 @@ TEST_F(OpenScenario, HeadingsGoOnOverPi) {
   EXPECT_GT(last, 3.5);
 }
 
-TEST_F(OpenScenario, IdsThatReadersWouldInterpretAreWrittenOtherwise) {
+TEST_F(OpenScenario, EscapesIdsThatReadersInterpret) {
   Scenario scenario = slowCar();
   scenario.answer.trajectory.attacker_id = "$tta<&\"";
   scenario.answer.trajectory.past = {{kNow, {32.0, 0.0, 0.0}, {2.0, 0.0}}};
@@ -99,7 +99,7 @@ TEST_F(OpenScenario, IdsThatReadersWouldInterpretAreWrittenOtherwise) {
       "_$tta<&\"");
 }
 
-TEST_F(OpenScenario, RoadsHaveTheLanesMiddleAsTheirCourse) {
+TEST_F(OpenScenario, RoadsFollowTheCentrelines) {
   const auto document = written(slowCarRecord(), ".xodr");
   const auto roads = document.select_nodes("//road");
   ASSERT_EQ(roads.size(), 2u);

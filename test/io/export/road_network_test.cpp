@@ -46,8 +46,8 @@ Pose2 endOf(const Road& road) {
   return alongArc(last.start, last.curvature, last.length);
 }
 
-/// What OpenDRIVE asks of every network: joints are mutual, connecting roads come from plain ones
-/// and lead to plain ones, roads that are joined meet, and every connection is listed once.
+/// Checks the rules of OpenDRIVE for every network: links are mutual, connecting roads connect
+/// plain roads, linked roads meet, and every connection is listed once.
 void expectSound(const RoadNetwork& network) {
   std::map<int, const Road*> roads;
   std::set<int> ids;
@@ -82,7 +82,7 @@ void expectSound(const RoadNetwork& network) {
   }
 }
 
-TEST(RoadNetwork, LanesThatFollowEachOtherAloneAreJoined) {
+TEST(RoadNetwork, LanesWithoutAlternativeAreLinkedDirectly) {
   Map map;
   map.add("a", false, straight({0, 0, 0}, 10.0), {"c"});
   map.add("c", true, {{10, 0, 0}, {'L', 'S', 'S'}, 5.0, {5.0 * kPi / 2, 0, 0}}, {"b"});
@@ -115,7 +115,7 @@ TEST(RoadNetwork, ConnectorsOfAForkAreConnectingRoadsOfOneJunction) {
   EXPECT_EQ(roads.at("c").before.to, RoadJoint::To::kJunction);
 }
 
-TEST(RoadNetwork, WhereLanesPartWithoutConnectorsAShortPieceConnectsThem) {
+TEST(RoadNetwork, ForksWithoutConnectorsGetShortConnectingRoads) {
   Map map;
   map.add("a", false, straight({0, 0, 0}, 10.0), {"b", "c"});
   map.add("b", false, straight({10, 0, 0}, 20.0), {});
@@ -129,7 +129,7 @@ TEST(RoadNetwork, WhereLanesPartWithoutConnectorsAShortPieceConnectsThem) {
   EXPECT_NEAR(roads.at("c").length(), 0.4, 1e-12);  // a third of a short lane at most
 }
 
-TEST(RoadNetwork, LinksAcrossAGapAndLanesWithoutACourseAreLeftOut) {
+TEST(RoadNetwork, DropsLinksAcrossGapsAndLanesWithoutCentreline) {
   Map map;
   map.add("a", false, straight({0, 0, 0}, 10.0), {"b", "none", "a", "short"});
   map.add("b", false, straight({10.5, 0, 0}, 10.0), {});
@@ -140,7 +140,7 @@ TEST(RoadNetwork, LinksAcrossAGapAndLanesWithoutACourseAreLeftOut) {
   EXPECT_EQ(byLane(network).at("a").after.to, RoadJoint::To::kNothing);
 }
 
-TEST(RoadNetwork, WithoutArcsTheCourseGoesThroughTheCentrelinesPoses) {
+TEST(RoadNetwork, WithoutArcsARoadFollowsTheCentrelinePoses) {
   const ArcPath path{{3, -2, 0.4}, {'L', 'S', 'R'}, 12.0, {9.0, 6.0, 5.0}};
   Lane lane = laneOf("a", false, {});
   lane.centerline = discretize({path}, 1.0);
@@ -155,7 +155,7 @@ TEST(RoadNetwork, WithoutArcsTheCourseGoesThroughTheCentrelinesPoses) {
   EXPECT_NEAR(begin, path.length(), 1e-2);
 }
 
-TEST(RoadNetwork, WidthIsTheOutlinesWithinBounds) {
+TEST(RoadNetwork, WidthFollowsTheOutlineWithinBounds) {
   Lane lane = laneOf("a", false, {});
   EXPECT_EQ(widthOf(lane, 10.0, 3.5), 3.5);
   lane.polygon = {{0, -1.5}, {10, -1.5}, {10, 1.5}, {0, 1.5}};

@@ -15,7 +15,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Three rows in a square place of 40 m by 40 m.
+/// Three rows on a square area of 40 m by 40 m.
 PickleContent scenarioNamed(const std::string& name, std::optional<double> step = 0.1,
                             double radius = 60.0) {
   LaneMap map;
@@ -43,7 +43,7 @@ class ScenarioNetSummary : public testing::Test {
   PickleWorkers workers_;
 };
 
-TEST(ScenarioNetDescription, MetadataTellRowsPlaceAndWhoDrivesItself) {
+TEST(ScenarioNetDescription, MetadataHoldRowsPlaceAndEgo) {
   const std::string json = inlined(scenarioNamed("s1"));
   EXPECT_THAT(json, HasSubstr(R"("length":3,)"));
   EXPECT_THAT(json, HasSubstr(R"("map":"a-town")"));
@@ -51,20 +51,20 @@ TEST(ScenarioNetDescription, MetadataTellRowsPlaceAndWhoDrivesItself) {
   EXPECT_THAT(json, HasSubstr(R"("num_map_features":1)"));
 }
 
-TEST(ScenarioNetDescription, WhatTheFormatHasNoWordForIsAddedToTheOwn) {
+TEST(ScenarioNetDescription, AddsFieldsThatTheFormatDoesNotDefine) {
   EXPECT_THAT(inlined(scenarioNamed("s1")),
               HasSubstr(R"("collision_forge":{"scene":"s1","driving_side":"right",)"
                         R"("drivable_area":[{"exterior":[[-20,-20],[20,-20],[20,20],[-20,20]],)"
                         R"("interiors":[]}]})"));
 }
 
-TEST(ScenarioNetDescription, TheEdgeOfTheRoadIsToldNearTheWays) {
+TEST(ScenarioNetDescription, WritesRoadEdgesNearThePaths) {
   EXPECT_THAT(inlined(scenarioNamed("s1")),
               HasSubstr(R"("polyline":[[-20,-20],[20,-20],[20,20],[-20,20],[-20,-20]])"));
   EXPECT_THAT(inlined(scenarioNamed("s1", 0.1, 10.0)), Not(HasSubstr("ROAD_EDGE_BOUNDARY")));
 }
 
-TEST_F(ScenarioNetSummary, OfAllHasItsFiles) {
+TEST_F(ScenarioNetSummary, ListsAllFiles) {
   for (const std::string name : {"s1", "s2"}) {
     writeText(pathOf(scenarioNetFile(name)), workers_.write(scenarioNamed(name)));
   }

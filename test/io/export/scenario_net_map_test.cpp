@@ -18,7 +18,7 @@ Lane lane(const std::string& id, double x) {
   return lane;
 }
 
-TEST(ScenarioNetMap, LanesLeadToLanesThatAreThere) {
+TEST(ScenarioNetMap, LanesLinkOnlyToExistingLanes) {
   LaneMap map;
   map.lanes = {lane("l1", 0.0), lane("l2", 20.0), lane("point", 40.0)};
   map.lanes[0].outgoing = {"l2", "point"};
@@ -38,7 +38,7 @@ TEST(ScenarioNetMap, LanesLeadToLanesThatAreThere) {
   EXPECT_THAT(json, Not(HasSubstr("point")));
 }
 
-TEST(ScenarioNetMap, WalkwaysAndTheEdgeOfTheRoadAreTold) {
+TEST(ScenarioNetMap, WritesWalkwaysAndRoadEdges) {
   LaneMap map;
   map.walkways = {{{{0, 4}, {20, 4}, {20, 6}}, {}},
                   {{{0, 8}, {9, 8}, {9, 17}}, {{{7, 9}, {8, 9}, {8, 10}}}}};

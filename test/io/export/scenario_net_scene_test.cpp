@@ -38,7 +38,7 @@ std::string validItem(const std::vector<bool>& values) {
   return dict.substr(1, dict.size() - 2);
 }
 
-/// The arrays of a track of which `state` tells each row's state.
+/// Returns the arrays of a track; `state` returns each row's state.
 template <class StateOfRow>
 std::string statesItem(const Track& track, std::size_t rows, const StateOfRow& state_of_row) {
   std::vector<double> positions, headings, velocities;
@@ -62,13 +62,13 @@ TEST(ScenarioNetScene, RowsEveryStepAreBetweenTheFrames) {
   const std::string json = told(scene, RowTimes::kEveryStep);
   EXPECT_THAT(json, HasSubstr(R"("sample_rate":0.1,)" + arrayItem("ts", times)));
   EXPECT_THAT(json, HasSubstr(R"("length":91,)"));
-  // Seen from 2 s before now, the 20th row, on: its first and last frame are rows of its own.
+  // In sight from 2 s before t0 (row 20) on: the first and last frame are rows of their own.
   std::vector<bool> seen(91, true);
   std::fill(seen.begin(), seen.begin() + 20, false);
   EXPECT_THAT(json, HasSubstr(validItem(seen)));
 }
 
-TEST(ScenarioNetScene, WhoIsOutOfSightForATimeIsZeroThere) {
+TEST(ScenarioNetScene, RowsOutOfSightAreZero) {
   const Scene scene = sampleScene();
   const Track& bicycle = scene.agents.back();
   ASSERT_EQ(bicycle.id, "bicycle");
@@ -83,7 +83,7 @@ TEST(ScenarioNetScene, WhoIsOutOfSightForATimeIsZeroThere) {
               })));
 }
 
-TEST(ScenarioNetScene, AFrameAtWhichSomebodyWasNotAnnotatedIsFilledAtStepsAlone) {
+TEST(ScenarioNetScene, FillsFramesWithoutAnnotationOnlyAtEveryStep) {
   Scene scene = sampleScene();
   Track& walker = scene.agents[1];
   ASSERT_EQ(walker.id, "walker");
@@ -95,10 +95,10 @@ TEST(ScenarioNetScene, AFrameAtWhichSomebodyWasNotAnnotatedIsFilledAtStepsAlone)
   scene.agents = {walker};
   const std::string always = validItem(std::vector<bool>(91, true));
   const std::string json = told(scene, RowTimes::kEveryStep);
-  EXPECT_NE(json.find(always), json.rfind(always));  // of the ego and the walker
+  EXPECT_NE(json.find(always), json.rfind(always));  // of the ego and the pedestrian
 }
 
-TEST(ScenarioNetScene, TheMetadataTellClockFramesAndGround) {
+TEST(ScenarioNetScene, MetadataHoldClockFramesAndGround) {
   Scene scene = sampleScene();
   auto map = std::make_shared<LaneMap>(*scene.map);
   map->driving_side = DrivingSide::kLeft;
@@ -130,7 +130,7 @@ TEST(ScenarioNetScene, FramesWithoutTheEgoAreLeftOut) {
   EXPECT_THAT(told(scene, RowTimes::kEveryStep), HasSubstr(R"("length":81,)"));
 }
 
-TEST(ScenarioNetScene, ASceneWithoutAFrameOfTheEgoIsRefused) {
+TEST(ScenarioNetScene, RejectsASceneWithoutTheEgo) {
   Scene scene = sampleScene();
   scene.frame_times.clear();
   EXPECT_THROW(told(scene, RowTimes::kEveryStep), std::runtime_error);

@@ -36,7 +36,7 @@ CrashRecord sampleRecord() {
   record.contact = 0.35;
   record.ego = {kEgoId, AgentClass::kCar, {4.0, 2.0}, statesAt({0, 1, 2, 3}, 0.0)};
   record.attacker = {"a1", AgentClass::kTruck, {8.0, 2.5}, statesAt({1, 2, 3}, 4.0)};
-  record.others = {{"b1", AgentClass::kPedestrian, {0.5, 0.75}, statesAt({0, 3}, -9.0)}};
+  record.other_agents = {{"b1", AgentClass::kPedestrian, {0.5, 0.75}, statesAt({0, 3}, -9.0)}};
   record.lanes.location = "a-town";
   return record;
 }
@@ -57,12 +57,12 @@ class ScenarioNet : public testing::Test {
   void SetUp() override { std::filesystem::create_directories(folder_); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  /// The path of the record's file.
+  /// Returns the path of the record's file.
   std::string fileOf(const CrashRecord& record) const {
     return pathIn(folder_, makeScenarioNetWriter(planIn(folder_))->write(record).at(0));
   }
 
-  /// What the record's file holds, as JSON.
+  /// Returns the content of the record's file as JSON.
   std::string written(const CrashRecord& record) const {
     return inlined(PickleWorkers().read(fileOf(record)));
   }
@@ -70,7 +70,7 @@ class ScenarioNet : public testing::Test {
   const std::string folder_ = testing::TempDir() + "scenario_net_test";
 };
 
-TEST_F(ScenarioNet, TheEdgeOfTheRoadIsToldAlongTheWaysOfEgoAndAttacker) {
+TEST_F(ScenarioNet, WritesRoadEdgesAlongEgoAndAttacker) {
   CrashRecord record = sampleRecord();
   const std::string edge = "ROAD_EDGE_BOUNDARY";
   record.lanes.drivable_area = {{{{500, 0}, {540, 0}, {540, 40}}, {}}};
@@ -79,7 +79,7 @@ TEST_F(ScenarioNet, TheEdgeOfTheRoadIsToldAlongTheWaysOfEgoAndAttacker) {
   EXPECT_NE(written(record).find(edge), std::string::npos);
 }
 
-TEST_F(ScenarioNet, TheMetadataTellWhatWasAskedForAndAnswered) {
+TEST_F(ScenarioNet, MetadataHoldRequestAndResult) {
   const std::string json = written(sampleRecord());
   EXPECT_THAT(json, HasSubstr(R"("collision_forge":{"scene":"scene-0001","type":"rear_end",)"
                               R"("mode":"history","tta":4.0,"seed":3000000000,)"

@@ -21,7 +21,7 @@ std::vector<std::string> linesOf(const std::string& text) {
   return lines;
 }
 
-/// What the error says of the first line, and the second.
+/// Returns the error message for the first line, and the second line.
 std::pair<std::string, std::string> complaintAndNextOf(const std::string& text) {
   std::istringstream stream(text);
   std::string line;
@@ -45,21 +45,21 @@ TEST(ReadInputLine, ReadsAsGetlineDoes) {
   }
 }
 
-TEST(ReadInputLine, RefusesALineOfAByteMoreAndStandsBehindIt) {
+TEST(ReadInputLine, RejectsALongLineAndContinuesAfterIt) {
   const std::string refusal = "file: line 7: length = 5 bytes is more than max_line = 4";
   EXPECT_EQ(complaintAndNextOf("abcde\nfg\n"), std::make_pair(refusal, std::string("fg")));
   EXPECT_EQ(complaintAndNextOf("abcde\n"), std::make_pair(refusal, std::string("none")));
   EXPECT_EQ(complaintAndNextOf("abcde"), std::make_pair(refusal, std::string("none")));
 }
 
-TEST(ReadInputLine, TellsTheLengthOfALineThatItDoesNotHold) {
+TEST(ReadInputLine, ReportsTheLengthOfALineThatItDoesNotHold) {
   const std::string refusal = "file: line 7: length = 100000 bytes is more than max_line = 4";
   const std::string text(100000, 'a');
   EXPECT_EQ(complaintAndNextOf(text + "\nfg"), std::make_pair(refusal, std::string("fg")));
   EXPECT_EQ(complaintAndNextOf(text), std::make_pair(refusal, std::string("none")));
 }
 
-TEST(ReadInputLine, DoesNotHoldALineThatItRefuses) {
+TEST(ReadInputLine, DoesNotHoldARejectedLine) {
   std::istringstream stream(std::string(100000, 'a'));
   std::string line;
   EXPECT_THROW(readInputLine(stream, line, "file", fourBytes()), InputError);

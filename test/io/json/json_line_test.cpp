@@ -26,7 +26,7 @@ std::string complaintOf(const std::string& text, const Read& read) {
 
 const auto kNothing = [](JsonObject&) {};
 
-TEST(JsonLine, TellsWhichKeysAreThere) {
+TEST(JsonLine, ReportsPresentKeys) {
   const JsonLine line("", R"({"a":null,"l":[{"y":2}],"n":null})");
   JsonObject object = line.root();
   EXPECT_TRUE(object.has("a"));
@@ -41,7 +41,7 @@ TEST(JsonLine, TellsWhichKeysAreThere) {
               HasSubstr("l = 1 is not an array"));
 }
 
-TEST(JsonLine, ListsAreCountedBeforeTheyAreLookedAt) {
+TEST(JsonLine, ListsAreCountedBeforeTheirElementsAreRead) {
   EXPECT_EQ(complaintOf(R"({"l":[{},{}]})", [](JsonObject& object) { object.objects("l", 2); }),
             "");
   const std::string three = R"({"l":[1,{},{}]})";
@@ -51,7 +51,7 @@ TEST(JsonLine, ListsAreCountedBeforeTheyAreLookedAt) {
               problem);
 }
 
-TEST(JsonLine, ReadsEveryKind) {
+TEST(JsonLine, ReadsEveryType) {
   const JsonLine line("", R"({"t":"a\"b","n":-1.5e3,"c":18446744073709551615,"f":true,
                               "o":{"x":1},"v":[1,-2.5],"w":["a",""],"l":[{"y":2},{"y":3}],"z":null})");
   JsonObject object = line.root();
@@ -76,7 +76,7 @@ TEST(JsonLine, ReadsEveryKind) {
   object.finish();
 }
 
-TEST(JsonLine, WrongKindsNameWhereFieldAndValue) {
+TEST(JsonLine, WrongTypesNamePositionFieldAndValue) {
   const std::string text = R"({"a":7})";
   const auto at = AllOf(HasSubstr("list: line 3: field a = 7"), HasSubstr("is n"));
   EXPECT_THAT(complaintOf(text, [](JsonObject& object) { object.text("a"); }), at);
@@ -99,14 +99,14 @@ TEST(JsonLine, WrongKindsNameWhereFieldAndValue) {
   EXPECT_THAT(complaintOf(quoted, [](JsonObject& object) { object.count("a"); }), text_at);
 }
 
-TEST(JsonLine, MissingUnknownAndDoubleFieldsAreNamed) {
+TEST(JsonLine, NamesMissingUnknownAndDuplicateFields) {
   EXPECT_THAT(complaintOf("{}", [](JsonObject& object) { object.number("a"); }),
               HasSubstr("list: line 3: field a is missing"));
   EXPECT_THAT(complaintOf(R"({"stray":"x"})", kNothing),
               HasSubstr("field stray = \"x\" is an unknown field"));
-  EXPECT_THAT(complaintOf(R"({"a":1,"a":1})", kNothing), HasSubstr("field a = 1 is there twice"));
+  EXPECT_THAT(complaintOf(R"({"a":1,"a":1})", kNothing), HasSubstr("field a = 1 is a duplicate"));
   EXPECT_THAT(complaintOf(R"({"a\u0000b":1,"a\u0000b":2})", kNothing),
-              HasSubstr("field a\\u0000b = 1 is there twice"));
+              HasSubstr("field a\\u0000b = 1 is a duplicate"));
   EXPECT_THAT(complaintOf(R"({"a\u0000b":1})", kNothing),
               HasSubstr("field a\\u0000b = 1 is an unknown field"));
   EXPECT_THAT(complaintOf(R"({"o":{"x":1,"x":2}})", [](JsonObject& object) { object.object("o"); }),
@@ -116,7 +116,7 @@ TEST(JsonLine, MissingUnknownAndDoubleFieldsAreNamed) {
               HasSubstr("field l[1].y = \"?\""));
 }
 
-TEST(JsonLine, WhatIsNoJsonNamesTheByte) {
+TEST(JsonLine, InvalidJsonNamesTheByte) {
   EXPECT_THAT(complaintOf(R"({"a":1)", kNothing),
               HasSubstr("list: line 3: invalid JSON at byte 6"));
   for (const char* text : {"{", "{} {}", R"({"a":NaN})", R"({"a":1e999})", "{\"a\":\"\xff\"}"}) {
@@ -125,7 +125,7 @@ TEST(JsonLine, WhatIsNoJsonNamesTheByte) {
   EXPECT_THAT(complaintOf("[1]", kNothing), HasSubstr("list: line 3: [...] is not an object"));
 }
 
-TEST(JsonLine, NumbersThatNoDoubleHoldsAreNoJson) {
+TEST(JsonLine, RejectsNumbersBeyondTheRangeOfDouble) {
   for (const std::string number : {"1e400", "NaN", "Infinity", "-Infinity"}) {
     EXPECT_THAT(complaintOf("{\"a\":" + number + "}", kNothing), HasSubstr("list: line 3: invalid"))
         << number;
@@ -135,7 +135,7 @@ TEST(JsonLine, NumbersThatNoDoubleHoldsAreNoJson) {
             "");
 }
 
-TEST(JsonLine, DeepNestingIsNoCrash) {
+TEST(JsonLine, SurvivesDeepNesting) {
   const std::string deep = R"({"a":)" + std::string(200'000, '[') + std::string(200'000, ']') + "}";
   EXPECT_THAT(complaintOf(deep, [](JsonObject& object) { object.number("a"); }),
               HasSubstr("field a = [...] is not a number"));
@@ -178,7 +178,7 @@ TEST(JsonLineWriter, NumbersAreTheShortestThatReadBack) {
   EXPECT_EQ(written(1531883530.949817), "1531883530.949817");
 }
 
-TEST(JsonLineWriter, NumbersThatAreNoneAreRefused) {
+TEST(JsonLineWriter, RejectsNumbersThatAreNotFinite) {
   for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
     JsonLineWriter single;
     single.beginObject();

@@ -13,7 +13,7 @@
 namespace forge {
 namespace {
 
-/// The number that JSON text is read as; the code of the problem where it is none.
+/// Returns the number read from JSON text, or the code of the error.
 std::string readAs(const std::string& text, double* value) {
   rapidjson::Document document;
   rapidjson::MemoryStream stream(text.data(), text.size());
@@ -77,7 +77,7 @@ TEST(JsonNumbers, IntegersStayIntegers) {
   EXPECT_FALSE(document[6].IsInt());
 }
 
-TEST(JsonNumbers, WhatNoDoubleHoldsIsRefused) {
+TEST(JsonNumbers, RejectsNumbersBeyondTheRangeOfDouble) {
   const std::string too_big = "code " + std::to_string(rapidjson::kParseErrorNumberTooBig);
   double value = 0.0;
   for (const std::string text :

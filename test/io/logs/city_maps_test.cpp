@@ -21,7 +21,7 @@ TEST(CityMaps, ReadsAMapOnce) {
   EXPECT_NE(maps.at("embedded-left"), lanes);
 }
 
-TEST(CityMaps, ACityWithoutADrivingSideIsRefused) {
+TEST(CityMaps, RejectsACityWithoutADrivingSide) {
   CityMaps maps(kDataroot, config());
   EXPECT_THROW(maps.at("atlantis"), ConfigError);
 }

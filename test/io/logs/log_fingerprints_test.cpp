@@ -11,7 +11,7 @@ namespace {
 using testing::ElementsAre;
 using testing::Key;
 
-TEST(LogFingerprints, OfANuScenesRootAreOfTablesAndMaps) {
+TEST(LogFingerprints, CoverTablesAndMapsOfANuScenesRoot) {
   const TemporaryFolder folder;
   folder.write("v1.0-tiny/scene.json", "[1]");
   folder.write("v1.0-other/scene.json", "[1]");
@@ -29,7 +29,7 @@ TEST(LogFingerprints, OfANuScenesRootAreOfTablesAndMaps) {
   EXPECT_NE(logFingerprints(folder.path(), "v1.0-tiny").at("maps"), before.at("maps"));
 }
 
-TEST(LogFingerprints, OfOthersAreOfAllThereIs) {
+TEST(LogFingerprints, CoverAllFilesOfOtherSources) {
   const TemporaryFolder folder;
   const std::string bag = folder.write("bags/one.bag", "1");
   const auto before = logFingerprints(folder.path() + "/bags", "");

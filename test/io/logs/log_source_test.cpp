@@ -19,7 +19,10 @@ const LogSource kEmbedded{COLLISION_FORGE_SOURCE_DIR "/data/embedded", ""};
 
 TEST(LogSource, SeveralVersionsAreNamed) {
   const TemporaryFolder folder;
-  EXPECT_THAT(errorOf([&] { versionOf({folder.path(), ""}); }), HasSubstr("no folder in it"));
+  EXPECT_THAT(errorOf([&] {
+                versionOf({folder.path(), ""});
+              }),
+              HasSubstr("no subfolder has tables"));
   folder.write("v1.0-mini/scene.json", "[]");
   EXPECT_EQ(versionOf({folder.path(), ""}), "v1.0-mini");
   folder.write("v1.0-trainval/scene.json", "[]");
@@ -38,21 +41,21 @@ TEST(LogSource, WantedScenesAreInItsOrder) {
 
 Config config() { return loadConfig(COLLISION_FORGE_SOURCE_DIR "/config"); }
 
-/// A scene of data/embedded, which has agents.
+/// A scene of data/embedded with agents.
 NuScenesRecording recorded() {
   return kEmbedded.format->open(kEmbedded, {{"scene-0001"}, config(), {}, {}})
       ->recording("scene-0001")
       .recording;
 }
 
-TEST(LogSource, ARecordingWhoseEgoIsFarAwayIsRefused) {
+TEST(LogSource, RejectsARecordingWithTheEgoBeyondTheLimits) {
   NuScenesRecording recording = recorded();
   recording.ego_poses[0].translation.y() = -6e4;
   EXPECT_THAT(errorOf<InputError>([&] { keepWithin(recording, config(), nullptr); }),
               testing::AllOf(HasSubstr("scene-0001: ego: states[0].y"), HasSubstr("-50000")));
 }
 
-TEST(LogSource, WhatIsBeyondTheLimitsIsNotInARecording) {
+TEST(LogSource, RemovesInstancesBeyondTheLimits) {
   NuScenesRecording recording = recorded();
   const std::string id = recording.frames[0].annotations.at(0).instance;
   const auto countOf = [&](bool is_it) {

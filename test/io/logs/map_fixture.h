@@ -4,8 +4,8 @@
 
 namespace forge {
 
-/// Lane a (x 0 to 10) leads to connector b (10 to 20, inside an intersection) leads to lane c (a
-/// quarter turn left). Only a and c name their links, each one of the two.
+/// Lane a (x 0 to 10) leads to connector b (10 to 20, in an intersection), which leads to lane c (a
+/// quarter turn left). Only a and c list links, one each.
 inline std::string tinyMap() {
   return R"({"version": "1.3",
     "node": [{"token": "n0", "x": 0, "y": -2}, {"token": "n1", "x": 10, "y": -2},

@@ -9,7 +9,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// One change to one table, and what the message must name besides the file.
+/// One change to one table, and the texts that the message must contain besides the file.
 struct Damage {
   std::string name;
   std::string table;
@@ -71,23 +71,23 @@ const Damage kDamages[] = {
      "sample_annotation",
      R"("ped")",
      R"("pod")",
-     {"token p1", "field instance_token 'pod' is no row of instance.json"}},
-    {"sampleTwice", "sample", R"("f1")", R"("f2")", {"token f2", "field token is there twice"}},
+     {"token p1", "field instance_token 'pod' is not a row of instance.json"}},
+    {"sampleTwice", "sample", R"("f1")", R"("f2")", {"token f2", "field token is a duplicate"}},
     {"sceneNameOfAPath",
      "scene",
      "scene-0002",
      "../evil",
-     {"token s2", R"(field name "../evil" cannot be the name of a file: it has a '/')"}},
+     {"token s2", R"(field name "../evil" is not a valid file name: it contains '/')"}},
     {"locationOfAPath",
      "log",
      "left-town",
      "/etc/town",
-     {"token log", R"(field location "/etc/town" cannot be the name of a file: it has a '/')"}},
+     {"token log", R"(field location "/etc/town" is not a valid file name: it contains '/')"}},
     {"sceneNameTwice",
      "scene",
      "scene-0002",
      "scene-0001",
-     {"token s2", "field name 'scene-0001' is another scene's too"}},
+     {"token s2", "field name 'scene-0001' is also the name of another scene"}},
     {"instanceTwiceInSample",
      "sample_annotation",
      R"("sample_token": "f2")",

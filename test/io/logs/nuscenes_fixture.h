@@ -15,7 +15,7 @@ namespace forge {
 
 inline constexpr const char* kHexToken = "0123456789abcdef0123456789abcdef";
 
-/// A folder that goes when the test ends.
+/// A temporary folder, deleted when the test ends.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -38,14 +38,14 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// Replaces the first occurrence; a test that replaces nothing would test nothing.
+/// Replaces the first occurrence; throws if there is none.
 inline void replaceIn(std::string& text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   if (at == std::string::npos) throw std::logic_error("fixture has no " + from);
   text.replace(at, from.size(), to);
 }
 
-/// The message of the Error that `call` throws; empty when it throws none.
+/// Returns the message of the Error that `call` throws; "" if it throws none.
 template <typename Error = NuScenesError, typename Call>
 std::string errorOf(const Call& call) {
   try {
@@ -56,9 +56,9 @@ std::string errorOf(const Call& call) {
   return "";
 }
 
-/// Two scenes. "scene-0001": a car (10 m, then 12 m further in 1 s) in three frames, a pedestrian
-/// in one; the ego heads along +y at 8 m/s; a camera whose ego poses are in no table. "scene-0002":
-/// one frame, nobody.
+/// Two scenes. "scene-0001": a car (at 10 m, then 12 m farther in 1 s) in three frames, a
+/// pedestrian in one; the ego heads along +y at 8 m/s; a camera whose ego poses are in no table.
+/// "scene-0002": one frame without annotations.
 inline std::map<std::string, std::string> tinyTables() {
   const std::string hex = kHexToken;
   return {

@@ -92,7 +92,7 @@ TEST(NuScenesMap, refusesOldVersionsAndNamesThem) {
   }
 }
 
-/// A defect of the published maps, and the warning it must leave.
+/// A defect of the published maps, and the expected warning.
 struct Defect {
   std::string name;
   std::string from;
@@ -131,7 +131,7 @@ const Defect kDefects[] = {
     {"emptyArcline", R"("a": [{"start)", R"("a": [], "other": [{"start)",
      "1 lanes without a usable arcline (first: a)"},
     {"nanArcline", "[10, 0, 0], \"shape\": \"LSL\"", "[10, NaN, 0], \"shape\": \"LSL\"",
-     "1 unusable arclines (numbers out of range, or no such shape) (first: b)"},
+     "1 unusable arclines (number out of range, or unknown shape) (first: b)"},
     {"nanLength", "[15.707963267948966, 0, 0]", "[NaN, 0, 0]", "1 unusable arclines"},
     {"farLength", "[15.707963267948966, 0, 0]", "[1e9, 0, 0]", "1 unusable arclines"},
     {"negativeLength", "[15.707963267948966, 0, 0]", "[-1, 0, 0]", "1 unusable arclines"},
@@ -178,7 +178,7 @@ TEST(NuScenesMap, moreLanesOrPointsThanTheLimitsHaveAreRefused) {
   EXPECT_EQ(errorWith(shippedLimits()), "");
   InputLimits limits = shippedLimits();
   limits.max_lanes = 2;
-  EXPECT_THAT(errorWith(limits), HasSubstr("tiny-town.json: lanes: 3, more than 2"));
+  EXPECT_THAT(errorWith(limits), HasSubstr("tiny-town.json: lanes: 3 is above the limit of 2"));
   limits = shippedLimits();
   limits.max_map_points = 20;
   EXPECT_THAT(errorWith(limits), HasSubstr("tiny-town.json: points of the map"));
@@ -207,7 +207,7 @@ TEST(NuScenesMap, namesFileLayerTokenAndField) {
   EXPECT_THAT(error(R"("start_pose": [0, 0, 0])", R"("start_pose": [0, 0])"),
               HasSubstr(file + "arcline_path_3: token a: field start_pose is not an array of 3"));
   EXPECT_THAT(error(R"({"token": "c"})", R"({"token": "a"})"),
-              HasSubstr(file + "lane: token a: field token is there twice"));
+              HasSubstr(file + "lane: token a: field token is a duplicate"));
   EXPECT_THAT(error(R"("road_segment")", R"("road_segments")"),
               HasSubstr(file + "layer road_segment is missing"));
   EXPECT_THAT(error(R"("lane": [)", R"("lane": 3, "other": [)"),

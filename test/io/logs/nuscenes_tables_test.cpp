@@ -65,7 +65,7 @@ TEST(NuScenesTables, rowsOfOtherScenesAreNotChecked) {
   const NuScenesRoot root(folder.path(), "v1.0-tiny", options);
   EXPECT_EQ(root.readScene("scene-0002").frames.size(), 1U);
   EXPECT_THAT(errorOf([&] { root.readScene("scene-0001"); }),
-              HasSubstr("scene-0001 is not among the scenes asked for"));
+              HasSubstr("scene-0001 is not among the selected scenes"));
 }
 
 TEST(NuScenesTables, namesTheNearestScenes) {
@@ -74,7 +74,7 @@ TEST(NuScenesTables, namesTheNearestScenes) {
   const std::string error = errorOf([&] { root.readScene("scene-002"); });
   EXPECT_THAT(error, HasSubstr("scene.json"));
   EXPECT_THAT(error, HasSubstr("'scene-002'"));
-  EXPECT_THAT(error, HasSubstr("nearest of 2: scene-0002 scene-0001"));
+  EXPECT_THAT(error, HasSubstr("the most similar of 2: scene-0002 scene-0001"));
   EXPECT_EQ(errorOf([&] { tinyRoot(folder, {"scene-002"}); }), error);
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 const char* const kShipped = COLLISION_FORGE_SOURCE_DIR "/config";
 
-TEST(DrivingSide, IsThatOfTheLocationsPrefix) {
+TEST(DrivingSide, FollowsThePrefixOfTheLocation) {
   const Config config = loadConfig(kShipped);
   EXPECT_EQ(drivingSide(config, "boston-seaport"), DrivingSide::kRight);
   EXPECT_EQ(drivingSide(config, "singapore-onenorth"), DrivingSide::kLeft);

@@ -30,7 +30,7 @@ class PickleWorkersTest : public testing::Test {
   PickleWorkers workers_;
 };
 
-TEST_F(PickleWorkersTest, WhatIsWrittenComesBackToTheLastBit) {
+TEST_F(PickleWorkersTest, RoundTripsExactly) {
   const double item = 0.1;
   PickleContent content;
   content.json = R"({"metadata": {"id": 9007199254740993, "x": [1, null, "\u00e9"],)"
@@ -49,7 +49,7 @@ TEST_F(PickleWorkersTest, AFileThatCannotBeReadIsNamed) {
   EXPECT_THAT(problemOf(path), AllOf(StartsWith(path), HasSubstr("names \"os.system\"")));
 }
 
-TEST_F(PickleWorkersTest, AFileThatIsRefusedLeavesTheOthersReadable) {
+TEST_F(PickleWorkersTest, ARejectedFileDoesNotAffectOthers) {
   const std::string path = folder_.write("a.pkl", workers_.write({R"({"metadata": {}})", ""}));
   for (int again = 0; again < 3; ++again) {
     EXPECT_THAT(problemOf(folder_.write("b.pkl", "no pickle")), HasSubstr("b.pkl: is no pickle"));

@@ -26,13 +26,13 @@ SceneSource source(std::size_t kept) {
   return {{kDataroot, kVersion}, {"scene-0001", "scene-0002", "scene-0007"}, config(), kept};
 }
 
-TEST(ReadSceneNames, AreThoseOfTheTable) {
+TEST(ReadSceneNames, ReturnsTheNamesOfTheTable) {
   const auto names = readSceneNames({kDataroot, kVersion});
   EXPECT_EQ(names, NuScenesRoot(kDataroot, kVersion).sceneNames());
   EXPECT_THROW(readSceneNames({kDataroot, "v0"}), NuScenesError);
 }
 
-TEST(SceneSource, HasTheSceneWithItsMap) {
+TEST(SceneSource, ReturnsTheSceneWithItsMap) {
   SceneSource scenes = source(2);
   const auto scene = scenes.at("scene-0001");
   EXPECT_EQ(scene->scene.name, "scene-0001");
@@ -42,7 +42,7 @@ TEST(SceneSource, HasTheSceneWithItsMap) {
   EXPECT_EQ(scenes.at("scene-0007")->lanes->map().driving_side, DrivingSide::kLeft);
 }
 
-TEST(SceneSource, HoldsTheScenesUsedLast) {
+TEST(SceneSource, CachesTheMostRecentlyUsedScenes) {
   SceneSource scenes = source(2);
   const std::weak_ptr<const IndexedScene> first = scenes.at("scene-0001");
   const std::weak_ptr<const IndexedScene> second = scenes.at("scene-0002");
@@ -54,7 +54,8 @@ TEST(SceneSource, HoldsTheScenesUsedLast) {
   EXPECT_EQ(scenes.at("scene-0001"), first.lock()) << "not read again";
 }
 
-/// Scenes without anything in them. Reading one ends when as many scenes are being read as wanted.
+/// A source of empty scenes. Reading a scene blocks until the wanted number of scenes is being
+/// read.
 struct SlowReader : SceneReader {
   static inline std::mutex mutex;
   static inline std::condition_variable changed;
@@ -100,11 +101,20 @@ TEST(SceneSource, ReadsDifferentScenesAtTheSameTimeAndEachOnce) {
   EXPECT_EQ(SlowReader::reads, (std::map<std::string, int>{{"a", 1}, {"b", 1}}));
 }
 
-TEST(SceneSource, ASceneThatCouldNotBeReadIsReadAgain) {
+TEST(SceneSource, RetriesASceneThatCouldNotBeRead) {
   SceneSource scenes = slowSource(1, 1);
   EXPECT_THROW(scenes.at("a"), std::runtime_error);
   EXPECT_EQ(scenes.at("a")->scene.name, "a");
   EXPECT_EQ(SlowReader::reads.at("a"), 2);
+}
+
+TEST(SceneSource, ForEachLeavesOutScenesThatCannotBeRead) {
+  SceneSource scenes = slowSource(1, 1);
+  std::vector<std::string> names;
+  const auto problems =
+      scenes.forEach([&](const IndexedScene& scene) { names.push_back(scene.scene.name); });
+  EXPECT_EQ(names, std::vector<std::string>{"b"});
+  EXPECT_EQ(problems, std::vector<std::string>{"a: cannot be read"});
 }
 
 TEST(SceneSource, RefusesUnknownScenes) {

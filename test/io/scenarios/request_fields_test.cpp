@@ -54,14 +54,14 @@ std::string complaintAbout(const std::string& line, bool may_lack = true) {
   return "";
 }
 
-TEST(RequestFields, AreWrittenAndReadBack) {
+TEST(RequestFields, RoundTrip) {
   EXPECT_EQ(lineOf(everything()), kEverything);
   for (const bool may_lack : {false, true}) {
     EXPECT_EQ(lineOf(readFrom(kEverything, may_lack)), kEverything);
   }
 }
 
-TEST(RequestFields, AreNullOrLeftOutForAnything) {
+TEST(RequestFields, AreNullOrLeftOutForAnyValue) {
   const CrashDefinition defaults;
   EXPECT_EQ(lineOf({}), R"({"choice":"any","believable":true,"limits":"drivable",)"
                         R"("attacker_class":null,"manoeuvre":null,"ego_side":null,)"
@@ -72,12 +72,12 @@ TEST(RequestFields, AreNullOrLeftOutForAnything) {
   EXPECT_EQ(lineOf(readFrom("{}", true)), lineOf({}));
 }
 
-TEST(RequestFields, MustBeThereUnlessTheyMayLack) {
+TEST(RequestFields, AreRequiredUnlessOptional) {
   EXPECT_THAT(complaintAbout("{}", false), HasSubstr("choice is missing"));
   EXPECT_EQ(complaintAbout("{}", true), "");
 }
 
-TEST(RequestFields, WhatDoesNotExistIsNamed) {
+TEST(RequestFields, ErrorsNameUnknownValues) {
   EXPECT_THAT(complaintAbout(R"({"choice":"old"})"), AllOf(HasSubstr("choice"), HasSubstr("old")));
   EXPECT_THAT(complaintAbout(R"({"believable":1})"), HasSubstr("believable = 1"));
   EXPECT_THAT(complaintAbout(R"({"limits":"none"})"), HasSubstr("limits = \"none\""));
@@ -90,7 +90,7 @@ TEST(RequestFields, WhatDoesNotExistIsNamed) {
               HasSubstr("impact_speed.mean"));
   EXPECT_THAT(complaintAbout(R"({"overlap":0.5})"), HasSubstr("overlap = 0.5"));
   EXPECT_THAT(complaintAbout(R"({"alternatives":-1})"), HasSubstr("alternatives = -1"));
-  EXPECT_THAT(complaintAbout(R"({"alternatives":4294967296})"), HasSubstr("too many"));
+  EXPECT_THAT(complaintAbout(R"({"alternatives":4294967296})"), HasSubstr("too large"));
 }
 
 }  // namespace

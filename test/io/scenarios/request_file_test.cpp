@@ -52,7 +52,7 @@ TEST(RequestFile, ALineHasTheDocumentedForm) {
   EXPECT_THAT(requestLine(any), HasSubstr(R"("attacker":null)"));
 }
 
-TEST(RequestFile, FingerprintsTellListsApart) {
+TEST(RequestFile, FingerprintsDistinguishLists) {
   SceneRequest other = request();
   other.request.seed = 0;
   const std::string both = fingerprintOf({request(), other});
@@ -62,7 +62,7 @@ TEST(RequestFile, FingerprintsTellListsApart) {
   EXPECT_NE(fingerprintOf({request(), request()}), both);
 }
 
-TEST(RequestFile, TheRequestPrecedesTheConfiguration) {
+TEST(RequestFile, TheRequestOverridesTheConfiguration) {
   CrashDefinition configured;
   configured.believable = false;
   configured.time_tolerance = 0.25;
@@ -102,7 +102,7 @@ TEST(RequestFile, MalformedFieldsAreNamed) {
   EXPECT_THAT(complaintAbout(kLine, "\"seed\"", "\"choice\":\"none\",\"seed\""), field("choice"));
 }
 
-TEST(RequestFile, AFileIsReadAsItWasWritten) {
+TEST(RequestFile, RoundTripsAFile) {
   const TemporaryFolder folder;
   const std::string path = folder.path() + "/requests.jsonl";
   SceneRequest second = request();
@@ -115,14 +115,14 @@ TEST(RequestFile, AFileIsReadAsItWasWritten) {
   EXPECT_FALSE(std::filesystem::exists(path + ".part"));
 }
 
-TEST(RequestFile, ProblemsOfAFileNameFileAndLine) {
+TEST(RequestFile, ErrorsNameFileAndLine) {
   const TemporaryFolder folder;
   const std::string good = std::string(kLine) + "\n";
   std::string absent = good;
   replaceIn(absent, "scene-0001", "scene-0002");
   EXPECT_THAT(complaintAboutFile(folder.path() + "/none"),
               AllOf(HasSubstr(folder.path() + "/none"), HasSubstr("cannot be opened")));
-  EXPECT_THAT(complaintAboutFile(folder.write("empty", "")), HasSubstr("holds no request"));
+  EXPECT_THAT(complaintAboutFile(folder.write("empty", "")), HasSubstr("has no request"));
   EXPECT_THAT(complaintAboutFile(folder.write("absent", good + absent)),
               AllOf(HasSubstr("absent: line 2: field scene"), HasSubstr("scene-0002")));
   EXPECT_THAT(complaintAboutFile(folder.write("gap", good + "\n" + good)),

@@ -75,7 +75,7 @@ const char* const kAttackLine =
     R"("believable":false,"unbelievable":"is on a walkway for 12 %"},"alternatives":[],"plans":[],)"
     R"("ego":{"length":4.084,"width":1.73,"center_offset":1.385}})";
 
-/// By a vehicle that was added, on a request that names all that can be.
+/// An attack by an added vehicle, on a request with every constraint set.
 Scenario addedAttack() {
   Scenario scenario = attack();
   CollisionRequest& request = scenario.asked.request;
@@ -94,7 +94,7 @@ Scenario addedAttack() {
   return scenario;
 }
 
-/// The attacker braked after half a second, and committed.
+/// The attacker braked after 0.5 s and was committed.
 Scenario adaptiveAttack() {
   Scenario scenario = attack();
   scenario.asked.request.mode = Mode::kAdaptive;
@@ -125,7 +125,7 @@ std::string complaintAbout(std::string line, const std::string& from, const std:
   return "";
 }
 
-TEST(ScenarioFile, PlansGoWithAdaptiveAttacksAlone) {
+TEST(ScenarioFile, OnlyAdaptiveAttacksHavePlans) {
   const std::string line = scenarioLine(adaptiveAttack());
   EXPECT_THAT(complaintAbout(line, R"("mode":"adaptive")", R"("mode":"history")"),
               AllOf(HasSubstr("plans"), HasSubstr("line 9")));
@@ -138,7 +138,7 @@ TEST(ScenarioFile, PlansGoWithAdaptiveAttacksAlone) {
 
 TEST(ScenarioFile, AnAttackHasTheDocumentedForm) { EXPECT_EQ(scenarioLine(attack()), kAttackLine); }
 
-TEST(ScenarioFile, ARefusalHasNullsAndItsMessage) {
+TEST(ScenarioFile, ARejectionHasNullsAndItsMessage) {
   EXPECT_THAT(
       scenarioLine(refusal()),
       AllOf(
@@ -148,7 +148,7 @@ TEST(ScenarioFile, ARefusalHasNullsAndItsMessage) {
               R"("pattern":null,"confidence":null,"effort":null,"report":null,"alternatives":[],"plans":[],"ego":{)")));
 }
 
-TEST(ScenarioFile, AWholeAttackIsReadBack) {
+TEST(ScenarioFile, RoundTripsAWholeAttack) {
   Scenario scenario = attack();
   scenario.asked.request.type = CollisionType::kLaneChange;
   scenario.answer = wholeAttack(kNow);
@@ -171,7 +171,7 @@ TEST(ScenarioFile, EveryFieldOfAWholeAttackIsFilled) {
   }
 }
 
-/// A line without the fields that version 5 did not have.
+/// Returns a line without the fields that version 5 does not have.
 std::string asOfVersion5(std::string line) {
   for (const char* field : {R"("tolerance":1.5,)", R"("effort":0.03125,)",
                             R"("first_other_t":null,)", R"("off_road":0.03,)"}) {
@@ -190,16 +190,16 @@ TEST(ScenarioFile, AFileOfVersion5IsReadWithTheToleranceOfItsSearch) {
   expectSame(read, expected);
 }
 
-TEST(ScenarioFile, AFieldOfVersion6InAFileOfVersion5IsRefused) {
+TEST(ScenarioFile, RejectsAFieldOfVersion6InVersion5) {
   EXPECT_THAT(complaintAbout(kAttackLine, R"("version":6)", R"("version":5)"),
               HasSubstr("file: line 9: field "));
 }
 
-TEST(ScenarioFile, OlderVersionsAreToBeGeneratedAnew) {
+TEST(ScenarioFile, RejectsOlderVersions) {
   for (const char* old : {"1", "2", "3", "4"}) {
     EXPECT_THAT(complaintAbout(kAttackLine, "\"version\":6", std::string("\"version\":") + old),
                 AllOf(HasSubstr(std::string("version = ") + old + " is neither 5 nor 6"),
-                      HasSubstr("generate the file anew")));
+                      HasSubstr("generate the file again")));
   }
 }
 
@@ -273,7 +273,7 @@ TEST(ScenarioFile, NumbersBeyondTheLimitsNameFieldValueAndLimit) {
        "attacker.trajectory[1].x = 1000000000.0 is outside -50000 to 50000"},
       {"\"t\":0.1,", "\"t\":1e9,",
        "attacker.trajectory[1].t = 1000000000.0 is outside -3600 to 60"},
-      {"\"t\":0.1,", "\"t\":0,", "attacker.trajectory[1].t = 0 is not after the one before"},
+      {"\"t\":0.1,", "\"t\":0,", "attacker.trajectory[1].t = 0 is not after the previous time"},
       {"\"v\":9.05", "\"v\":1e3", "attacker.trajectory[1].v = 1000.0 is outside -150 to 150"},
       {"{\"x\":40,", "{\"x\":-4e5,", "pattern.ego.x = -400000.0 is outside"},
       {"\"tolerance\":1.5", "\"tolerance\":-1", "pattern.tolerance = -1 is outside 0 to"},
@@ -290,12 +290,12 @@ TEST(ScenarioFile, NumbersBeyondTheLimitsNameFieldValueAndLimit) {
               HasSubstr("attacker.past[0].t = -100000.0 is outside -3600 to 60"));
 }
 
-TEST(ScenarioFile, TrajectoriesHaveOneToAsManyPointsAsTheLimitsHave) {
+TEST(ScenarioFile, TrajectoriesHaveFromOnePointToTheLimit) {
   Scenario scenario = attack();
   std::vector<TrajectoryPoint>& points = scenario.answer.trajectory.points;
   points.clear();
   EXPECT_THAT(complaintAbout(scenarioLine(scenario), "", ""),
-              HasSubstr("trajectory = [...] has no"));
+              HasSubstr("trajectory = [...] is empty"));
   for (int i = 0; i <= shippedLimits().max_points; ++i) points.push_back({kNow + 0.001 * i, {}});
   EXPECT_THAT(complaintAbout(scenarioLine(scenario), "", ""),
               HasSubstr("attacker.trajectory = [...] has 5001 elements, more than 5000"));
@@ -303,8 +303,8 @@ TEST(ScenarioFile, TrajectoriesHaveOneToAsManyPointsAsTheLimitsHave) {
   EXPECT_EQ(complaintAbout(scenarioLine(scenario), "", ""), "");
 }
 
-/// As many as may be asked for, by vehicles with as long a past as may be.
-TEST(ScenarioFile, TheLimitOfLinesLeavesRoomForAllAttacksWithTheirPasts) {
+/// The largest number of alternatives, by vehicles with the longest allowed past.
+TEST(ScenarioFile, TheLineLimitAllowsAllAlternativesWithTheirPasts) {
   Scenario scenario = addedAttack();
   AttackerTrajectory& trajectory = scenario.answer.trajectory;
   const int max_points = shippedLimits().max_points;

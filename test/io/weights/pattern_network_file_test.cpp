@@ -31,7 +31,7 @@ class PatternNetworkFile : public testing::Test {
     return text.str();
   }
 
-  /// What reading a text says; empty when it succeeds.
+  /// Returns the error message of reading a text; "" if it succeeds.
   std::string complaintAbout(const std::string& text) const {
     std::ofstream(path_, std::ios::binary) << text;
     try {
@@ -54,7 +54,7 @@ class PatternNetworkFile : public testing::Test {
   std::vector<PatternWeights> written_;
 };
 
-TEST_F(PatternNetworkFile, GivesBackWhatWasWritten) {
+TEST_F(PatternNetworkFile, RoundTripsNetworks) {
   const auto read = readPatternWeights(path_);
   ASSERT_EQ(read.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -70,38 +70,38 @@ TEST_F(PatternNetworkFile, GivesBackWhatWasWritten) {
   }
 }
 
-TEST_F(PatternNetworkFile, IsTheSameBytesAgain) {
+TEST_F(PatternNetworkFile, RoundTripsBytes) {
   const std::string before = content();
   writePatternWeights(readPatternWeights(path_), path_);
   EXPECT_EQ(content(), before);
   EXPECT_FALSE(fs::exists(path_ + ".part"));
 }
 
-TEST_F(PatternNetworkFile, CutShortIsRefused) {
+TEST_F(PatternNetworkFile, RejectsATruncatedFile) {
   const std::string text = content();
   const std::string complaint = complaintAbout(text.substr(0, text.size() - 3));
   EXPECT_NE(complaint.find(path_ + ": network 2: the file ends within layer value"),
             std::string::npos)
       << complaint;
   EXPECT_NE(complaintAbout(text.substr(0, 20)), "");
-  EXPECT_NE(complaintAbout("").find("holds no network"), std::string::npos);
+  EXPECT_NE(complaintAbout("").find("has no network"), std::string::npos);
 }
 
-TEST_F(PatternNetworkFile, OtherArchitecturesAreRefused) {
+TEST_F(PatternNetworkFile, RejectsOtherArchitectures) {
   EXPECT_NE(complaintAfter("network 1\"", "network 9\"").find("format"), std::string::npos);
 }
 
-TEST_F(PatternNetworkFile, AbsentIsRefused) {
+TEST_F(PatternNetworkFile, RejectsAMissingFile) {
   EXPECT_THROW(readPatternWeights(path_ + ".not"), PatternNetworkFileError);
   EXPECT_THROW(loadPatternNetwork(path_ + ".not"), PatternNetworkFileError);
 }
 
-TEST_F(PatternNetworkFile, NoNameIsNoNetwork) {
+TEST_F(PatternNetworkFile, EmptyPathLoadsNoNetwork) {
   EXPECT_EQ(loadPatternNetwork(""), nullptr);
   EXPECT_EQ(loadPatternNetwork(path_)->folds().size(), 1U);
 }
 
-TEST(ShippedNetworks, AreReadAndLeaveTheirFoldsOut) {
+TEST(ShippedNetworks, AreReadWithTheirFolds) {
   const std::string folder = COLLISION_FORGE_SOURCE_DIR "/data/weights/";
   const auto networks = readPatternWeights(folder + "pattern_network.bin");
   ASSERT_GT(networks.size(), 1u);

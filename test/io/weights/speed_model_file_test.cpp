@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 const std::string kSource = COLLISION_FORGE_SOURCE_DIR;
 
-/// Drivers who keep their speed, nearly, or stand.
+/// Vehicles that almost keep their speed, or stand.
 SpeedModel smallModel() {
   std::vector<SpeedProfileRow> rows;
   for (int scene = 0; scene < 24; ++scene) {
@@ -46,7 +46,7 @@ class SpeedModelFile : public testing::Test {
     return text.str();
   }
 
-  /// What reading a text says; empty when it succeeds.
+  /// Returns the error message of reading a text; "" if it succeeds.
   std::string complaintAbout(const std::string& text) const {
     std::ofstream(path_) << text;
     try {
@@ -57,7 +57,7 @@ class SpeedModelFile : public testing::Test {
     return "";
   }
 
-  /// The complaint after the first `from` was replaced names file and `parts`.
+  /// Checks that the error message, after the first `from` is replaced, names the file and `parts`.
   void expectComplaint(const std::string& text, const std::string& from, const std::string& to,
                        const std::vector<std::string>& parts) const {
     const std::size_t at = text.find(from);
@@ -72,7 +72,7 @@ class SpeedModelFile : public testing::Test {
   std::string path_;
 };
 
-TEST_F(SpeedModelFile, WhatIsWrittenIsReadToFiveDigits) {
+TEST_F(SpeedModelFile, RoundTripsAModelToFiveDigits) {
   const SpeedModel written = smallModel();
   writeSpeedModel(written, path_);
   EXPECT_FALSE(fs::exists(path_ + ".part"));
@@ -103,7 +103,7 @@ TEST_F(SpeedModelFile, WhatIsWrittenIsReadToFiveDigits) {
   EXPECT_GT(a.standing.rows(), 0);
 }
 
-TEST_F(SpeedModelFile, WhatWasReadIsWrittenAsItWas) {
+TEST_F(SpeedModelFile, RoundTripsAFile) {
   writeSpeedModel(smallModel(), path_);
   const std::string first = content();
   writeSpeedModel(readSpeedModel(path_), path_);
@@ -121,7 +121,7 @@ TEST_F(SpeedModelFile, MalformedFilesAreNamed) {
   const std::string good = content();
   const std::size_t second = good.find('\n') + 1;
   EXPECT_EQ(complaintAbout(good), "");
-  EXPECT_NE(complaintAbout("").find("holds no model"), std::string::npos);
+  EXPECT_NE(complaintAbout("").find("has no model"), std::string::npos);
   EXPECT_NE(complaintAbout(good.substr(0, second + 50)).find("line 2: invalid JSON"),
             std::string::npos);
   expectComplaint(good, "speed model 1", "speed model 9", {"line 1", "field format", "model 9"});

@@ -10,7 +10,7 @@
 namespace forge {
 namespace {
 
-/// Generator weights of a configuration with this text.
+/// Returns the generator weights of a configuration with this text.
 class GeneratorWeights : public testing::Test {
  protected:
   GeneratorWeights() {
@@ -37,26 +37,26 @@ class GeneratorWeights : public testing::Test {
   MethodRegistry registry_;
 };
 
-TEST_F(GeneratorWeights, NeedNotBeThereToNameTheMethods) {
+TEST_F(GeneratorWeights, AreNotNeededToListTheMethods) {
   addGeneratorMethods(options_, registry_);
   EXPECT_THAT(registry_.names(),
               testing::IsSupersetOf({"c_mid", "c_sgan", "c_strive", "strive_optimised"}));
   EXPECT_TRUE(registry_.at("c_sgan").is_seeded);
 }
 
-TEST_F(GeneratorWeights, OneWithoutAFileIsRefusedByName) {
+TEST_F(GeneratorWeights, AModelWithoutAFileIsRejectedByName) {
   write("c_sgan: []\n");
   EXPECT_THAT(refusal("c_sgan"),
-              testing::HasSubstr("c_sgan in study/generator_weights.yaml names"));
+              testing::HasSubstr("c_sgan has no file in study/generator_weights.yaml"));
 }
 
-TEST_F(GeneratorWeights, ForNonCommercialUseAreRefusedByTheKeyThatSwitchesThemOff) {
+TEST_F(GeneratorWeights, NonCommercialOnesAreRejectedNamingTheKey) {
   options_.non_commercial_weights = false;
   folder_.write("study/non_commercial.txt", "mine.pt\n");
   write("c_sgan: [mine.pt]\n");
   EXPECT_EQ(refusal("c_sgan"),
             "c_sgan needs weights that models.non_commercial_weights in models.yaml: false "
-            "switches off");
+            "excludes");
 }
 
 TEST(GeneratorOf, IsTheModelThatAMethodNeeds) {

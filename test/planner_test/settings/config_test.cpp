@@ -149,7 +149,8 @@ TEST_F(OverlaidConfig, RepeatedPathsStayRelativeToTheInstalledFolder) {
 
 TEST_F(OverlaidConfig, AnUnknownFileIsRejectedWithASimilarName) {
   overlay_.write("serch.yaml", "search: {draws: 4}\n");
-  EXPECT_THAT(complaint(), testing::StartsWith(overlay_.path() + "/serch.yaml: is no file of the"));
+  EXPECT_THAT(complaint(),
+              testing::StartsWith(overlay_.path() + "/serch.yaml: is not a file of the"));
   EXPECT_THAT(complaint(), testing::EndsWith("; did you mean search.yaml?"));
 }
 
@@ -305,7 +306,7 @@ TEST_F(SpoiltConfig, ColorsHaveThreeSharesWithinZeroToOne) {
 
 TEST_F(SpoiltConfig, TheConfidenceCurveMustIncrease) {
   expectComplaint("search.yaml", "confidence_curve: [0.0", "confidence_curve: [0.5",
-                  {"search.confidence_curve", "is below the one before"});
+                  {"search.confidence_curve", "is below the previous value"});
   expectComplaint("search.yaml", "confidence_curve: [0.0", "confidence_curve: [-0.1",
                   {"search.confidence_curve", "-0.1"});
   expectComplaint("search.yaml", "confidence_curve: [0.0", "confidence_curve: 0.0 #",

@@ -94,7 +94,7 @@ TEST(PlannerModule, RejectsAFileThatNeverFinishesLoading) {
       "    return torch.zeros([80, 3])\n");
   TorchscriptOptions options = file.options();
   options.start_timeout = 4.0;
-  expectRefusal(options, {"no answer within 4"});
+  expectRefusal(options, {"no response within 4"});
 }
 
 TEST(PlannerModule, ResetsStateAndRandomNumbersInEveryRollout) {

@@ -23,14 +23,14 @@ std::string bytesOf(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
-/// What came of a line, and what it printed.
+/// The exit code and output of a command line.
 struct Outcome {
   int exit_code = 0;
   std::string out;
   std::string err;
 };
 
-/// Clips in a folder: rear ends from now in 2 s, with 5 m/s and more, and one crossing in 3 s.
+/// A folder of clips: rear-end crashes with a TTA of 2 s at 5 m/s and more, one crossing with 3 s.
 class Compare : public testing::Test {
  protected:
   Compare() {
@@ -51,7 +51,7 @@ class Compare : public testing::Test {
     writeCollideClip(folder + "/" + names_.back(), clip);
   }
 
-  /// The configuration is named, as ROS may not know the package.
+  /// Passes --config, because ROS may not find the package.
   Outcome run(const std::vector<std::string>& words, const std::string& out) const {
     std::vector<std::string> all = {"forge",
                                     "study",
@@ -87,7 +87,7 @@ class Compare : public testing::Test {
   std::vector<std::string> names_;
 };
 
-TEST_F(Compare, DrawsBothPicturesAndNamesTheClips) {
+TEST_F(Compare, WritesPngAndGifAndPrintsTheClips) {
   const Outcome outcome =
       run({"--methods", "recorded,constant_velocity,search", "--count", "2", "--seed", "3"});
   EXPECT_EQ(outcome.exit_code, kExitOk) << outcome.err;
@@ -98,7 +98,7 @@ TEST_F(Compare, DrawsBothPicturesAndNamesTheClips) {
                                  HasSubstr(out() + ".gif")));
 }
 
-TEST_F(Compare, DrawsTheClipsThatAreNamedInTheirOrder) {
+TEST_F(Compare, DrawsNamedClipsInTheGivenOrder) {
   const Outcome outcome = run({"--methods", "recorded", "--clips", names_[3], names_[1]});
   EXPECT_EQ(outcome.exit_code, kExitOk) << outcome.err;
   const std::size_t crossing = outcome.out.find("_JC_");
@@ -108,27 +108,27 @@ TEST_F(Compare, DrawsTheClipsThatAreNamedInTheirOrder) {
   EXPECT_LT(crossing, rear_end);
 }
 
-TEST_F(Compare, WhatIsNotThereIsAWrongLineThatNamesWhatIs) {
+TEST_F(Compare, UnknownClipsAndMethodsAreUsageErrors) {
   const Outcome clip = run({"--methods", "recorded", "--clips", "scene-9999"});
   EXPECT_EQ(clip.exit_code, kExitUsage);
-  EXPECT_THAT(clip.err, HasSubstr("--clips: \"scene-9999\" is none of 4 clips in"));
+  EXPECT_THAT(clip.err, HasSubstr("--clips: \"scene-9999\" matches none of 4 clips in"));
   const Outcome method = run({"--methods", "recorded,magic"});
   EXPECT_EQ(method.exit_code, kExitUsage);
   EXPECT_THAT(method.err, HasSubstr("--methods: method \"magic\" is none of recorded, "));
   const Outcome count = run({"--methods", "recorded", "--count", "5"});
   EXPECT_EQ(count.exit_code, kExitUsage);
-  EXPECT_THAT(count.err, HasSubstr("--count: of 4 clips in"));
+  EXPECT_THAT(count.err, HasSubstr("--count: only "));
   EXPECT_EQ(run({"--methods", "recorded", "--count", "0"}).exit_code, kExitUsage);
   EXPECT_EQ(run({"--methods", "recorded", "--count", "1", "--clips", names_[0]}).exit_code,
             kExitUsage);
   EXPECT_FALSE(std::filesystem::exists(out() + ".png"));
 }
 
-TEST_F(Compare, AFolderThatIsNotThereIsToldBeforeAnybodyIsAsked) {
+TEST_F(Compare, AMissingOutputFolderIsReportedBeforeMethodsRun) {
   const Outcome outcome =
       run({"--methods", "recorded", "--count", "1"}, folder_.path() + "/no/figure");
   EXPECT_EQ(outcome.exit_code, kExitError);
-  EXPECT_THAT(outcome.err, AllOf(HasSubstr("/no is no folder"), Not(HasSubstr("answers"))));
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("/no does not exist"), Not(HasSubstr("attacks"))));
   const Outcome none = run({"--methods", "recorded", "--count", "1", "--split", "train"});
   EXPECT_EQ(none.exit_code, kExitError);
   EXPECT_THAT(none.err, HasSubstr("trajectory/train: no such folder"));

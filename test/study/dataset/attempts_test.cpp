@@ -21,7 +21,7 @@ SceneRequest sampleRequest(CollisionType type, double tta) {
   return asked;
 }
 
-/// A line of a clip that was not found.
+/// A line of a clip request without attack.
 std::string lineOf(const SceneRequest& asked) {
   Scenario scenario;
   scenario.asked = asked;
@@ -38,12 +38,12 @@ Attempt validAttempt(CollisionType type, double tta) {
 }
 
 TEST(Attempt, LengthCountsTheFramesUntilImpact) {
-  // Seven frames of 0.5 s before now, and one for each half second after it.
+  // Seven frames of 0.5 s before t0, and one for each half second after it.
   EXPECT_EQ(validAttempt(CollisionType::kRearEnd, 2.0).length(), 7 + 4);
   EXPECT_EQ(validAttempt(CollisionType::kRearEnd, 4.5).length(), 7 + 9);
 }
 
-TEST(ReadAttempt, TellsWhatWasAskedAndThatThereIsNoClip) {
+TEST(ReadAttempt, ReadsTheRequestAndThatNoClipWasFound) {
   const SceneRequest asked = sampleRequest(CollisionType::kLtap, 3.0);
   const Attempt attempt = readAttempt("line 1", lineOf(asked), asked, shippedLimits());
   EXPECT_EQ(attempt.asked.scene, "scene-0001");
@@ -51,17 +51,17 @@ TEST(ReadAttempt, TellsWhatWasAskedAndThatThereIsNoClip) {
   EXPECT_FALSE(attempt.valid);
 }
 
-TEST(ReadAttempt, RefusesALineOfSomethingElse) {
+TEST(ReadAttempt, RejectsALineOfAnotherRequest) {
   const std::string line = lineOf(sampleRequest(CollisionType::kLtap, 3.0));
   try {
     readAttempt("file: line 3", line, sampleRequest(CollisionType::kLtap, 3.5), shippedLimits());
     FAIL() << "accepted";
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("file: line 3: answers"));
+    EXPECT_THAT(error.what(), HasSubstr("file: line 3: belongs to the request"));
   }
 }
 
-TEST(ChooseClips, GivesPlacesAmongAllAttempts) {
+TEST(ChooseClips, ReturnsIndicesIntoAllAttempts) {
   std::vector<Attempt> attempts(5);
   attempts[1] = validAttempt(CollisionType::kLtap, 3.0);
   attempts[4] = validAttempt(CollisionType::kLtap, 3.0);

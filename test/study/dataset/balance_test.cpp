@@ -27,7 +27,7 @@ TEST(Balance, LevellingCutsTheLargestGroupsToOneSize) {
   EXPECT_THAT(levelledCounts({}, 5), IsEmpty());
 }
 
-TEST(Balance, LeastShareIsKeptByTheMostThatCan) {
+TEST(Balance, MinShareKeepsAsManyAsPossible) {
   for (const Counts& available : std::vector<Counts>{
            {100, 100, 100, 100, 30}, {1000, 7, 40, 41, 8}, {5, 5, 5, 5, 5}, {900, 1, 1, 1, 1}}) {
     const double share = 0.15;
@@ -40,13 +40,13 @@ TEST(Balance, LeastShareIsKeptByTheMostThatCan) {
   }
 }
 
-TEST(Balance, SharesThatNobodyCanHaveAreRefused) {
+TEST(Balance, ImpossibleSharesAreRejected) {
   EXPECT_THROW(withMinShare({5, 5, 5}, 0.34), std::invalid_argument);
   EXPECT_NO_THROW(withMinShare({5, 5, 5}, 1.0 / 3.0));
   EXPECT_THROW(withMaxRatio({5, 5}, 0.99), std::invalid_argument);
 }
 
-TEST(Balance, RatioToTheMeanIsKeptByTheMostThatCan) {
+TEST(Balance, MaxRatioKeepsAsManyAsPossible) {
   for (const Counts& available :
        std::vector<Counts>{{100, 10, 10, 10}, {1, 2, 3, 50, 60, 0, 61}, {9}, {1, 1000}}) {
     const double ratio = 1.5;
@@ -69,7 +69,7 @@ TEST(Balance, RatioToTheMeanIsKeptByTheMostThatCan) {
   }
 }
 
-/// Many of every kind, fewest left turns, few of the shortest length.
+/// Many clips of each kind, fewest left turns, few of the shortest length.
 std::vector<ClipKind> manyClips() {
   std::vector<ClipKind> clips;
   for (int i = 0; i < 400; ++i) {
@@ -81,7 +81,7 @@ std::vector<ClipKind> manyClips() {
   return clips;
 }
 
-TEST(Balance, ChosenClipsKeepBothQuotas) {
+TEST(Balance, ChosenClipsMeetBothLimits) {
   const std::vector<ClipKind> clips = manyClips();
   const auto chosen = chooseBalanced(clips, {0.15, 1.2}, 3);
   std::map<CollisionType, std::map<int, int>> counts;

@@ -25,7 +25,7 @@ DatasetOptions options() {
   return options;
 }
 
-/// The ego straight on at 5 m/s in frames at these times.
+/// A scene with an ego that drives straight at 5 m/s, with frames at these times.
 Scene sceneOf(const std::vector<double>& times, double speed = 5.0) {
   Scene scene;
   scene.name = "scene-0007";
@@ -48,7 +48,7 @@ std::vector<SceneRequest> list(const Scene& scene, const DatasetOptions& options
   return listClipRequests(scene, options, shippedOptions().prediction, seed);
 }
 
-TEST(ClipRequests, LengthsAreTheFramesBetweenTheBounds) {
+TEST(ClipRequests, LengthsAreFramesWithinTheLimits) {
   EXPECT_THAT(clipLengths(options()), ElementsAre(9, 10, 11, 12));
   DatasetOptions odd = options();
   odd.min_length = 4.6;
@@ -56,7 +56,7 @@ TEST(ClipRequests, LengthsAreTheFramesBetweenTheBounds) {
   EXPECT_THAT(clipLengths(odd), ElementsAre(10, 11));
 }
 
-TEST(ClipRequests, EveryBeginAndTypeGetsItsLengths) {
+TEST(ClipRequests, EachBeginAndTypeGetsTheConfiguredNumberOfLengths) {
   // The impact is in frame 9 to 12 from the begin and has a frame after it: 20 frames hold begins 0
   // to 9; the last of them 9 alone, the one before 9 and 10.
   const auto requests = list(sceneOf(framesEvery(0.5, 20)), options());
@@ -78,7 +78,7 @@ TEST(ClipRequests, EveryBeginAndTypeGetsItsLengths) {
   }
 }
 
-TEST(ClipRequests, TtaIsTheRecordedTimeToTheImpactsFrame) {
+TEST(ClipRequests, TtaIsTheRecordedTimeToTheImpactFrame) {
   std::vector<double> times = framesEvery(0.5, 12);
   for (std::size_t i = 0; i < times.size(); i += 2) times[i] += 0.03;
   DatasetOptions one = options();
@@ -90,7 +90,7 @@ TEST(ClipRequests, TtaIsTheRecordedTimeToTheImpactsFrame) {
   }
 }
 
-TEST(ClipRequests, SeedsDifferAndFollowFromTheSeed) {
+TEST(ClipRequests, SeedsDifferAndAreDeterministic) {
   const Scene scene = sceneOf(framesEvery(0.5, 30));
   std::set<std::uint64_t> seeds;
   const auto requests = list(scene, options());
@@ -105,7 +105,7 @@ TEST(ClipRequests, SeedsDifferAndFollowFromTheSeed) {
   EXPECT_EQ(seeds.count(list(scene, options(), 1).front().request.seed), 0U);
 }
 
-TEST(ClipRequests, FramesThatDoNotComeAtTwoHertzHaveNone) {
+TEST(ClipRequests, FramesNotAtTwoHertzYieldNoRequests) {
   EXPECT_TRUE(list(sceneOf(framesEvery(0.6, 40)), options()).empty());
   std::vector<double> gap = framesEvery(0.5, 20);
   for (std::size_t i = 5; i < gap.size(); ++i) gap[i] += 0.5;
@@ -114,7 +114,7 @@ TEST(ClipRequests, FramesThatDoNotComeAtTwoHertzHaveNone) {
   }
 }
 
-TEST(ClipRequests, SlowEgosAreLeftOut) {
+TEST(ClipRequests, SlowEgosAreSkipped) {
   DatasetOptions fast = options();
   fast.min_ego_speed = 5.5;
   EXPECT_TRUE(list(sceneOf(framesEvery(0.5, 20)), fast).empty());

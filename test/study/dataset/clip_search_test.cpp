@@ -19,7 +19,7 @@ using testing::HasSubstr;
 
 constexpr double kTta = 4.0;  // s
 
-/// The ego eastwards at 8 m/s on a road, `behind` 15 m behind it at 9 m/s.
+/// The ego drives east at 8 m/s on a road; the agent `behind` is 15 m behind it at 9 m/s.
 class ClipSearch : public testing::Test {
  protected:
   ClipSearch() {
@@ -65,7 +65,7 @@ class ClipSearch : public testing::Test {
   IndexedScene indexed_;
 };
 
-TEST_F(ClipSearch, AClipTouchesAtTheTargetTimeAsDrawn) {
+TEST_F(ClipSearch, AClipHasContactAtTheTargetTimeAndDrawnHeading) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const SceneRequest request = asked(CollisionType::kRearEnd, seed);
     const Realization answer = found(request);
@@ -80,7 +80,7 @@ TEST_F(ClipSearch, AClipTouchesAtTheTargetTimeAsDrawn) {
   }
 }
 
-TEST_F(ClipSearch, AnAddedVehicleMakesAClipWhereNobodyIs) {
+TEST_F(ClipSearch, AnAddedVehicleMakesAClipWithoutCandidates) {
   config_.dataset.choice = AttackerChoice::kAny;
   indexed_.scene.agents.clear();
   const Realization answer = found(asked());
@@ -90,7 +90,7 @@ TEST_F(ClipSearch, AnAddedVehicleMakesAClipWhereNobodyIs) {
   EXPECT_EQ(answer.trajectory.past.front().time, indexed_.scene.frame_times.front());
 }
 
-TEST_F(ClipSearch, TheHeadingKeepsToANarrowSpread) {
+TEST_F(ClipSearch, TheHeadingStaysWithinTheSpread) {
   config_.dataset.heading_spread = 0.02;
   const TypeDefinition& type = config_.crash.types.at(CollisionType::kLaneChange);
   auto map = twoLaneRoad();
@@ -110,7 +110,7 @@ TEST_F(ClipSearch, TheHeadingKeepsToANarrowSpread) {
   EXPECT_GT(degrees.size(), 3U);
 }
 
-TEST_F(ClipSearch, TheTrajectoryGoesOnFromTheRecordedState) {
+TEST_F(ClipSearch, TheTrajectoryContinuesTheRecordedState) {
   const Realization answer = found(asked());
   ASSERT_EQ(answer.status.code, StatusCode::kOk);
   const TrajectoryPoint& start = answer.trajectory.points.front();
@@ -120,26 +120,26 @@ TEST_F(ClipSearch, TheTrajectoryGoesOnFromTheRecordedState) {
   EXPECT_NEAR(start.speed, 9.0, 1e-3);
 }
 
-TEST_F(ClipSearch, AVehicleThatMissesAFrameOfTheHistoryIsNoCandidate) {
+TEST_F(ClipSearch, AVehicleWithoutAFrameOfTheHistoryIsNoCandidate) {
   auto& states = indexed_.scene.agents.front().states;
   states.erase(states.begin() + 3);  // 3.5 s before now, the clip's first frame
   expectRefusal(StatusCode::kNoCandidate, "in all 8 frames");
 }
 
-TEST_F(ClipSearch, AnAttackOffTheRoadIsRefused) {
+TEST_F(ClipSearch, AnOffRoadAttackIsRejected) {
   auto map = twoLaneRoad();
   map->drivable_area = {rectangle(100.0, -1.75, 200.0, 5.25)};
   setMap(map);
   expectRefusal(StatusCode::kNoAttackWithinLimits, "leaves the road");
 }
 
-TEST_F(ClipSearch, AnAttackThatAReaderDoesNotSeeIsRefused) {
-  // A reader takes the long bus for a car, 6.65 m shorter at its front.
+TEST_F(ClipSearch, AnAttackNotVisibleInTheClipIsRejected) {
+  // In the clip the long bus has the size of a car, which is 6.65 m shorter at its front.
   indexed_.scene.agents = {track("behind", {18.0, 2.5}, {-22.0, 0.0, 0.0}, 9.0)};
-  expectRefusal(StatusCode::kNoAttackWithinLimits, "protocol misses of the clip");
+  expectRefusal(StatusCode::kNoAttackWithinLimits, "the clip does not meet these measures of the ");
 }
 
-TEST_F(ClipSearch, AnUnknownFrameAndAnImpactAfterTheRecordingAreAnswered) {
+TEST_F(ClipSearch, AnUnknownFrameAndALateImpactHaveAStatus) {
   SceneRequest request = asked();
   request.now += 0.2;
   EXPECT_EQ(found(request).status.code, StatusCode::kNoScene);
@@ -147,7 +147,7 @@ TEST_F(ClipSearch, AnUnknownFrameAndAnImpactAfterTheRecordingAreAnswered) {
   EXPECT_EQ(found(request).status.code, StatusCode::kBeyondRecording);
 }
 
-TEST(NarrowedBand, LiesAboutTheHeadingWithinTheTypesBand) {
+TEST(NarrowedBand, IsAroundTheHeadingWithinTheBandOfTheType) {
   const TypeDefinition type{0.2, 0.5, 0.3, 0.0, 1.0};
   const auto expect = [&](double heading, double spread, double low, double high) {
     const TypeDefinition narrowed = narrowedAbout(type, heading, spread);

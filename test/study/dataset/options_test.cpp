@@ -10,19 +10,19 @@ namespace {
 const StudyConfig kShipped = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
 const DatasetOptions& kOptions = kShipped.dataset;
 
-TEST(DatasetOptions, ClipsAskForNothingThatRequestsMayNot) {
+TEST(DatasetOptions, ClipLengthsAreValidTtas) {
   constexpr double kHistory = 3.5;  // s of a clip before now
   EXPECT_GE(kOptions.min_length - kHistory, kShipped.attack.prediction.min_tta);
   EXPECT_LE(kOptions.max_length - kHistory, kShipped.attack.prediction.max_tta);
 }
 
-TEST(DatasetOptions, TypesThatLogsSeldomAllowAreTriedMoreOften) {
+TEST(DatasetOptions, RareTypesHaveMoreAttempts) {
   EXPECT_GT(kOptions.attempts.at(CollisionType::kLtap),
             kOptions.attempts.at(CollisionType::kRearEnd));
   EXPECT_EQ(kOptions.attempts.size(), std::size(kCollisionTypes));
 }
 
-TEST(DatasetOptions, SplitsAreAsLargeAsThoseOfCollide) {
+TEST(DatasetOptions, SplitSharesEqualCollides) {
   constexpr double kTrain = 6017.0;  // clips
   constexpr double kVal = 858.0;
   constexpr double kTest = 1697.0;
@@ -30,7 +30,7 @@ TEST(DatasetOptions, SplitsAreAsLargeAsThoseOfCollide) {
   EXPECT_NEAR(kOptions.split.val_share, kVal / (kTrain + kVal + kTest), 0.01);
 }
 
-TEST(DatasetOptions, ImpactsAreTimedMoreSharplyThanAttacks) {
+TEST(DatasetOptions, TimeToleranceIsStricterThanForRequests) {
   EXPECT_LT(kOptions.time_tolerance, kShipped.crash.time_tolerance);
 }
 

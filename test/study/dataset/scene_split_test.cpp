@@ -19,12 +19,12 @@ std::map<std::string, int> sizes(const std::map<std::string, std::string>& split
   return counts;
 }
 
-TEST(SceneSplit, SharesAreThoseAskedFor) {
+TEST(SceneSplit, SharesAreAsConfigured) {
   const std::map<std::string, int> expected = {{"test", 20}, {"train", 70}, {"val", 10}};
   EXPECT_EQ(sizes(splitByScene(scenes(100), kShares)), expected);
 }
 
-TEST(SceneSplit, IsNoRunOfNeighbours) {
+TEST(SceneSplit, SplitsAreNotContiguousInNameOrder) {
   const auto splits = splitByScene(scenes(100), kShares);
   const std::vector<std::string> names = scenes(100);
   int changes = 0;

@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-TEST(Seeds, EveryTextAndSeedHasItsOwn) {
+TEST(Seeds, DifferentTextsAndSeedsGiveDifferentSeeds) {
   std::set<std::uint64_t> seeds;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     for (int i = 0; i < 100; ++i) seeds.insert(seedOf(std::to_string(i), seed));
@@ -16,7 +16,7 @@ TEST(Seeds, EveryTextAndSeedHasItsOwn) {
   EXPECT_EQ(seedOf("scene-0001", 7), seedOf("scene-0001", 7));
 }
 
-TEST(Seeds, SharesAreEvenlySpread) {
+TEST(Seeds, SharesAreUniformlyDistributed) {
   int counts[10] = {};
   for (std::uint64_t seed = 0; seed < 10000; ++seed) {
     const double share = shareOf(seed);

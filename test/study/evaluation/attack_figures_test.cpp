@@ -16,7 +16,7 @@ const StudyConfig& shipped() {
   return config;
 }
 
-/// A recording of one who drives along x at `speed` until 5 s after now.
+/// A recorded vehicle that drives along x at `speed` until 5 s after t0.
 Track drive(const std::string& id, const Pose2& now, double speed, int first = -20) {
   Track track{id, AgentClass::kCar, kCarSize, {}};
   for (int i = first; i <= 10; ++i) {
@@ -54,7 +54,7 @@ TEST(AttackFigures, WindowEndsBeforeTheContactOfTheReport) {
   EXPECT_EQ(figures.window->generated, 5u);
 }
 
-TEST(AttackFigures, PastOfOneThatWasAddedIsItsOwn) {
+TEST(AttackFigures, AnAddedAttackerUsesItsOwnPast) {
   Case c;
   c.recording.agents.erase(c.recording.agents.begin());
   EXPECT_FALSE(c.figures().window);
@@ -64,10 +64,10 @@ TEST(AttackFigures, PastOfOneThatWasAddedIsItsOwn) {
   EXPECT_TRUE(c.figures().window);
 }
 
-TEST(AttackFigures, LeastGapIsToAnybodyButTheEgoUntilTheContact) {
+TEST(AttackFigures, LeastGapExcludesTheEgoAndEndsAtTheContact) {
   Case c;
   EXPECT_NEAR(*c.figures().least_gap, 5.0 - kCarSize.width, 1e-9);
-  // Stands where the attacker's front comes to at 4.5 s, half a second after the contact.
+  // Stands at the position of the attacker's front at 4.5 s, half a second after the contact.
   const double ahead = 45.0 + kCarSize.length;
   c.recording.agents.push_back(drive("standing", {ahead, 0.0, 0.0}, 0.0));
   EXPECT_NEAR(*c.figures().least_gap, 5.0 - kCarSize.width, 1e-9);
@@ -77,7 +77,7 @@ TEST(AttackFigures, LeastGapIsToAnybodyButTheEgoUntilTheContact) {
   EXPECT_FALSE(c.figures().least_gap);
 }
 
-TEST(AttackFigures, PeaksAreThoseUntilTheContact) {
+TEST(AttackFigures, PeaksEndAtTheContact) {
   Case c;
   for (TrajectoryPoint& point : c.answer.trajectory.points) {
     const double after = point.time - kNow;
@@ -92,7 +92,7 @@ TEST(AttackFigures, PeaksAreThoseUntilTheContact) {
   EXPECT_NEAR(figures.peaks.steering_rate, 0.01 * wheelbase, 1e-4);
 }
 
-TEST(AttackFigures, ColumnsReadBackAsThemselves) {
+TEST(AttackFigures, ColumnsRoundTrip) {
   Case c;
   c.answer.report.road = {0.1, 0.2, 0.3, 0.4, 0.5};
   const std::optional<AttackFigures> attack = c.figures();
@@ -114,7 +114,7 @@ TEST(AttackFigures, ColumnsReadBackAsThemselves) {
   }
 }
 
-TEST(RecordedMotion, IsOfEveryWindowWithItsRoadAndGap) {
+TEST(RecordedMotion, HasEachWindowWithRoadUseAndGap) {
   const Case c;
   const auto map = twoLaneRoad();
   IndexedScene recording{c.recording, std::make_shared<const LaneIndex>(map)};
@@ -125,7 +125,7 @@ TEST(RecordedMotion, IsOfEveryWindowWithItsRoadAndGap) {
   const auto on_lane = [](const RecordedMotion& motion) { return motion.road.on_lane; };
   EXPECT_GT(on_lane(motions.front()), 0.0);
   EXPECT_EQ(on_lane(motions.back()), 0.0);
-  // The attacker comes up to the ego: 60 - 5 t between the middles, t = 5 s at the end.
+  // The attacker approaches the ego: 60 - 5 t between the centres, t = 5 s at the end.
   const MotionWindow& last = motions[31 - kWindowSamples].window;
   EXPECT_EQ(last.id, "attacker");
   const double reach = 0.5 * (kCarSize.length + recording.scene.ego.size.length);

@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-/// `count` promises of 0, 1 / count, 2 / count and so on; the greatest `kept` of them are kept.
+/// `count` predictions with confidence 0, 1 / count, ...; the highest `kept` of them succeed.
 std::vector<Promise> ladder(int count, int kept) {
   std::vector<Promise> promises;
   for (int i = 0; i < count; ++i) {
@@ -18,7 +18,7 @@ std::vector<Promise> ladder(int count, int kept) {
   return promises;
 }
 
-TEST(Calibration, DecilesAreOfEqualNumberAndSorted) {
+TEST(Calibration, DecilesHaveEqualSizesAndAreSorted) {
   std::vector<Promise> promises = ladder(200, 70);
   std::reverse(promises.begin(), promises.end());
   const Calibration calibration = calibrate("angle bands", promises);
@@ -33,15 +33,15 @@ TEST(Calibration, DecilesAreOfEqualNumberAndSorted) {
   }
 }
 
-TEST(Calibration, LargestDifferenceIsOfEitherSign) {
-  // Nothing is kept: the most promising tenth is the farthest off.
+TEST(Calibration, LargestDifferenceIgnoresTheSign) {
+  // No prediction succeeds, so the last decile has the largest difference.
   const Calibration none = calibrate("", ladder(100, 0));
   EXPECT_NEAR(none.largestDifference(), 0.945, 1e-12);
   const Calibration all = calibrate("", ladder(100, 100));
   EXPECT_NEAR(all.largestDifference(), 1.0 - 0.045, 1e-12);
 }
 
-TEST(Calibration, FewPromisesLeaveOutEmptyGroups) {
+TEST(Calibration, FewPromisesGiveNoEmptyGroups) {
   EXPECT_TRUE(calibrate("", {}).deciles.empty());
   EXPECT_EQ(calibrate("", {}).largestDifference(), 0.0);
   const Calibration three = calibrate("", ladder(3, 1));

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The charts of the study: what they read, and that they are pictures of the same bytes every time."""
+"""Test the charts of the study: their input files, and that pictures are reproducible."""
 import subprocess
 import sys
 import tempfile
@@ -33,12 +33,12 @@ class ChartsTest(unittest.TestCase):
                        check=True)
         return {path.name: path.read_bytes() for path in self.folder.glob('*.png')}
 
-    def test_rates_without_trials_are_left_out_and_intervals_may_be_unknown(self):
+    def test_rates_without_trials_are_omitted_and_intervals_are_optional(self):
         self.assertEqual(charts.read_rates(self.folder / 'table.csv'),
                          [('hit', 'a', 'all', 0.8125, (0.776, 0.844)), ('hit', 'b', 'RE', 0.85, None),
                           ('fair', 'a', 'all', 0.5, None)])
 
-    def test_every_file_has_its_chart_and_it_is_the_same_again(self):
+    def test_each_file_has_a_chart_and_charts_are_reproducible(self):
         arguments = ('--rates', self.folder / 'table.csv', '--measures', 'hit', '--calibration',
                      self.folder / 'calibration.csv', '--curves', self.folder / 'metrics.csv', '--columns', 'loss',
                      'validation')
@@ -48,7 +48,7 @@ class ChartsTest(unittest.TestCase):
             self.assertEqual(picture[:4], b'\x89PNG')
         self.assertEqual(self.draw(*arguments), drawn)
 
-    def test_a_file_that_cannot_be_read_is_named_and_nothing_is_drawn(self):
+    def test_an_unreadable_file_is_named_and_nothing_is_drawn(self):
         result = subprocess.run(['/usr/bin/python3', str(PROGRAMS / 'charts.py'), '--rates', str(self.folder / 'none.csv')],
                                 stderr=subprocess.PIPE, universal_newlines=True, check=False)
         self.assertEqual(result.returncode, 1)

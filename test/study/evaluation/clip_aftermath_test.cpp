@@ -15,7 +15,7 @@ const Track& trackOf(const Future& future, const std::string& id) {
   throw std::out_of_range(id);
 }
 
-TEST(ClipAftermath, TheAttackerAloneStandsFromTheCrashOn) {
+TEST(ClipAftermath, OnlyTheAttackerStopsAtTheCrash) {
   CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, 11, 5.0, {-14.7, 0.0, 0.0}, 10.0);
   clip.tracks.push_back(straightClipTrack("other", {0.0, 5.0, 0.0}, 4.0, 11));
   const Scene scene = toScene(clip, {{4.7, 2.0}, 2.0, 0.1}, std::make_shared<const LaneMap>());

@@ -24,7 +24,7 @@ const SearchOptions& search() {
   return options.search;
 }
 
-/// A clip whose attacker drives one quintic on each axis from frame 0 to the last.
+/// A clip in which the attacker follows one quintic per axis from frame 0 to the last.
 CollideClip quinticClip() {
   CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, kLastFrame, 5.0, {}, 5.0);
   const double duration = 0.5 * kLastFrame;
@@ -58,7 +58,7 @@ struct Nominal {
                            mode == Mode::kReplay ? &recorded : nullptr,
                            requestOf(clip, mode, 0.5, shippedCrash()), options);
   }
-  /// Where the attacker is at the last frame.
+  /// Position of the attacker at the last frame.
   TrajectoryPoint end() const {
     for (const TrajectoryPoint& point : trajectory().points) {
       if (point.time >= clip.times.back() - 1e-3) return point;
@@ -67,7 +67,7 @@ struct Nominal {
   }
 };
 
-/// The ego drives 5 m/s along x and is at (15, 0) at the last frame.
+/// The ego drives along x at 5 m/s and is at (15, 0) in the last frame.
 Nominal nominal(CollisionType type, double attacker_y) {
   return {straightClip(type, 0.0, kLastFrame, 5.0, {-10.0, attacker_y, 0.0}, 7.0)};
 }
@@ -78,7 +78,7 @@ void expectPose(const Pose2& actual, double x, double y, double yaw) {
   EXPECT_NEAR(angleBetween(yaw, actual.yaw), 0.0, 1e-6);
 }
 
-TEST(Baselines, RequestIsTheClips) {
+TEST(Baselines, RequestHasTypeTtaAndAttackerOfTheClip) {
   CollideClip clip = straightClip(CollisionType::kLtap, 90.0, kLastFrame, 5.0, {}, 5.0);
   CollisionRequest request = requestOf(clip, Mode::kReplay, 0.5, shippedCrash());
   EXPECT_EQ(request.type, CollisionType::kLtap);
@@ -90,7 +90,7 @@ TEST(Baselines, RequestIsTheClips) {
   EXPECT_EQ(requestOf(clip, Mode::kReplay, 0.5, shippedCrash()).tta, 0.5);
 }
 
-TEST(Baselines, RecordedAttackerHasTheMotionOfItsQuintic) {
+TEST(Baselines, RecordedAttackerFollowsItsQuintic) {
   const CollideClip clip = quinticClip();
   const AttackerTrajectory trajectory = recordedAttacker(clip, kBox, search());
   const double duration = 0.5 * kLastFrame;
@@ -118,19 +118,20 @@ TEST(Baselines, RecordedAttackerHasTheMotionOfItsQuintic) {
   }
 }
 
-TEST(Baselines, RecordedMotionDependsOnTheSixFramesAroundAlone) {
+TEST(Baselines, RecordedMotionDependsOnlyOnTheSixNearestFrames) {
   CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, kLastFrame, 5.0, {}, 5.0);
   for (const std::size_t frame : {std::size_t{4}, std::size_t{13}}) {
     clip.tracks[0].frames[frame]->pose.y = 1.0;
   }
   const AttackerTrajectory trajectory = recordedAttacker(clip, kBox, search());
-  for (std::size_t i = 0; i < 15; ++i) {  // up to frame 10, whose interval is the first to feel 13
+  for (std::size_t i = 0; i < 15;
+       ++i) {  // up to frame 10, the first interval that depends on frame 13
     EXPECT_NEAR(trajectory.points[i].curvature, 0.0, 1e-6) << i;
   }
   EXPECT_GT(std::abs(trajectory.points[25].curvature), 1e-3);
 }
 
-TEST(Baselines, RecordedAttackerGoesStraightOnAfterTheLastFrame) {
+TEST(Baselines, RecordedAttackerContinuesStraightAfterTheLastFrame) {
   const CollideClip clip = quinticClip();
   const AttackerTrajectory trajectory = recordedAttacker(clip, kBox, search());
   const TrajectoryPoint& last = trajectory.points[30];
@@ -141,7 +142,7 @@ TEST(Baselines, RecordedAttackerGoesStraightOnAfterTheLastFrame) {
   EXPECT_EQ(end.acceleration, 0.0);
 }
 
-TEST(Baselines, ConstantVelocityOfAnAgentIsThatOfItsHistory) {
+TEST(Baselines, ConstantVelocityUsesTheHistoryOfTheAgent) {
   const Snapshot snapshot = snapshotOf(pastTrack(kEgoId, kEgoSize, {}, 5.0),
                                        {pastTrack("other", kCarSize, {}, 1.0),
                                         pastTrack("attacker", kCarSize, {3.0, 4.0, M_PI_2}, 6.0)},
@@ -158,7 +159,7 @@ TEST(Baselines, ConstantVelocityOfAnAgentIsThatOfItsHistory) {
                std::invalid_argument);
 }
 
-TEST(Baselines, NominalPlacesAreThoseOfTheSet) {
+TEST(Baselines, NominalPosesAreThePublishedOnes) {
   expectPose(nominal(CollisionType::kRearEnd, 0.5).end().pose, 11.0, 0.0, 0.0);
   expectPose(nominal(CollisionType::kOppositeDirection, 0.5).end().pose, 19.0, 0.0, M_PI);
   expectPose(nominal(CollisionType::kJunctionCrossing, 6.0).end().pose, 15.0, 3.0, -M_PI_2);
@@ -170,17 +171,17 @@ TEST(Baselines, NominalPlacesAreThoseOfTheSet) {
   expectPose(nominal(CollisionType::kLaneChange, -3.0).end().pose, ahead, -side, 0.35);
 }
 
-TEST(Baselines, NominalAimsAtTheEgoAsKnownInItsMode) {
+TEST(Baselines, NominalUsesTheEgoFutureOfItsMode) {
   Nominal attack = nominal(CollisionType::kRearEnd, 0.0);
   for (int frame = kCollideNowFrame + 1; frame <= kLastFrame; ++frame) {
-    attack.clip.tracks[1].frames[frame]->pose.y = 2.0;  // which nobody can know at now
+    attack.clip.tracks[1].frames[frame]->pose.y = 2.0;  // unknown at t0
   }
   expectPose(attack.end().pose, 11.0, 0.0, 0.0);
   attack.mode = Mode::kReplay;
   expectPose(attack.end().pose, 11.0, 2.0, 0.0);
 }
 
-TEST(Baselines, FramesAreRecordedUpToNowThenTheTrajectorys) {
+TEST(Baselines, FramesAreRecordedUpToT0ThenOnTheTrajectory) {
   CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, kLastFrame, 5.0, {}, 5.0);
   clip.tracks[0].frames[3]->pose.y = 9.0;
   AttackerTrajectory trajectory = constantVelocityAttacker(clip, kBox, search());

@@ -25,7 +25,7 @@ PlannerCase ofClip(ClipAttacker attacker, const CollideClip& clip = rearEnd(),
                     MethodMaker(method, builtInMethods(), config().attack, {}), config(), answers);
 }
 
-TEST(ClipCases, AClipHasTheSetsBoxesAndAttacker) {
+TEST(ClipCases, AClipHasTheBoxesAndAttackerOfTheDataSet) {
   const PlannerCase one = ofClip(ClipAttacker::kRecorded);
   EXPECT_EQ(one.status.code, StatusCode::kOk);
   EXPECT_EQ(one.name, rearEnd().name);
@@ -39,7 +39,7 @@ TEST(ClipCases, AClipHasTheSetsBoxesAndAttacker) {
   ASSERT_TRUE(one.published);
 }
 
-TEST(ClipCases, OursIsSearchedOnTheSetsRequest) {
+TEST(ClipCases, AMethodsAttackerIsSearchedForTheRequestOfTheClip) {
   const PlannerCase one = ofClip(ClipAttacker::kReplay);
   ASSERT_EQ(one.status.code, StatusCode::kOk) << one.status.message;
   EXPECT_EQ(one.request.mode, Mode::kReplay);
@@ -47,8 +47,8 @@ TEST(ClipCases, OursIsSearchedOnTheSetsRequest) {
   EXPECT_TRUE(one.scenario.attacker.points.size() > 20u);
 }
 
-TEST(ClipCases, AttackersThatMissAreTestedWhereAllAnswersAre) {
-  // The attacker falls behind, and cannot touch the ego at its own speed.
+TEST(ClipCases, MissingAttackersAreCasesWithAllAnswers) {
+  // The attacker falls behind and cannot reach the ego at its speed.
   const CollideClip clip =
       straightClip(CollisionType::kRearEnd, 0.0, 11, 8.0, {-14.7, 0.0, 0.0}, 5.0);
   const std::string method = "constant_velocity";
@@ -61,7 +61,7 @@ TEST(ClipCases, AttackersThatMissAreTestedWhereAllAnswersAre) {
   ASSERT_TRUE(all.published);
 }
 
-TEST(ClipCases, AVerifiedAttackIsTheSameWhereAllAnswersAre) {
+TEST(ClipCases, AVerifiedAttackIsTheSameWithAllAnswers) {
   const PlannerCase verified = ofClip(ClipAttacker::kReplay);
   const PlannerCase all = ofClip(ClipAttacker::kReplay, rearEnd(), "search", ClipAnswers::kAll);
   ASSERT_EQ(verified.status.code, StatusCode::kOk) << verified.status.message;

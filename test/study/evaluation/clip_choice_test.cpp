@@ -18,7 +18,7 @@ std::string pathOf(CollisionType type, int last_frame, int variant) {
   return "clips/val/" + composeCollideName(clip);
 }
 
-/// Four of each type but LTAP, of which there is none; the first is too short, by half a second.
+/// Four clips of each type except LTAP; the first of each type is too short by 0.5 s.
 std::vector<std::string> somePaths() {
   std::vector<std::string> paths;
   for (const CollisionType type : kCollisionTypes) {
@@ -45,14 +45,14 @@ std::string errorOf(const std::vector<std::string>& paths, const std::string& na
   return "";
 }
 
-TEST(DrawClips, OneOfEachTypeFirstInTheirOrder) {
+TEST(DrawClips, DrawsOneOfEachTypeInTurn) {
   const std::vector<CollisionType> first = {
       CollisionType::kLaneChange, CollisionType::kOppositeDirection, CollisionType::kRearEnd,
       CollisionType::kJunctionCrossing, CollisionType::kLaneChange};
   EXPECT_EQ(typesOf(drawClips(somePaths(), 5, 2.0, 0)), first);
 }
 
-TEST(DrawClips, TheSeedAloneDecidesAndMoreClipsBeginWithFewer) {
+TEST(DrawClips, IsDeterministicAndASmallerCountIsAPrefix) {
   const std::vector<std::string> paths = somePaths();
   const std::vector<std::string> drawn = drawClips(paths, 8, 2.0, 1);
   EXPECT_EQ(drawClips(paths, 8, 2.0, 1), drawn);
@@ -65,16 +65,16 @@ TEST(DrawClips, TheSeedAloneDecidesAndMoreClipsBeginWithFewer) {
   EXPECT_EQ(firsts.size(), 3u);
 }
 
-TEST(DrawClips, MoreThanThereAreIsRefusedWithHowManyThereAre) {
+TEST(DrawClips, TooFewClipsAreReportedWithTheirNumber) {
   try {
     drawClips(somePaths(), 13, 2.0, 0);
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "of 16 clips in clips/val only 12 are long enough, not 13");
+    EXPECT_STREQ(error.what(), "only 12 of 16 clips in clips/val are long enough; 13 requested");
   }
 }
 
-TEST(ClipNamed, TakesTheNameOrAPartThatIsOfOneAlone) {
+TEST(ClipNamed, AcceptsAFullNameOrAUniquePart) {
   const std::vector<std::string> paths = {pathOf(CollisionType::kRearEnd, 11, 1),
                                           pathOf(CollisionType::kRearEnd, 12, 2),
                                           pathOf(CollisionType::kLtap, 12, 2)};
@@ -84,10 +84,11 @@ TEST(ClipNamed, TakesTheNameOrAPartThatIsOfOneAlone) {
   EXPECT_EQ(clipNamed(paths, "LTAP_scene-0001"), paths[2]);
 }
 
-TEST(ClipNamed, UnknownAndAmbiguousNamesAreRefusedWithWhatThereIs) {
+TEST(ClipNamed, UnknownAndAmbiguousNamesAreRejectedWithExamples) {
   const std::vector<std::string> paths = {"val/a1.csv", "val/a2.csv", "val/b.csv"};
-  EXPECT_EQ(errorOf(paths, "c"), "\"c\" is none of 3 clips in val, as a1");
-  EXPECT_EQ(errorOf(paths, "a"), "\"a\" is in the names of 2 clips, as a1 and a2");
+  EXPECT_EQ(errorOf(paths, "c"), "\"c\" matches none of 3 clips in val; names look like a1");
+  EXPECT_EQ(errorOf(paths, "a"),
+            "\"a\" matches 2 clips, e.g. a1 and a2; give a longer part of the name");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ struct Evaluation {
   std::shared_ptr<const LaneIndex> lanes =
       std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>());
   EvaluationPlan plan;
-  Foresight foresight;  // knows nothing
+  Foresight foresight;  // without models
 
   std::vector<ResultRow> rows(const CollideClip& clip) const {
     return evaluateClip(clip, lanes, {builtInMethods(), foresight, config}, plan);
@@ -41,7 +41,7 @@ bool meets(const ResultRow& row, Protocol protocol, const std::string& name) {
   throw std::out_of_range(name);
 }
 
-/// The attacker closes in from behind at 5 m/s and touches the ego 2 s from now.
+/// The attacker approaches from behind at 5 m/s relative speed; contact 2 s after t0.
 CollideClip rearEnd() {
   return straightClip(CollisionType::kRearEnd, 0.0, 11, 5.0, {-14.7, 0.0, 0.0}, 10.0);
 }
@@ -70,7 +70,7 @@ TEST(ClipEvaluation, EveryPlanHasTheBaselinesAndItsSeeds) {
   }
 }
 
-TEST(ClipEvaluation, StrictRowsHaveEveryCondition) {
+TEST(ClipEvaluation, StrictRowsHaveAllConditions) {
   Evaluation evaluation;
   for (const char* method : {"recorded", "constant_velocity"}) {
     const ResultRow row = evaluation.row(rearEnd(), method);
@@ -81,8 +81,8 @@ TEST(ClipEvaluation, StrictRowsHaveEveryCondition) {
   }
 }
 
-TEST(ClipEvaluation, ApproachTellsTheTwoStrictColumnsApart) {
-  // From the left, 90 degrees: as a left turn across path only by the angle.
+TEST(ClipEvaluation, TheApproachDistinguishesTheTwoStrictColumns) {
+  // From the left at 90 degrees: a left turn across path only by the angle.
   const CollideClip clip =
       straightClip(CollisionType::kLtap, 90.0, 11, 5.0, {10.0, 13.0, -M_PI_2}, 5.0);
   const ResultRow row = Evaluation().row(clip, "recorded");
@@ -92,7 +92,7 @@ TEST(ClipEvaluation, ApproachTellsTheTwoStrictColumnsApart) {
   EXPECT_FALSE(meets(row, Protocol::kStrict, "type_full"));
 }
 
-TEST(ClipEvaluation, NotesNameTheBrokenLimitAndWhomTheAttackerTouches) {
+TEST(ClipEvaluation, NotesNameTheBrokenLimitAndTheTouchedAgent) {
   CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, 11, 30.0, {-14.7, 0.0, 0.0}, 35.0);
   clip.tracks.push_back(straightClipTrack("third", {-10.0, 1.0, 0.0}, 30.5, 11));
   const ResultRow row = Evaluation().row(clip, "recorded");
@@ -101,12 +101,13 @@ TEST(ClipEvaluation, NotesNameTheBrokenLimitAndWhomTheAttackerTouches) {
   EXPECT_EQ(row.note, "max_speed 35.000 > 25.000; touches third");
 }
 
-TEST(ClipEvaluation, PublishedRowsCountFromNow) {
+TEST(ClipEvaluation, PublishedContactTimesAreRelativeToT0) {
   Evaluation evaluation;
   evaluation.plan.protocol = Protocol::kPublished;
   const ResultRow row = evaluation.row(rearEnd(), "recorded");
   EXPECT_EQ(row.meets, (std::vector<bool>{true, true}));
-  EXPECT_NEAR(*row.contact_after, 2.1, 1e-9);  // 0.5 m a step, and 0.18 m of overlap are needed
+  EXPECT_NEAR(*row.contact_after, 2.1,
+              1e-9);  // 0.5 m per step; a collision needs 0.18 m of overlap
   CollideClip clip = rearEnd();
   clip.tracks.push_back(standingClipTrack("third", {-4.0, 0.0, 0.0}, 11));
   const ResultRow miss = evaluation.row(clip, "recorded");
@@ -116,7 +117,7 @@ TEST(ClipEvaluation, PublishedRowsCountFromNow) {
   EXPECT_EQ(miss.note, "ego touches third");
 }
 
-/// The ego brakes from now on; its past does not tell.
+/// The ego brakes from t0 on, which its history does not show.
 CollideClip brakingEgo(double deceleration) {
   CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, 15, 8.0, {-20.0, 0.3, 0.0}, 10.0);
   for (std::size_t i = kCollideNowFrame + 1; i < clip.times.size(); ++i) {
@@ -128,7 +129,7 @@ CollideClip brakingEgo(double deceleration) {
   return clip;
 }
 
-TEST(ClipEvaluation, AnAdaptiveAttackerReactsToWhatTheClipReveals) {
+TEST(ClipEvaluation, AnAdaptiveAttackerReactsToTheClip) {
   Evaluation evaluation;
   evaluation.lanes = std::make_shared<const LaneIndex>(twoLaneRoad());
   evaluation.plan.method = "search";
@@ -144,7 +145,7 @@ TEST(ClipEvaluation, AnAdaptiveAttackerReactsToWhatTheClipReveals) {
   EXPECT_THROW(evaluation.row(clip, "first_plan"), std::out_of_range);
 }
 
-TEST(ClipEvaluation, NetworksForeseeAndTheSearchWithoutThemStandsBeside) {
+TEST(ClipEvaluation, NetworkMethodsAreMeasuredBesideTheSearchWithoutNetworks) {
   Evaluation evaluation;
   evaluation.foresight = loadForesight(evaluation.config);
   const CollideClip clip =
@@ -177,8 +178,9 @@ TEST(ClipEvaluation, NetworkDrivesToItsLikeliestPattern) {
   EXPECT_TRUE(meets(row, Protocol::kStrict, "type_angle_bands"));
 }
 
-TEST(ClipEvaluation, SearchAsksForTheAngleBandsAlone) {
-  // Crossing at now and at contact, asked for as a left turn across path, which comes from ahead.
+TEST(ClipEvaluation, SearchUsesOnlyTheAngleBands) {
+  // A crossing at t0 and at contact, requested as left turn across path, which must come from
+  // ahead.
   Evaluation evaluation;
   evaluation.plan.method = "search";
   evaluation.plan.mode = Mode::kReplay;
@@ -190,7 +192,7 @@ TEST(ClipEvaluation, SearchAsksForTheAngleBandsAlone) {
   EXPECT_FALSE(meets(row, Protocol::kStrict, "full_definitions"));
 }
 
-TEST(ClipEvaluation, LimitsAreTheStrictOnesWhateverIsConfigured) {
+TEST(ClipEvaluation, LimitsAreStrictForAnyConfiguration) {
   Evaluation evaluation;
   evaluation.plan.method = "search";
   evaluation.plan.mode = Mode::kReplay;
@@ -205,7 +207,7 @@ TEST(ClipEvaluation, LimitsAreTheStrictOnesWhateverIsConfigured) {
   evaluation.config.crash = rulesOfClips(evaluation.config.crash);
   EXPECT_EQ(evaluation.config.crash.limits, LimitSet::kStrict);
   EXPECT_EQ(lines(), drivable);
-  // The clip's own attacker is held to them: of a set that lets nobody drive it keeps none.
+  // The recorded attacker is judged by them too: it violates limits that allow no motion.
   ASSERT_TRUE(meets(evaluation.row(rearEnd(), "recorded"), Protocol::kStrict, "limits_kept"));
   evaluation.config.attack.verification.limits.max_speed = 1.0;
   EXPECT_FALSE(meets(evaluation.row(rearEnd(), "recorded"), Protocol::kStrict, "limits_kept"));

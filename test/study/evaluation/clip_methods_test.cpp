@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-/// Says that the attacker ends 4 m behind an ego at (10, 0), or that there is none.
+/// Predicts that the attacker ends 4 m behind an ego at (10, 0), or finds no candidate.
 class FixedPattern : public AttackMethod {
  public:
   explicit FixedPattern(StatusCode code) : code_(code) {}
@@ -27,7 +27,7 @@ class FixedPattern : public AttackMethod {
   StatusCode code_;
 };
 
-/// A rear end 2 s from now, whose attacker drives 10 m/s, and 12 m/s in the last frame.
+/// A rear-end clip with a TTA of 2 s; the attacker drives 10 m/s, 12 m/s in the last frame.
 struct Lookahead {
   explicit Lookahead(StatusCode code = StatusCode::kOk) {
     clip.tracks[0].frames.back()->speed = 12.0;
@@ -52,7 +52,7 @@ struct Lookahead {
   MethodRegistry registry;
 };
 
-TEST(ClipMethods, LookaheadArrivesAsTheSetsOwnAttacker) {
+TEST(ClipMethods, LookaheadArrivesWithTheMotionOfTheRecordedAttacker) {
   const Lookahead lookahead;
   const Realization answer = lookahead.answer();
   ASSERT_EQ(answer.status.code, StatusCode::kOk);
@@ -63,7 +63,7 @@ TEST(ClipMethods, LookaheadArrivesAsTheSetsOwnAttacker) {
   EXPECT_NEAR(answer.trajectory.points[at - 1].acceleration, (12.0 - 10.0) / 0.5, 1.0);
 }
 
-TEST(ClipMethods, LookaheadIsThereWithTheNetworkAlone) {
+TEST(ClipMethods, LookaheadExistsOnlyWithTheNetwork) {
   const Lookahead lookahead;
   EXPECT_TRUE(lookahead.registry.has("published_network_lookahead"));
   const MethodRegistry without =

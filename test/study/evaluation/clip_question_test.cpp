@@ -17,12 +17,12 @@ std::shared_ptr<const LaneIndex> noLanes() {
   return std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>());
 }
 
-/// The attacker closes in from behind at 5 m/s and touches the ego 2 s from now.
+/// The attacker approaches from behind at 5 m/s relative speed; contact 2 s after t0.
 CollideClip rearEnd() {
   return straightClip(CollisionType::kRearEnd, 0.0, 11, 5.0, {-14.7, 0.0, 0.0}, 10.0);
 }
 
-TEST(ClipQuestion, AsksForWhatTheClipIsAndDeclinesNothing) {
+TEST(ClipQuestion, RequestsTheClipAtAnyConfidence) {
   StudyConfig config = someConfig();
   config.crash.min_confidence = 0.9;
   config.crash.limits = LimitSet::kDrivable;
@@ -37,7 +37,7 @@ TEST(ClipQuestion, AsksForWhatTheClipIsAndDeclinesNothing) {
   ASSERT_TRUE(question.moment().recorded);
 }
 
-/// Keeps what it was given.
+/// Records its arguments.
 class Listener : public AttackMethod {
  public:
   Realization answer(const Moment& moment, const CollisionRequest& request) const override {
@@ -51,7 +51,7 @@ class Listener : public AttackMethod {
   mutable std::uint64_t seed = 0;
 };
 
-TEST(ClipQuestion, GivesTheSeedAndInHistoryModeHidesWhatCame) {
+TEST(ClipQuestion, PassesTheSeedAndHidesTheFutureInHistoryMode) {
   const StudyConfig config = someConfig();
   const Listener listener;
   ClipQuestion(rearEnd(), noLanes(), Mode::kHistory, config).ask(listener, 7);
@@ -62,7 +62,7 @@ TEST(ClipQuestion, GivesTheSeedAndInHistoryModeHidesWhatCame) {
   EXPECT_TRUE(listener.is_shown_what_came);
 }
 
-TEST(ClipQuestion, WhatCannotBeAskedIsRefusedForSeededMethodsAlone) {
+TEST(ClipQuestion, InvalidRequestsAreRejectedOnlyForSeededMethods) {
   const StudyConfig config = someConfig();
   const int too_late =
       kCollideNowFrame + static_cast<int>(config.attack.prediction.max_tta / 0.5) + 2;
@@ -80,7 +80,7 @@ TEST(ClipQuestion, WhatCannotBeAskedIsRefusedForSeededMethodsAlone) {
   EXPECT_EQ(listener.calls, 1);
 }
 
-TEST(ClipMethod, KnowsTheSceneOnlyWhereScenesAreSeen) {
+TEST(ClipMethod, UsesModelsOfTheSceneOnlyWithSeenScenes) {
   const StudyConfig config = someConfig();
   const Foresight foresight = loadForesight(config);
   const MethodRegistry methods = builtInMethods();

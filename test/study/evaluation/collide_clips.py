@@ -1,4 +1,4 @@
-"""Makes clips in the layout of COLLIDE for tests: of random motion, and from the embedded recordings."""
+"""Make clips in COLLIDE's layout for tests: with random motion, and from the embedded recordings."""
 import json
 import math
 import random
@@ -12,7 +12,7 @@ ATTACKER = 'a77ac4e5'
 
 
 def write_clip(folder, tracks, kind, city, scene, angle, timestamps, placement=4):
-    """`tracks`: by id, a frame each (speed, x, y, yaw in degrees), None where missing. Returns the path."""
+    """Write a clip and return its path. `tracks`: by id, per frame (speed, x, y, yaw in degrees) or None if missing."""
     last = len(timestamps) - 1
     name = 'data_hcis_v4.5_trainval_{}_{}_{}_{}-0-{!r}-{}_{!r}_{}.csv'.format(
         city, kind, scene, placement, (last - 8) / 12, last, round(angle, 2), ATTACKER)
@@ -29,7 +29,7 @@ def write_clip(folder, tracks, kind, city, scene, angle, timestamps, placement=4
 # ---- random motion ----
 
 def random_track(generator, timestamps, spread):
-    """An arc at nearly constant speed through the neighbourhood of the origin around a random frame."""
+    """Return a track on an arc at nearly constant speed that passes near the origin at a random frame."""
     speed, turn = generator.uniform(-2.0, 12.0), generator.uniform(-0.3, 0.3)
     yaw = generator.uniform(-math.pi, math.pi)
     x, y = generator.gauss(0.0, spread), generator.gauss(0.0, spread)
@@ -45,7 +45,7 @@ def random_track(generator, timestamps, spread):
 
 
 def with_missing_frames(generator, states):
-    """Leading and trailing frames, or a gap, go."""
+    """Remove leading and trailing frames, or a gap, from a track."""
     first = generator.choice([0, 0, generator.randrange(len(states))])
     last = generator.choice([len(states), len(states), generator.randrange(len(states))])
     gap = generator.choice([None, generator.randrange(len(states))])
@@ -74,7 +74,7 @@ def yaw_of(rotation):
 
 
 class Recording:
-    """Ego and vehicles of one embedded scene: by id, (x, y, yaw in rad) in every keyframe, None while absent."""
+    """Return ego and vehicles of an embedded scene: by id, (x, y, yaw in rad) per keyframe, None while absent."""
 
     def __init__(self, tables, scene):
         def table(name):
@@ -101,7 +101,7 @@ class Recording:
                     annotation['translation'][0], annotation['translation'][1], yaw_of(annotation['rotation']))
 
     def cut(self, first, last):
-        """The tracks with speeds and degrees between two frames; who is in none of them is left out."""
+        """Return the tracks between two frames with speeds and degrees; omit agents that are absent in all frames."""
         cut = {}
         for key, track in self.tracks.items():
             states = track[first:last + 1]
@@ -118,7 +118,7 @@ class Recording:
 
 
 def write_embedded_clip(folder, tables, scene, first, last):
-    """A vehicle drives up to the ego's rear: 4 m behind it in the last frame, and 4 m/s faster throughout."""
+    """Return a vehicle that approaches the ego's rear: 4 m behind it in the last frame, always 4 m/s faster."""
     recording = Recording(tables, scene)
     tracks = recording.cut(first, last)
     timestamps = recording.timestamps[first:last + 1]

@@ -30,7 +30,7 @@ class ControlEvaluatorTest : public testing::Test {
                                     config_.ego_vehicle};
 };
 
-TEST_F(ControlEvaluatorTest, EveryAnswerOfTheSearchKeepsWhatWasAsked) {
+TEST_F(ControlEvaluatorTest, EveryAttackOfTheSearchMeetsItsControl) {
   int answered = 0;
   for (const ControlQuestion& question : questionsOn(CollisionType::kRearEnd)) {
     const ControlAnswer answer = evaluator_.answer(question);
@@ -41,7 +41,7 @@ TEST_F(ControlEvaluatorTest, EveryAnswerOfTheSearchKeepsWhatWasAsked) {
   EXPECT_GT(answered, 5);
 }
 
-TEST_F(ControlEvaluatorTest, AnAttackKeepsNoControlThatAsksForAnother) {
+TEST_F(ControlEvaluatorTest, AnAttackViolatesAControlWithAnotherValue) {
   const auto scene = scenes_.at("scene-0001");
   const std::vector<ControlQuestion> questions = questionsOn(CollisionType::kRearEnd);
   const SceneRequest& plain = questions.front().asked;
@@ -55,11 +55,11 @@ TEST_F(ControlEvaluatorTest, AnAttackKeepsNoControlThatAsksForAnother) {
     kept[question.control] += keepsControls(attack.trajectory, question.asked.request, moment,
                                             config_.attack.verification);
   }
-  // Of the values of a control an attack has one; bands share their ends alone.
+  // An attack has exactly one value of each control; bands share only their ends.
   for (const auto& [control, count] : kept) EXPECT_EQ(count, 1) << control;
 }
 
-TEST_F(ControlEvaluatorTest, ATimeWithoutAFrameIsAnswered) {
+TEST_F(ControlEvaluatorTest, ATimeWithoutAFrameHasAStatus) {
   ControlQuestion question = questionsOn(CollisionType::kRearEnd).front();
   question.asked.now += 0.1;
   EXPECT_EQ(evaluator_.answer(question).status, StatusCode::kNoScene);
@@ -72,7 +72,7 @@ ControlQuestion overlapQuestion() {
   return question;
 }
 
-TEST(ControlCsv, IsReadBack) {
+TEST(ControlCsv, RoundTrips) {
   const ControlQuestion question = overlapQuestion();
   const std::pair<ControlAnswer, std::string> cases[] = {
       {{StatusCode::kOk, true}, "OK,1"},
@@ -88,7 +88,7 @@ TEST(ControlCsv, IsReadBack) {
   }
 }
 
-TEST(ControlCsv, LinesOfOtherQuestionsAndBrokenOnesAreNone) {
+TEST(ControlCsv, LinesOfOtherQuestionsAndMalformedLinesAreRejected) {
   const ControlQuestion question = overlapQuestion();
   const std::string asked = "12,scene-0003,ltap,3.5,overlap,0 to 0.25,";
   for (const std::string& line :
@@ -98,7 +98,7 @@ TEST(ControlCsv, LinesOfOtherQuestionsAndBrokenOnesAreNone) {
   }
 }
 
-TEST(ControlCsv, ASceneWithCommasIsRefused) {
+TEST(ControlCsv, ASceneWithCommasIsRejected) {
   ControlQuestion question = overlapQuestion();
   question.asked.scene = "a,b";
   EXPECT_THROW(toCsv(question, {}), std::runtime_error);

@@ -13,7 +13,7 @@ namespace {
 
 const StudyConfig kConfig = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
 
-/// A request of a list that names controls of its own.
+/// A request of a list with controls, which the questions must ignore.
 SceneRequest listed(CollisionType type) {
   SceneRequest asked{"scene-0001", 12.5, {}};
   asked.request.type = type;
@@ -36,7 +36,7 @@ int controlsIn(const CollisionRequest& request) {
          request.impact_speed.has_value() + request.overlap.has_value();
 }
 
-TEST(ControlQuestions, AskForOneControlAtATimeOnTheSameRequest) {
+TEST(ControlQuestions, SetOneControlAtATime) {
   for (const CollisionType type : kCollisionTypes) {
     for (const ControlQuestion& question : questions(type)) {
       const CollisionRequest& request = question.asked.request;
@@ -54,7 +54,7 @@ TEST(ControlQuestions, AskForOneControlAtATimeOnTheSameRequest) {
   }
 }
 
-TEST(ControlQuestions, AskForEveryValueOnce) {
+TEST(ControlQuestions, HaveEachValueOnce) {
   std::set<std::string> manoeuvres;
   for (const CollisionType type : kCollisionTypes) {
     std::map<std::string, std::set<std::string>> values;

@@ -31,7 +31,7 @@ std::vector<AnsweredQuestion> questions() {
           answered(Type::kLtap, "overlap", "0 to 0.25", StatusCode::kRoadDoesNotAllow)};
 }
 
-TEST(ControlRates, CountWhatIsAnsweredAndOfThatWhatIsKept) {
+TEST(ControlRates, CountSolvedRequestsAndMetControls) {
   const std::vector<ControlRates> rates = controlRates(questions());
   ASSERT_EQ(rates.size(), 3u);
   EXPECT_EQ(rates[0].value, "turn_across_path");
@@ -55,7 +55,7 @@ TEST(ControlRates, CountWhatIsAnsweredAndOfThatWhatIsKept) {
   }
 }
 
-TEST(ControlRates, AreLinesOfACsvFile) {
+TEST(ControlRates, AreWrittenAsCsv) {
   const std::string csv = toCsv(controlRates(questions()));
   EXPECT_EQ(csv.rfind("control,value,type,trials,answered,low,high,kept\n", 0), 0u);
   EXPECT_THAT(csv, HasSubstr("\noverlap,0 to 0.25,all,3,0.6667,,,0.5000\n"));

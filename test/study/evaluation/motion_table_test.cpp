@@ -10,7 +10,7 @@
 namespace forge {
 namespace {
 
-/// The lines of the table, split into cells; the header first.
+/// Returns the cells of each line of the table; the header is first.
 std::vector<std::vector<std::string>> cellsOf(const std::string& table) {
   std::vector<std::vector<std::string>> lines;
   std::istringstream text(table);

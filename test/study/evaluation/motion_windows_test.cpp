@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kBeforeContact = 1.5;  // s
 
-TEST(RecordedWindows, AreAllRunsOfSevenStates) {
+TEST(RecordedWindows, AreAllSequencesOfSevenStates) {
   const Track track = straightTrack("car", kCarSize, {}, 5.0, 0.0, 0.0, 4.5);
   const auto windows = recordedWindows("scene", track);
   ASSERT_EQ(windows.size(), 4u);
@@ -34,14 +34,14 @@ TEST(RecordedWindows, DoNotSpanAMissingState) {
   }
 }
 
-TEST(RecordedWindows, LeaveOutVehiclesThatStand) {
+TEST(RecordedWindows, OmitStandingVehicles) {
   EXPECT_EQ(recordedWindows("scene", straightTrack("car", kCarSize, {}, 0.4, 0.0, 0.0, 3.0)).size(),
             1u);
   EXPECT_TRUE(
       recordedWindows("scene", straightTrack("car", kCarSize, {}, 0.3, 0.0, 0.0, 3.0)).empty());
 }
 
-/// Recorded on y = 0; made to drive on 0.2 m beside it.
+/// Recorded on y = 0; the trajectory continues with an offset of 0.2 m.
 struct AttackCase {
   Track recorded = pastTrack("attacker", kCarSize, {}, 10.0);
   AttackerTrajectory trajectory = straightDrive({0.0, 0.2, 0.0}, 10.0, 8.0);
@@ -51,7 +51,7 @@ struct AttackCase {
   }
 };
 
-TEST(AttackWindow, LastsUntilAWhileBeforeTheContact) {
+TEST(AttackWindow, EndsBeforeTheContact) {
   for (const double contact : {2.0, 3.0, 4.5, 6.0, 7.5}) {
     const auto window = AttackCase().window(contact);
     ASSERT_TRUE(window) << contact;
@@ -64,7 +64,7 @@ TEST(AttackWindow, LastsUntilAWhileBeforeTheContact) {
   }
 }
 
-TEST(AttackWindow, IsRecordedUpToNowAndGeneratedAfterIt) {
+TEST(AttackWindow, IsRecordedUpToT0AndGeneratedAfterwards) {
   for (const double contact : {2.0, 3.0, 4.0, 6.0}) {
     const auto window = AttackCase().window(contact);
     ASSERT_TRUE(window) << contact;
@@ -78,7 +78,7 @@ TEST(AttackWindow, IsRecordedUpToNowAndGeneratedAfterIt) {
   }
 }
 
-TEST(AttackWindow, StaysOnTheGridOfTheRecordingWhenTheContactIsBetween) {
+TEST(AttackWindow, StaysOnTheGridForAContactBetweenSamples) {
   const auto window = AttackCase().window(3.3);
   ASSERT_TRUE(window);
   EXPECT_NEAR(window->samples.back().time, kNow + 1.5, 1e-9);
@@ -86,7 +86,7 @@ TEST(AttackWindow, StaysOnTheGridOfTheRecordingWhenTheContactIsBetween) {
   EXPECT_NEAR(AttackCase().window(3.5)->samples.back().time, kNow + 2.0, 1e-9);
 }
 
-TEST(AttackWindow, IsEmptyWhereThePastIsMissing) {
+TEST(AttackWindow, IsEmptyWithoutThePast) {
   AttackCase late;
   late.recorded.states.erase(late.recorded.states.begin(), late.recorded.states.end() - 3);
   EXPECT_FALSE(late.window(3.0));  // needs 1.5 s

@@ -10,7 +10,7 @@ namespace {
 const StudyConfig kShipped = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
 const EvaluationOptions& kOptions = kShipped.evaluation;
 
-TEST(EvaluationOptions, ClipsAreJudgedWithTheBoxesThatTheyAreReadWith) {
+TEST(EvaluationOptions, ClipsAreReadAndJudgedWithTheSameBoxes) {
   EXPECT_EQ(kOptions.published.box.length, kOptions.collide.box.length);
   EXPECT_EQ(kOptions.published.box.width, kOptions.collide.box.width);
 }
@@ -19,14 +19,14 @@ TEST(EvaluationOptions, ASimilarHeadingIsWithinTenDegrees) {
   EXPECT_NEAR(kOptions.published.similar_heading, 10.0 * M_PI / 180.0, 1e-9);
 }
 
-TEST(EvaluationOptions, ThePublishedSearchAimsAtWhatItsProtocolCounts) {
+TEST(EvaluationOptions, ThePublishedSearchIsConsistentWithItsProtocol) {
   EXPECT_LT(kOptions.published_search.heading_tolerance, kOptions.published.similar_heading);
   EXPECT_LE(kOptions.published_search.latest,
             kOptions.published.steps_after * 0.5 / kOptions.published.steps_per_interval);
   EXPECT_GT(kOptions.published_search.max_speed, kShipped.attack.verification.limits.max_speed);
 }
 
-TEST(ControlOptions, BandsOfOverlapCoverAllThereIs) {
+TEST(ControlOptions, OverlapBandsCoverZeroToOne) {
   EXPECT_EQ(kOptions.controls.overlaps.front(), 0.0);
   EXPECT_EQ(kOptions.controls.overlaps.back(), 1.0);
 }

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kNow = 10.0;  // s
 
-TEST(OutcomeRow, SaysWhatTheOutcomeSays) {
+TEST(OutcomeRow, CopiesTheOutcome) {
   StrictOutcome outcome;
   outcome.report.contact = true;
   outcome.report.contact_time = kNow + 4.0;
@@ -34,7 +34,7 @@ TEST(OutcomeRow, WithoutContactHasNoFigures) {
   EXPECT_EQ(row.meets, (std::vector<bool>{false, false, false, false, false, false, false, true}));
 }
 
-TEST(OutcomeRow, NotesWhatNoDriverWouldDo) {
+TEST(OutcomeRow, NotesTheReasonOfImplausibility) {
   StrictOutcome outcome;
   outcome.is_believed = false;
   outcome.report.unbelievable = "drives across the road";

@@ -26,7 +26,7 @@ const CollideState& egoIn(const CollideClip& clip, std::size_t frame) {
   return *clip.ego().frames[frame];
 }
 
-TEST(PublishedPlanner, TheDrivenEgoReplacesTheRecordedOneFromItsFirstPointOn) {
+TEST(PublishedPlanner, TheDrivenEgoReplacesTheRecordedOneFromItsFirstPoint) {
   const CollideClip clip =
       straightClip(CollisionType::kRearEnd, 0.0, 10, 5.0, {-20.0, 0.0, 0.0}, 5.0);
   const CollideClip driven = withEgo(clip, {{clip.now(), {0.0, 0.0, 0.0}, 8.0, 0.0, 0.0},
@@ -40,7 +40,7 @@ TEST(PublishedPlanner, TheDrivenEgoReplacesTheRecordedOneFromItsFirstPointOn) {
   EXPECT_THROW(withEgo(clip, {}), std::invalid_argument);
 }
 
-TEST(PublishedPlanner, TheDrivingAttackerReplacesTheRecordedOneAfterNow) {
+TEST(PublishedPlanner, TheTrajectoryReplacesTheRecordedAttackerAfterT0) {
   const CollideClip clip =
       straightClip(CollisionType::kRearEnd, 0.0, 10, 5.0, {-20.0, 0.0, 0.0}, 5.0);
   AttackerTrajectory trajectory{"attacker", AgentClass::kCar, {4.7, 2.0}, {}};
@@ -53,7 +53,7 @@ TEST(PublishedPlanner, TheDrivingAttackerReplacesTheRecordedOneAfterNow) {
   EXPECT_EQ(egoIn(driven, 10).pose.x, egoIn(clip, 10).pose.x);
 }
 
-TEST(PublishedPlanner, TheProtocolOfACaseSeesTheAttackerHitAnEgoInItsWayAlone) {
+TEST(PublishedPlanner, TheProtocolFindsAHitOnlyWithAnEgoInTheAttackersPath) {
   const CollideClip clip =
       straightClip(CollisionType::kRearEnd, 0.0, 12, 8.0, {-14.7, 0.0, 0.0}, 8.0);
   const auto published = publishedProtocol(clip, protocol());
@@ -61,7 +61,7 @@ TEST(PublishedPlanner, TheProtocolOfACaseSeesTheAttackerHitAnEgoInItsWayAlone) {
   EXPECT_FALSE(published->isHit({{clip.now(), {0.0, 50.0, 0.0}, 0.0, 0.0, 0.0}}));
 }
 
-TEST(PublishedPlanner, TheProtocolOfACaseSeesTheAttackerHitTheEgoOfIdm) {
+TEST(PublishedPlanner, TheProtocolFindsTheHitOfAnIdmEgo) {
   EXPECT_TRUE(
       publishedProtocol(straightClip(CollisionType::kRearEnd, 0.0, 12, 8.0, {-3.0, 0.0, 0.0}, 8.0),
                         protocol())

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""usage: published_reference.py CLIPS RESULTS: do results.csv of `evaluate --protocol published` and this agree?
+"""usage: published_reference.py CLIPS RESULTS: compare results.csv of `evaluate --protocol published` with this program.
 
-A second implementation of the published protocol (docs/protocols.md), written apart from study/evaluation/published.cpp: it reads the
-clips of the folder CLIPS by itself, judges the set's own attackers and those that keep their velocity, prints both
-implementations' rates, and names every clip in which they differ. Exit code 1 if there is one."""
+A second implementation of the published protocol (docs/protocols.md), independent of study/evaluation/published.cpp. Reads
+the clips of the folder CLIPS, judges the recorded and the constant-velocity attackers, prints the rates of both
+implementations and the name of each clip for which they differ. Exit code 1 if any differs."""
 import csv
 import math
 import sys
@@ -49,7 +49,7 @@ def is_inside(point, box):
 
 
 def crossing(a, b, c, d):
-    """Where the segments a-b and c-d cross; None where they do not."""
+    """Return the intersection of the segments a-b and c-d, or None."""
     bx, by, dx, dy = b[0] - a[0], b[1] - a[1], d[0] - c[0], d[1] - c[1]
     determinant = bx * dy - by * dx
     if abs(determinant) < 1e-12:
@@ -83,7 +83,7 @@ def collide(first, second):
 # ---- the protocol ----
 
 def box_at(track, step):
-    """The box of a track at a step counted from frame 0; None while it is missing."""
+    """Return the box of a track at a step counted from frame 0, or None while it is missing."""
     last = len(track) - 1
     frame = min(step // STEPS, last - 1)
     start, end = track[frame], track[frame + 1]
@@ -94,12 +94,12 @@ def box_at(track, step):
 
 
 def turn(first, second):
-    """Unsigned, in degrees up to 180."""
+    """Return the absolute difference of two angles, in degrees up to 180."""
     return abs((second - first + 180.0) % 360.0 - 180.0)
 
 
 def judge(clip, attacker):
-    """What happens first when the clip's attacker drives the track `attacker`."""
+    """Return the first event if the clip's attacker follows the track `attacker`."""
     tracks = dict(clip.tracks)
     tracks[clip.attacker] = attacker
     for step in range(STEPS * (len(attacker) - 1) + STEPS_AFTER):
@@ -134,7 +134,7 @@ METHODS = {'recorded': lambda track: track, 'constant_velocity': at_constant_vel
 # ---- the comparison ----
 
 def difference(clip, row):
-    """What tells a row of results.csv from this implementation's outcome, which is returned too."""
+    """Return the differences between a row of results.csv and this implementation's outcome, and the outcome."""
     outcome = judge(clip, METHODS[row['method']](clip.tracks[clip.attacker]))
     is_hit = outcome.event == 'hit'
     is_similar = is_hit and abs(outcome.heading - clip.angle) < SIMILAR
@@ -154,7 +154,7 @@ def difference(clip, row):
 
 
 def compare(clips, results):
-    """Prints the comparison; returns how many rows differ, and by event how many there are."""
+    """Print the comparison. Return the number of different rows, and the number of outcomes by event."""
     with open(str(results)) as file:
         rows = [row for row in csv.DictReader(file) if row['method'] in METHODS]
     if not rows:

@@ -25,7 +25,7 @@ CollideClip rearEnd(double x) {
   return straightClip(CollisionType::kRearEnd, 0.0, kLastFrame, 0.0, {x, 0.0, 0.0}, 8.0);
 }
 
-/// The attacker's x at which it collides with the standing ego.
+/// Returns the attacker's x at which it collides with the standing ego.
 constexpr double kTouch = -4.7 + 0.18431;
 
 PublishedOutcome outcomeOf(const CollideClip& clip) {
@@ -44,7 +44,7 @@ void addStanding(CollideClip& clip, const std::string& id, const Pose2& pose) {
 }
 
 TEST(Published, HitIsAtTheFirstStepWithEnoughOverlap) {
-  // 13.2 m to go after the gap: 16.5 steps of 0.8 m.
+  // 13.2 m remain after the gap: 16.5 steps of 0.8 m.
   const PublishedOutcome outcome = outcomeOf(rearEnd(kTouch - 13.2));
   EXPECT_TRUE(outcome.isHit());
   EXPECT_EQ(outcome.step, kNowStep + 17);
@@ -52,7 +52,7 @@ TEST(Published, HitIsAtTheFirstStepWithEnoughOverlap) {
   EXPECT_NEAR(outcome.relative_heading, 0.0, 1e-12);
 }
 
-TEST(Published, AttackerThatTouchesAnotherFirstMisses) {
+TEST(Published, AnEarlierContactOfTheAttackerIsAMiss) {
   CollideClip clip = rearEnd(-17.0);
   addStanding(clip, "other", {-9.0, 1.0, 0.0});
   const PublishedOutcome outcome = outcomeOf(clip);
@@ -62,7 +62,7 @@ TEST(Published, AttackerThatTouchesAnotherFirstMisses) {
   EXPECT_FALSE(outcome.similar);
 }
 
-TEST(Published, EgoThatTouchesAThirdFirstMakesAMiss) {
+TEST(Published, AnEarlierContactOfTheEgoIsAMiss) {
   CollideClip clip = rearEnd(-17.0);
   addStanding(clip, "other", {60.0, 0.0, 0.0});
   EXPECT_TRUE(outcomeOf(clip).isHit());
@@ -72,7 +72,7 @@ TEST(Published, EgoThatTouchesAThirdFirstMakesAMiss) {
   EXPECT_EQ(outcome.other_id, "other");
 }
 
-TEST(Published, SimilarMeansLessThanTenDegreesFromTheNamesAngle) {
+TEST(Published, SimilarIsWithinTenDegreesOfTheAngleInTheFileName) {
   CollideClip clip = rearEnd(-17.0);
   for (auto& state : trackOf(clip, "attacker").frames) state->pose.yaw = -20.0 * kDegree;
   for (const auto& [angle, similar] :
@@ -85,7 +85,7 @@ TEST(Published, SimilarMeansLessThanTenDegreesFromTheNamesAngle) {
   }
 }
 
-TEST(Published, AnotherAttackersTrackCountsInPlaceOfTheRecorded) {
+TEST(Published, AGivenAttackerTrackReplacesTheRecordedOne) {
   const CollideClip clip = rearEnd(-17.0);
   std::vector<Pose2> away = recordedFrames(clip);
   for (std::size_t frame = kCollideNowFrame + 1; frame < away.size(); ++frame) away[frame].y = 50.0;

@@ -5,7 +5,7 @@
 namespace forge {
 namespace {
 
-TEST(RowOfResult, IsAsAskedByFullDefinitions) {
+TEST(RowOfResult, MeetsTheRequestByFullDefinitions) {
   ResultRow result;
   result.status = "OK";
   result.meets = {true, false};
@@ -17,14 +17,14 @@ TEST(RowOfResult, IsAsAskedByFullDefinitions) {
   EXPECT_EQ(rowOfResult(result).outcome, "declined");
 }
 
-TEST(EvaluationFormats, AreOfRequestsAndOfClipsByTheStrictProtocol) {
+TEST(EvaluationFormats, CoverRequestsAndClipsOfTheStrictProtocol) {
   const std::vector<RowFormat> formats = evaluationFormats();
   ASSERT_EQ(formats.size(), 2u);
   EXPECT_EQ(formats[0].header, csvHeader(Protocol::kStrict, RowsOf::kRequests));
   EXPECT_EQ(formats[1].header, csvHeader(Protocol::kStrict, RowsOf::kClips));
 }
 
-TEST(EvaluationFormats, GiveTheRowOfALine) {
+TEST(EvaluationFormats, ConvertALineToARow) {
   ResultRow result;
   result.name = "clip";
   result.scene = "scene-0001";

@@ -80,7 +80,7 @@ class RequestEvaluationTest : public testing::Test {
   EvaluationPlan plan_;
 };
 
-TEST_F(RequestEvaluationTest, RowsAreThoseOfTheMethodsAndSeeds) {
+TEST_F(RequestEvaluationTest, HasARowPerMethodAndSeed) {
   plan_.seeds = 2;
   SceneRequest request = asked(CollisionType::kLaneChange);
   request.request.seed = 5;
@@ -108,7 +108,7 @@ TEST_F(RequestEvaluationTest, RowsAreThoseOfTheMethodsAndSeeds) {
   }
 }
 
-TEST_F(RequestEvaluationTest, ReplayPlansSearchOnceAColumnAndBaselinesNever) {
+TEST_F(RequestEvaluationTest, ReplayPlansHaveOneSearchPerColumnAndNoneForBaselines) {
   EXPECT_EQ(requestRowMethods(plan_), kHistoryMethods);
   EXPECT_THAT(attackingRowMethods(plan_),
               ElementsAre("search_full_definitions", "replay_full_definitions"));
@@ -127,7 +127,7 @@ TEST_F(RequestEvaluationTest, ReplayPlansSearchOnceAColumnAndBaselinesNever) {
   EXPECT_EQ(evaluate(asked(CollisionType::kLaneChange)).rows.size(), rowsPerRequest(plan_));
 }
 
-TEST_F(RequestEvaluationTest, SearchesAreTheAnswerersWithTheirRulesAgainstTheRecording) {
+TEST_F(RequestEvaluationTest, SearchesEqualTheRequestAnswererWithTheRulesOfTheColumn) {
   int answered = 0;
   for (const CollisionType type : kCollisionTypes) {
     const SceneRequest request = asked(type);
@@ -177,7 +177,7 @@ TEST_F(RequestEvaluationTest, SearchesAreTheAnswerersWithTheirRulesAgainstTheRec
   EXPECT_GT(answered, 8);
 }
 
-TEST_F(RequestEvaluationTest, AdaptiveAttackersStandBesideTheFixedOnes) {
+TEST_F(RequestEvaluationTest, AdaptiveAttackersAreMeasuredBesideFixedOnes) {
   plan_.mode = Mode::kHistory;
   const EvaluatedRequest fixed = evaluate(asked(CollisionType::kLaneChange));
   plan_.mode = Mode::kAdaptive;
@@ -194,11 +194,11 @@ TEST_F(RequestEvaluationTest, AdaptiveAttackersStandBesideTheFixedOnes) {
   EXPECT_EQ(row.request->attack.has_value(), meets(row, "contact"));
   const auto looks = std::count_if(
       evaluated.times.begin(), evaluated.times.end(),
-      [](const SearchTime& time) { return time.method == "adaptive, a look at a frame"; });
+      [](const SearchTime& time) { return time.method == "adaptive, per update step"; });
   EXPECT_GT(looks, 4);
 }
 
-TEST_F(RequestEvaluationTest, ConfiguredCrashChangesNothingButByThePlan) {
+TEST_F(RequestEvaluationTest, ThePlanOverridesTheConfiguredCrash) {
   const SceneRequest request = asked(CollisionType::kRearEnd);
   const EvaluatedRequest shipped = evaluate(request);
   ASSERT_EQ(rowOf(shipped, "search_full_definitions").status, "OK");
@@ -209,7 +209,7 @@ TEST_F(RequestEvaluationTest, ConfiguredCrashChangesNothingButByThePlan) {
   EXPECT_EQ(linesOf(evaluate(request)), linesOf(shipped));
 }
 
-TEST_F(RequestEvaluationTest, BaselinesOfAnyAttackerMeetWhatOneOfTheCandidatesMeets) {
+TEST_F(RequestEvaluationTest, BaselinesWithoutAttackerUseTheBestCandidate) {
   plan_.method = "nominal";
   int met = 0;
   for (const CollisionType type : kCollisionTypes) {
@@ -237,7 +237,7 @@ TEST_F(RequestEvaluationTest, BaselinesOfAnyAttackerMeetWhatOneOfTheCandidatesMe
   EXPECT_GT(met, 10);
 }
 
-TEST_F(RequestEvaluationTest, BaselinesAreHeldToTheStrictLimitsAlone) {
+TEST_F(RequestEvaluationTest, BaselinesAreJudgedOnlyByTheStrictLimits) {
   int kept = 0;
   for (const CollisionType type : kCollisionTypes) {
     for (const double tta : {2.0, 4.0, 6.0}) {
@@ -259,7 +259,7 @@ TEST_F(RequestEvaluationTest, BaselinesAreHeldToTheStrictLimitsAlone) {
   EXPECT_GT(kept, 0);
 }
 
-TEST_F(RequestEvaluationTest, RowsTellWhetherTheRoadAllowsTheRequest) {
+TEST_F(RequestEvaluationTest, RowsStateWhetherTheRoadAllowsTheRequest) {
   int allowed = 0;
   int refused = 0;
   for (const CollisionType type : kCollisionTypes) {
@@ -280,7 +280,7 @@ TEST_F(RequestEvaluationTest, RowsTellWhetherTheRoadAllowsTheRequest) {
   EXPECT_GT(refused, 0);
 }
 
-TEST_F(RequestEvaluationTest, RequestsThatNobodyCanAnswerHaveTheirStatusInEveryRow) {
+TEST_F(RequestEvaluationTest, UnsolvableRequestsHaveTheirStatusInEveryRow) {
   std::vector<std::pair<SceneRequest, std::string>> impossible(
       3, {asked(CollisionType::kRearEnd), "UNKNOWN_ATTACKER"});
   impossible[0].first.request.attacker = "nobody";

@@ -10,7 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Of any driving within the strict limits, which has both columns.
+/// A plan with strict limits and without plausibility, which has both columns.
 EvaluationPlan searchPlan(Mode mode = Mode::kHistory) {
   EvaluationPlan plan{Protocol::kStrict, "search", true, mode, 1};
   plan.limits = LimitSet::kStrict;
@@ -25,7 +25,7 @@ EvaluationPlan believablePlan() {
   return plan;
 }
 
-/// A row that meets the angle bands, or the full definitions as well, and has contact if so.
+/// A row that meets the angle bands, optionally also the full definitions, and then has contact.
 ResultRow row(const std::string& name, const std::string& method, bool angle, bool full,
               double confidence = 0.5) {
   ResultRow row;
@@ -41,7 +41,7 @@ ResultRow row(const std::string& name, const std::string& method, bool angle, bo
   return row;
 }
 
-/// Those of the second request are of one that the road does not allow.
+/// The road does not allow the second request.
 std::vector<ResultRow> withRoad(std::vector<ResultRow> rows) {
   for (ResultRow& row : rows) row.request->road_allows = row.name == "1";
   return rows;
@@ -77,14 +77,14 @@ const RateTable& tableNamed(const std::vector<RateTable>& tables, const std::str
   throw std::out_of_range(name);
 }
 
-/// The rates of all groups by method, in the table's order.
+/// Returns the rates of all groups by method, in the order of the table.
 std::vector<double> ratesOf(const RateTable& table) {
   std::vector<double> rates;
   for (const auto& of_method : table.rates) rates.push_back(of_method.back().value);
   return rates;
 }
 
-TEST(RequestReport, SearchesCountInTheirOwnColumnAlone) {
+TEST(RequestReport, SearchesCountOnlyInTheirColumn) {
   const auto tables = requestTables(sampleRows(), searchPlan());
   for (const char* name : {"angle_bands", "full_definitions", "type_angle_bands", "type_full"}) {
     EXPECT_THAT(tableNamed(tables, name).methods,
@@ -100,7 +100,7 @@ TEST(RequestReport, SearchesCountInTheirOwnColumnAlone) {
                   "replay_angle_bands", "replay_full_definitions"));
 }
 
-TEST(RequestReport, RatesOfWhatReplayMeetsAreOfTheseRequestsAlone) {
+TEST(RequestReport, RecallAgainstReplayCountsOnlyRequestsSolvedByReplay) {
   const auto tables = requestTables(sampleRows(), searchPlan());
   const RateTable& angle = tableNamed(tables, "angle_bands_given_replay");
   EXPECT_EQ(angle.rates[0].back().trials, 2);
@@ -111,7 +111,7 @@ TEST(RequestReport, RatesOfWhatReplayMeetsAreOfTheseRequestsAlone) {
   EXPECT_TRUE(full.measure.is_headline);
 }
 
-TEST(RequestReport, FullDefinitionsAreAlsoOfWhatTheRoadAllows) {
+TEST(RequestReport, FullDefinitionsHaveATableOfTheRequestsThatTheRoadAllows) {
   const auto tables = requestTables(withRoad(sampleRows()), searchPlan());
   for (const char* name : {"full_definitions", "type_full", "contact", "limits_kept"}) {
     EXPECT_EQ(tableNamed(tables, name).rates[0].back().trials, 2) << name;
@@ -126,7 +126,7 @@ TEST(RequestReport, FullDefinitionsAreAlsoOfWhatTheRoadAllows) {
   EXPECT_THAT(namesOf(tables), testing::Not(testing::Contains("angle_bands_of_allowed")));
 }
 
-TEST(RequestReport, AnswersToWhatTheRoadDoesNotAllowHaveARowOfTheirOwn) {
+TEST(RequestReport, SolvedRequestsThatTheRoadDoesNotAllowHaveATable) {
   std::vector<ResultRow> rows = withRoad(sampleRows());
   rows[9].status = "ROAD_DOES_NOT_ALLOW";  // of search_full_definitions
   const auto tables = requestTables(rows, believablePlan());
@@ -138,7 +138,7 @@ TEST(RequestReport, AnswersToWhatTheRoadDoesNotAllowHaveARowOfTheirOwn) {
   EXPECT_EQ(answered.rates[0].back().trials, 1);
 }
 
-TEST(RequestReport, BelievableAreCountedOfThoseThatTouchTheEgo) {
+TEST(RequestReport, PlausibilityIsCountedAmongAttacksWithContact) {
   std::vector<ResultRow> rows = sampleRows();
   rows[0].request->believable = true;  // both of constant_velocity
   rows[6].request->believable = false;
@@ -150,7 +150,7 @@ TEST(RequestReport, BelievableAreCountedOfThoseThatTouchTheEgo) {
   EXPECT_EQ(table.rates[2].back().trials, 0);
 }
 
-TEST(RequestReport, AnySeedOfReplayMakesARequestOneThatReplayMeets) {
+TEST(RequestReport, ARequestIsSolvedByReplayWithAnySeed) {
   std::vector<ResultRow> rows = sampleRows();
   ResultRow second = row("2", "replay_full_definitions", true, true);
   second.seed = 1;
@@ -160,7 +160,7 @@ TEST(RequestReport, AnySeedOfReplayMakesARequestOneThatReplayMeets) {
   EXPECT_EQ(full.rates[0].back().trials, 2);
 }
 
-TEST(RequestReport, OffRoadTableHasTheAttackTheOwnMotionAndTheDifference) {
+TEST(RequestReport, OffRoadTableComparesTheAttackWithTheRecordedMotion) {
   std::vector<ResultRow> rows = sampleRows();
   rows[2].off_road_share = 0.5;  // of search_angle_bands
   rows[2].own_off_road_share = 0.125;
@@ -174,7 +174,7 @@ TEST(RequestReport, OffRoadTableHasTheAttackTheOwnMotionAndTheDifference) {
   EXPECT_EQ(tableNamed(tables, "off_road_search_full_definitions").rates[0].back().trials, 0);
 }
 
-TEST(RequestReport, CalibrationsHoldTheHistorySearchesAgainstTheirColumns) {
+TEST(RequestReport, CalibrationsCoverTheHistorySearchesByColumn) {
   std::vector<ResultRow> rows = sampleRows();
   rows[9].confidence.reset();  // a search without an answer
   const auto calibrations = requestCalibrations(rows, searchPlan());

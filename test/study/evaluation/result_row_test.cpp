@@ -27,7 +27,7 @@ ResultRow sampleRow() {
   return row;
 }
 
-TEST(ResultRow, LineHoldsWhatTheHeaderSays) {
+TEST(ResultRow, LineHasTheColumnsOfTheHeader) {
   EXPECT_EQ(csvHeader(Protocol::kPublished),
             "name,scene,type,tta,method,seed,status,collision,similar,contact_after,"
             "relative_heading,confidence,off_road_share,own_off_road_share,note");
@@ -64,13 +64,13 @@ TEST(ResultRow, RequestsHaveMoreColumns) {
   EXPECT_FALSE(rowFromCsv(toCsv(sampleRow()), Protocol::kPublished)->request);
 }
 
-TEST(ResultRow, NamesThatWouldBreakTheLineAreRefused) {
+TEST(ResultRow, NamesWithCommasOrLineEndsAreRejected) {
   ResultRow row = sampleRow();
   row.scene = "scene, the first";
   EXPECT_THROW(toCsv(row), std::runtime_error);
 }
 
-TEST(ResultRow, ReadsBackAsItself) {
+TEST(ResultRow, RoundTrips) {
   const auto row = rowFromCsv(toCsv(sampleRow()), Protocol::kPublished);
   ASSERT_TRUE(row);
   EXPECT_EQ(row->name, "data_hcis_v4.5_x");
@@ -89,7 +89,7 @@ TEST(ResultRow, ReadsBackAsItself) {
   EXPECT_EQ(row->note, "max_speed 26.000 > 25.000");
 }
 
-TEST(ResultRow, OtherLinesAreNoRows) {
+TEST(ResultRow, MalformedLinesAreRejected) {
   const std::string line = toCsv(sampleRow());
   EXPECT_FALSE(rowFromCsv("", Protocol::kPublished));
   EXPECT_FALSE(rowFromCsv(csvHeader(Protocol::kPublished), Protocol::kPublished));
@@ -111,7 +111,7 @@ TEST(ResultRow, OtherLinesAreNoRows) {
   EXPECT_FALSE(rowFromCsv(other.replace(other.find("45.00"), 5, "north"), Protocol::kPublished));
 }
 
-TEST(ReadResultRows, GivesTheRowsOfOneItem) {
+TEST(ReadResultRows, ReturnsTheRowsOfOneItem) {
   const std::string line = toCsv(sampleRow());
   const auto rows =
       readResultRows("here", line + "\n" + line, Protocol::kPublished, sampleRow().name);
@@ -119,7 +119,7 @@ TEST(ReadResultRows, GivesTheRowsOfOneItem) {
   EXPECT_EQ(toCsv(rows[1]), line);
 }
 
-TEST(ReadResultRows, NamesTheLineThatIsNotOfTheItem) {
+TEST(ReadResultRows, NamesALineOfAnotherItem) {
   const std::string line = toCsv(sampleRow());
   for (const auto& [lines, name] :
        {std::pair{line, std::string("another")}, std::pair{line + "\nx", sampleRow().name}}) {

@@ -20,7 +20,7 @@ std::vector<ResultRow> sampleRows() {
           row("a", "s", false, false), row("b", "s", false, false)};
 }
 
-TEST(RowRates, RateIsOfAllRowsOrOfThoseThatMeetTheGivenMeasure) {
+TEST(RowRates, RateCountsAllRowsOrRowsThatMeetTheGivenMeasure) {
   const auto tables = tabulate(sampleRows(), Protocol::kPublished, {"a", "b"});
   ASSERT_EQ(tables.size(), 2u);
   EXPECT_EQ(tables[0].measure.name, "collision");
@@ -33,7 +33,7 @@ TEST(RowRates, RateIsOfAllRowsOrOfThoseThatMeetTheGivenMeasure) {
   EXPECT_EQ(tables[1].rates[1].back().trials, 0);
 }
 
-TEST(RowRates, RowsStandInTheirTypesAndTtasColumns) {
+TEST(RowRates, RowsCountInTheColumnsOfTheirTypeAndTta) {
   const auto tables = tabulate(sampleRows(), Protocol::kPublished, {"a"});
   for (std::size_t i = 0; i < tables[0].groups.size(); ++i) {
     const std::string& group = tables[0].groups[i];
@@ -42,7 +42,7 @@ TEST(RowRates, RowsStandInTheirTypesAndTtasColumns) {
   }
 }
 
-TEST(RowRates, MethodsNotAskedForAreLeftOut) {
+TEST(RowRates, OtherMethodsAreIgnored) {
   const auto tables = tabulate(sampleRows(), Protocol::kPublished, {"b"});
   ASSERT_EQ(tables[0].rates.size(), 1u);
   EXPECT_EQ(tables[0].rates[0].back().trials, 1);

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The statistics of the scorecard on samples whose answers are known."""
+"""Test the statistics of the scorecard on samples with known results."""
 import csv
 import sys
 import tempfile
@@ -21,7 +21,7 @@ TIMES = 0.5 * (np.arange(motion.SAMPLES) - motion.MIDDLE)
 
 
 def drives(count, speed=8.0, acceleration=0.0, scenes=20, noise=0.0, generated=motion.SAMPLES, seed=1):
-    """Straight drives along x of cars; numbers or one a drive."""
+    """Return straight drives of cars along x; arguments are one number or one per drive."""
     rng = np.random.default_rng(seed)
     windows = np.zeros((count, motion.SAMPLES, 4))
     windows[:, :, 0] = 100.0 + TIMES
@@ -40,8 +40,8 @@ def random_motion(count, mean_speed, seed, scenes=20):
 
 
 class MotionTest(unittest.TestCase):
-    def test_derivatives_are_those_of_a_cubic(self):
-        # Over the jump of the yaw at pi; unevenly sampled.
+    def test_derivatives_are_exact_for_a_cubic(self):
+        # Across the wrap of the yaw at pi, unevenly sampled.
         times = TIMES + 0.05 * np.array([1, -1, 1, -1, 1, -1, 1])
         x, y, yaw = [1000.0, -6.0, 0.7, 0.2], [-500.0, 4.0, -0.3, 0.1], [np.pi, 0.3, -0.2, 0.05]
         window = np.stack([times] + [np.polyval(value[::-1], times) for value in (x, y, yaw)], axis=1)[None]
@@ -57,7 +57,7 @@ class MotionTest(unittest.TestCase):
             np.testing.assert_allclose(states[quantity][0], expected, atol=1e-8, err_msg=quantity)
         self.assertNotEqual(middle, 0.0)
 
-    def test_steering_is_that_of_the_single_track_and_unknown_for_slow_vehicles(self):
+    def test_steering_follows_the_single_track_model_and_is_unknown_at_low_speed(self):
         window = np.stack([TIMES, 8.0 * TIMES + 0.5 * TIMES ** 2, 0.0 * TIMES, 0.3 * TIMES + 0.05 * TIMES ** 2], axis=1)
         wheelbase = motion.WHEELBASE_SHARE * 4.6
         states = motion.states_of(window[None], np.array([4.6]))
@@ -67,7 +67,7 @@ class MotionTest(unittest.TestCase):
         slow = motion.states_of(drives(1, 1.8).windows, np.array([4.6]))
         self.assertTrue(np.isnan(slow['steering angle']).all())
 
-    def test_noise_is_as_large_as_that_of_the_recording_and_moves_generated_samples_alone(self):
+    def test_noise_has_the_size_of_the_recording_and_affects_only_generated_samples(self):
         attacks = drives(4000, generated=3)
         recorded = drives(4000, noise=0.2)
         moved = motion.with_recorded_noise(attacks, recorded, np.random.default_rng(2)).windows - attacks.windows
@@ -82,7 +82,7 @@ class DistancesTest(unittest.TestCase):
         self.assertAlmostEqual(distances.distances_of(first, second, 'speed')[1], 3.0)
         self.assertAlmostEqual(distances.distances_of(first, second, 'acceleration')[1], 0.0)
 
-    def test_half_of_the_mass_moved_is_the_divergence_by_hand(self):
+    def test_divergence_of_half_moved_mass_equals_the_manual_value(self):
         first = motion.motion_of(drives(40, 3.0))
         second = motion.motion_of(drives(40, np.repeat([3.0, 20.0], 20)))
         # p = (1, 0), q = (1/2, 1/2): half of log2(4/3), and a quarter of log2(2/3) and of log2(2).
@@ -96,17 +96,17 @@ class DistancesTest(unittest.TestCase):
 
 
 class ClassifierTest(unittest.TestCase):
-    def test_separated_samples_are_told_apart(self):
+    def test_separated_samples_are_distinguished(self):
         areas = distances.areas_of(random_motion(300, 5.0, 1), random_motion(300, 15.0, 2), 1)
         self.assertEqual(areas, (1.0, 1.0))
 
-    def test_a_shift_is_told_as_well_as_the_best_rule_does(self):
+    def test_a_shift_is_detected_as_well_as_by_the_optimal_rule(self):
         # Normal speeds, one standard deviation apart: the area is the normal distribution function of 1 / sqrt(2).
         areas = distances.areas_of(random_motion(1500, 8.0, 1), random_motion(1500, 9.0, 2), 1)
         self.assertAlmostEqual(areas.logistic, 0.760, delta=0.03)
         self.assertAlmostEqual(areas.forest, 0.760, delta=0.03)
 
-    def test_matches_are_of_the_class_and_band_and_of_the_own_scene_first(self):
+    def test_matches_share_class_and_band_and_prefer_the_same_scene(self):
         attacks = motion.motion_of(drives(2, np.array([3.0, 8.0]), scenes=2))
         recorded = motion.motion_of(drives(8, np.array([3.0, 8.0, 3.0, 8.0, 3.0, 8.0, 8.0, 20.0]), scenes=8))
         matched, matches = distances.match(attacks, recorded, np.random.default_rng(1))
@@ -117,7 +117,7 @@ class ClassifierTest(unittest.TestCase):
 
 
 class ProgramTest(unittest.TestCase):
-    """The program on a small motion.csv."""
+    """Test the program on a small motion.csv."""
 
     def write(self, folder, attacks, recorded):
         columns = ('driver', 'scene', 'type', 'tta', 'attacker', 'class', 'length', 'width') + motion.ROAD_COLUMNS + \
@@ -133,7 +133,7 @@ class ProgramTest(unittest.TestCase):
                     writer.writerow((driver, scene) + asked + ('a', 'car', 4.6, 1.9, 1.0, 0.0, 0.0, 0.0, 0.0, 0.2, 1.0, 2.0,
                                                                '', text, 0.4, 10.0, 8.0))
 
-    def test_three_files_are_written_and_are_the_same_again(self):
+    def test_three_files_are_written_reproducibly(self):
         rng = np.random.default_rng(1)
         with tempfile.TemporaryDirectory() as path:
             folder = Path(path)
@@ -158,7 +158,7 @@ class ProgramTest(unittest.TestCase):
             self.assertIn('search: 101 attacks, 100 windows of 3 s that count', (folder / 'scorecard.md').read_text())
             self.assertIn('Distances from recorded vehicles, search', (folder / 'scorecard.md').read_text())
 
-    def test_an_interval_needs_five_scenes_and_holds_the_mean(self):
+    def test_an_interval_needs_five_scenes_and_contains_the_mean(self):
         values = np.tile([0.0, 1.0, 1.0], 40)
         scenes = np.array(['scene-{}'.format(index) for index in np.arange(120) % 12])
         statistics = scorecard.Statistics(1000, 0.95, 1)

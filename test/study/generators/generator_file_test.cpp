@@ -55,7 +55,7 @@ class GeneratorFile : public testing::Test {
   std::string path_;
 };
 
-TEST_F(GeneratorFile, GivesTheSameGeneratorBack) {
+TEST_F(GeneratorFile, RoundTrips) {
   writeText(path_, generatorBytes(header_, *generator_, false));
   const GeneratorHeader header = readGeneratorHeader(path_, "c_sgan");
   EXPECT_EQ(header.config, header_.config);
@@ -71,7 +71,7 @@ TEST_F(GeneratorFile, GivesTheSameGeneratorBack) {
   EXPECT_NE(loaded("c_sgan"), nullptr);
 }
 
-TEST_F(GeneratorFile, TrainingGoesOnAsIfItHadNotStopped) {
+TEST_F(GeneratorFile, ResumedTrainingEqualsUninterruptedTraining) {
   const std::vector<TrafficClip> clips = sampleClips(options_.traffic, 2);
   const TrafficBatch batch = sampleBatch(clips, options_.traffic);
   for (int step = 0; step < 4; ++step) generator_->trainStep(batch);
@@ -86,14 +86,14 @@ TEST_F(GeneratorFile, TrainingGoesOnAsIfItHadNotStopped) {
   EXPECT_EQ(goOn(*generator_), goOn(*other));
 }
 
-TEST_F(GeneratorFile, AnotherGeneratorIsRefused) {
+TEST_F(GeneratorFile, AnotherGeneratorIsRejected) {
   GeneratorHeader header = header_;
   header.name = "c_other";
   writeText(path_, generatorBytes(header, *generator_, false));
   EXPECT_THAT(refusal(), AllOf(HasSubstr(path_), HasSubstr("c_other, not c_sgan")));
 }
 
-TEST_F(GeneratorFile, SizesBeyondTheirBoundsAreRefused) {
+TEST_F(GeneratorFile, SizesOutOfBoundsAreRejected) {
   const auto refusalOf = [&](const std::string& field, const std::string& value) {
     GeneratorHeader header = header_;
     const std::size_t begin = header.config.find(field + ": ") + field.size() + 2;
@@ -111,7 +111,7 @@ TEST_F(GeneratorFile, SizesBeyondTheirBoundsAreRefused) {
   }
 }
 
-TEST_F(GeneratorFile, OtherFilesAreRefusedInOneLine) {
+TEST_F(GeneratorFile, InvalidFilesAreRejectedWithAOneLineMessage) {
   EXPECT_THAT(refusal(), AllOf(HasSubstr(path_), testing::Not(HasSubstr("\n"))));
   writeText(path_, "no archive");
   EXPECT_THAT(refusal(), AllOf(HasSubstr(path_), testing::Not(HasSubstr("\n"))));

@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-/// Everybody goes on at the step that they made last, turned by what the noise says.
+/// Predicts that all agents repeat their last step, rotated by a random angle.
 class StraightGenerator : public TrafficGenerator {
  public:
   explicit StraightGenerator(double broken = 0.0)
@@ -36,7 +36,7 @@ class StraightGenerator : public TrafficGenerator {
   double broken_;
 };
 
-/// The ego at 10 m/s; one car closes in from behind by 5 m/s, and would touch it in 4 s.
+/// The ego drives 10 m/s; one car approaches from behind, 5 m/s faster, with contact after 4 s.
 Moment closingIn() {
   const double gap = 20.0 + 0.5 * (kEgoSize.length + kCarSize.length);
   const auto map = twoLaneRoad();
@@ -51,7 +51,7 @@ GeneratorMethod methodOf(std::shared_ptr<const TrafficGenerator> generator) {
   return {std::move(generator), shippedOptions()};
 }
 
-TEST(GeneratorMethod, TakesTheCandidateThatTouches) {
+TEST(GeneratorMethod, ChoosesTheCandidateWithContact) {
   const GeneratorMethod method = methodOf(std::make_shared<StraightGenerator>());
   const Realization answer = method.answer(closingIn(), requestFor());
   ASSERT_EQ(answer.status.code, StatusCode::kOk);
@@ -62,22 +62,22 @@ TEST(GeneratorMethod, TakesTheCandidateThatTouches) {
   EXPECT_NEAR(answer.trajectory.points[10].time, kNow + 1.0, 1e-9);
 }
 
-TEST(GeneratorMethod, DrivesOnAfterTheTimeAskedFor) {
+TEST(GeneratorMethod, ContinuesAfterTheRequestedTime) {
   const GeneratorMethod method = methodOf(std::make_shared<StraightGenerator>());
   CollisionRequest request = requestFor();
   request.attacker = "closing";
-  request.tta = 5.5;  // 11 frames: three iterations, of which the last is not used up
+  request.tta = 5.5;  // 11 frames: three iterations, the last one is used partly
   const Realization answer = method.answer(closingIn(), request);
   EXPECT_NEAR(answer.trajectory.points.back().time, kNow + 5.5 + shippedOptions().search.tail,
               1e-9);
 }
 
-TEST(GeneratorMethod, NumbersThatAreNotFiniteAreAnError) {
+TEST(GeneratorMethod, NonFiniteValuesAreAnError) {
   const GeneratorMethod method = methodOf(std::make_shared<StraightGenerator>(NAN));
   EXPECT_THROW(method.answer(closingIn(), requestFor()), std::runtime_error);
 }
 
-TEST(RollOut, WhoWasNotSeenThroughoutLeaves) {
+TEST(RollOut, AgentsWithoutFullHistoryDisappear) {
   const StraightGenerator generator;
   TrafficClip clip = sampleClips(generator.traffic(), 1).front();
   clip.agents.push_back(clip.agents[1]);

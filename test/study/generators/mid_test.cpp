@@ -19,7 +19,7 @@ TrafficBatch sampleHistory(const std::vector<TrafficClip>& clips, const TrafficO
   return historyOf(sampleBatch(clips, options), options.history_frames);
 }
 
-/// Sample clips that swerve after now, every second one, of another type, to the right.
+/// Sample clips that swerve after t0; every second one has another type and swerves to the right.
 std::vector<TrafficClip> swervingClips(const TrafficOptions& options, int count) {
   std::vector<TrafficClip> clips = sampleClips(options, count);
   for (std::size_t i = 0; i < clips.size(); ++i) {
@@ -33,7 +33,7 @@ std::vector<TrafficClip> swervingClips(const TrafficOptions& options, int count)
   return clips;
 }
 
-/// Puts the numbers of one network into another of the same sizes.
+/// Copies the weights of one network to another of the same size.
 void copyNetwork(const TrafficGenerator& from, TrafficGenerator& to) {
   const torch::NoGradGuard no_gradients;
   const auto source = from.network()->parameters();
@@ -41,7 +41,7 @@ void copyNetwork(const TrafficGenerator& from, TrafficGenerator& to) {
   for (std::size_t i = 0; i < source.size(); ++i) sink[i].copy_(source[i]);
 }
 
-TEST(NoiseSchedule, IsThatOfThePaper) {
+TEST(NoiseSchedule, EqualsThePublishedOne) {
   const NoiseSchedule schedule = noiseSchedule(shippedConfig().generators.c_mid);
   ASSERT_EQ(schedule.alpha_bar.size(), 101u);
   EXPECT_EQ(schedule.alpha_bar[0], 1.0);
@@ -54,7 +54,7 @@ TEST(NoiseSchedule, IsThatOfThePaper) {
   EXPECT_NEAR(schedule.alpha_bar[100], 0.0782, 1e-4);
 }
 
-TEST(Mid, HasTheSizeOfThePublishedOneAtItsSizes) {
+TEST(Mid, HasThePublishedNumberOfWeightsAtPublishedSizes) {
   GeneratorOptions options = blindOptions();
   options.c_mid.width = 512;
   options.c_mid.layers = 3;
@@ -69,7 +69,7 @@ TEST(Mid, HasTheSizeOfThePublishedOneAtItsSizes) {
   EXPECT_EQ(count, 6940432 + 142336 + 6 * 2 * (512 + 256 + 128 + 2));
 }
 
-TEST(Mid, LearnsAHandfulOfClipsByHeart) {
+TEST(Mid, OverfitsAFewClips) {
   GeneratorOptions options = blindOptions();
   options.c_mid.dropout = 0.0;
   options.c_mid.encoder_dropout = 0.0;
@@ -96,7 +96,7 @@ TEST(Mid, LearnsAHandfulOfClipsByHeart) {
   EXPECT_LT(driveError(*slow, batch, options.traffic), 0.5) << "by DDPM";
 }
 
-TEST(Mid, TurnsAndMovesWithItsScene) {
+TEST(Mid, IsEquivariantToMotionsOfTheScene) {
   const GeneratorOptions options = blindOptions();
   const auto mid = makeSeeded(options);
   const TrafficBatch history = sampleHistory(sampleClips(options.traffic, 2), options.traffic);
@@ -118,7 +118,7 @@ TEST(Mid, TurnsAndMovesWithItsScene) {
   EXPECT_LT((apart.slice(3, 2) / 2.0).sin().abs().max().item<double>(), 1e-3);
 }
 
-TEST(Mid, WhoWasNotSeenThroughoutIsNobodysNeighbour) {
+TEST(Mid, AgentsWithoutFullHistoryAreNoNeighbours) {
   const GeneratorOptions options = blindOptions();
   const auto mid = makeSeeded(options);
   std::vector<TrafficClip> clips = sampleClips(options.traffic, 1);
@@ -142,7 +142,7 @@ TEST(Mid, WhoWasNotSeenThroughoutIsNobodysNeighbour) {
   EXPECT_FALSE(torch::equal(drivenWith(3.0), in_company));
 }
 
-TEST(Mid, SeesNeighboursWithinReachAlone) {
+TEST(Mid, UsesOnlyNeighboursWithinReach) {
   const GeneratorOptions options = blindOptions();
   const auto mid = makeSeeded(options);
   std::vector<TrafficClip> clips = sampleClips(options.traffic, 1);
@@ -156,7 +156,7 @@ TEST(Mid, SeesNeighboursWithinReachAlone) {
   EXPECT_TRUE(torch::equal(egoWithAttackerAt(1.3 * reach), egoWithAttackerAt(1.4 * reach)));
 }
 
-TEST(Mid, IsToldTheTypeAndTheTime) {
+TEST(Mid, DependsOnTypeAndTime) {
   const GeneratorOptions options = blindOptions();
   const auto mid = makeSeeded(options);
   const TrafficBatch history = sampleHistory(sampleClips(options.traffic, 1), options.traffic);
@@ -169,7 +169,7 @@ TEST(Mid, IsToldTheTypeAndTheTime) {
   }
 }
 
-TEST(Mid, ThrowsWhereItsNumbersAreNotFinite) {
+TEST(Mid, ThrowsForNonFiniteValues) {
   const GeneratorOptions options = blindOptions();
   const auto mid = makeSeeded(options);
   const TrafficBatch batch = sampleBatch(sampleClips(options.traffic, 1), options.traffic);

@@ -4,8 +4,8 @@
 namespace forge {
 namespace {
 
-/// More threads than one cost more than they bring on tensors as small as those of the tests, above
-/// all on a machine that does something else, too.
+/// Several threads are slower than one on the small tensors of the tests, especially on a busy
+/// machine.
 class OneThread : public testing::Environment {
  public:
   void SetUp() override { torch::set_num_threads(1); }

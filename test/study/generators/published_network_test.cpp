@@ -16,7 +16,7 @@ constexpr PublishedHead kHeads[] = {PublishedHead::kRegionProposal, PublishedHea
 
 GeneratorOptions publishedOptions() { return shippedConfig().published_network; }
 
-/// Learns faster than what is shipped.
+/// Options that train faster than the shipped ones.
 GeneratorOptions quickOptions() {
   GeneratorOptions options = publishedOptions();
   options.published_network.anchor_3 = 64;
@@ -60,7 +60,7 @@ TrafficBatch crashBatch(const TrafficOptions& options) {
   return sampleBatch(clips, options);
 }
 
-/// Means by their names.
+/// Returns the mean errors by name.
 std::map<std::string, double> errorsOf(const TrafficModel& model, const TrafficBatch& batch) {
   const torch::NoGradGuard no_gradients;
   model.network()->eval();
@@ -72,7 +72,7 @@ std::map<std::string, double> errorsOf(const TrafficModel& model, const TrafficB
   return errors;
 }
 
-/// One that knows crashBatch() by heart.
+/// Returns a model that is overfitted to crashBatch().
 std::shared_ptr<TrafficModel> trained(PublishedHead head) {
   static std::map<PublishedHead, std::shared_ptr<TrafficModel>> known;
   auto& model = known[head];
@@ -84,7 +84,7 @@ std::shared_ptr<TrafficModel> trained(PublishedHead head) {
   return model;
 }
 
-/// The moment of crashClip(), as seen from `origin`.
+/// Returns the moment of crashClip() with the ego at `origin`.
 Moment crashMoment(const Pose2& origin = {}) {
   const auto map = twoLaneRoad();
   for (Lane& lane : map->lanes) {
@@ -112,7 +112,7 @@ long blockSize(long from, long to) {
 
 long linearSize(long from, long to) { return from * to + to; }
 
-TEST(PublishedNetwork, HasTheSizeOfThePublishedOne) {
+TEST(PublishedNetwork, HasThePublishedNumberOfWeights) {
   const long encoder =
       blockSize(7, 64) + 2 * blockSize(128, 64) + linearSize(128, 64) + 3 * linearSize(66, 64);
   const long condition =
@@ -140,7 +140,7 @@ TEST(PublishedNetwork, HasTheSizeOfThePublishedOne) {
   EXPECT_NEAR(expected.at(PublishedHead::kRegionProposal), 0.44e6, 0.01e6);
 }
 
-TEST(PublishedNetwork, LearnsAHandfulOfClipsByHeart) {
+TEST(PublishedNetwork, OverfitsAFewClips) {
   const GeneratorOptions options = quickOptions();
   const TrafficBatch batch = crashBatch(options.traffic);
   for (const PublishedHead head : kHeads) {
@@ -148,7 +148,7 @@ TEST(PublishedNetwork, LearnsAHandfulOfClipsByHeart) {
     const auto before = errorsOf(*makeSeeded(head, options), batch);
     auto after = errorsOf(*trained(head), batch);
     EXPECT_GT(before.at("ego_m"), 2.0);
-    // A lane has a point every 2 m, and a point alone is what the target points tell.
+    // Lanes have a point every 2 m, and the target-point head returns lane points.
     EXPECT_LT(after.at("ego_m"), 1.01);
     EXPECT_LT(after.at("offset_m"), 0.5);
     EXPECT_LT(after.at("ego_yaw_deg"), 2.0);
@@ -157,7 +157,7 @@ TEST(PublishedNetwork, LearnsAHandfulOfClipsByHeart) {
   }
 }
 
-TEST(PublishedNetwork, DrivesWhomItSelectsToThePatternOfTheType) {
+TEST(PublishedNetwork, DrivesTheSelectedAttackerToThePatternOfTheType) {
   for (const PublishedHead head : kHeads) {
     SCOPED_TRACE(static_cast<int>(head));
     const Moment moment = crashMoment();
@@ -179,7 +179,7 @@ TEST(PublishedNetwork, DrivesWhomItSelectsToThePatternOfTheType) {
   }
 }
 
-TEST(PublishedNetwork, TheOrderOfTheAgentsDoesNotMatter) {
+TEST(PublishedNetwork, IsInvariantToTheOrderOfAgents) {
   const auto model = trained(PublishedHead::kRegionProposal);
   Moment moment = crashMoment();
   const CollisionRequest request = requestFor(CollisionType::kRearEnd, 2.5);
@@ -191,7 +191,7 @@ TEST(PublishedNetwork, TheOrderOfTheAgentsDoesNotMatter) {
   EXPECT_NEAR(one.aim.attacker_offset.x, other.aim.attacker_offset.x, 1e-4);
 }
 
-TEST(PublishedNetwork, WhoAttacksInTrainingIsNotTold) {
+TEST(PublishedNetwork, TheInputDoesNotRevealTheAttacker) {
   const GeneratorOptions options = quickOptions();
   const auto model = trained(PublishedHead::kRegionProposal);
   TrafficBatch batch = crashBatch(options.traffic);
@@ -202,7 +202,7 @@ TEST(PublishedNetwork, WhoAttacksInTrainingIsNotTold) {
   EXPECT_EQ(errorsOf(*model, batch).at("selection_missed"), 1.0) << "another is in its place";
 }
 
-TEST(PublishedNetwork, DrivesTheAttackerThatIsAskedFor) {
+TEST(PublishedNetwork, DrivesTheRequestedAttacker) {
   const auto model = trained(PublishedHead::kRegionProposal);
   CollisionRequest request = requestFor(CollisionType::kRearEnd, 2.5);
   const Realization free = answerOf(*model, crashMoment(), request);
@@ -213,7 +213,7 @@ TEST(PublishedNetwork, DrivesTheAttackerThatIsAskedFor) {
   EXPECT_NEAR(named.aim.ego.center.x, free.aim.ego.center.x, 1e-4);
 }
 
-TEST(PublishedNetwork, TheAnswerMovesWithTheScene) {
+TEST(PublishedNetwork, TheAttackMovesWithTheScene) {
   const Pose2 origin{300.0, -120.0, 2.2};
   for (const PublishedHead head : kHeads) {
     SCOPED_TRACE(static_cast<int>(head));
@@ -229,7 +229,7 @@ TEST(PublishedNetwork, TheAnswerMovesWithTheScene) {
   }
 }
 
-TEST(PublishedNetwork, WithoutLanesAnchorsTellWhyThereIsNoAnswer) {
+TEST(PublishedNetwork, WithoutLanesHeadsWithAnchorsReportTheReason) {
   Moment moment = crashMoment();
   moment.snapshot.map = emptyMap();
   moment.lanes = std::make_shared<const LaneIndex>(emptyMap());

@@ -8,20 +8,21 @@ namespace forge {
 
 inline StudyConfig shippedConfig() { return loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config"); }
 
-/// What a model that sees no lanes is told.
+/// Options of a model that ignores lanes.
 inline TrafficOptions withoutLanes(TrafficOptions options) {
   options.lanes = {};
   return options;
 }
 
-/// The configuration of models that see no lanes.
+/// Options of generators that ignore lanes.
 inline GeneratorOptions blindOptions() {
   GeneratorOptions options = shippedConfig().generators;
   options.traffic = withoutLanes(options.traffic);
   return options;
 }
 
-/// Clips of a rear end: the ego at 5 m/s and more, an attacker behind it at another speed each.
+/// Rear-end clips: the ego at 5 m/s and more, the attacker behind it with a different speed in
+/// each.
 inline std::vector<TrafficClip> sampleClips(const TrafficOptions& options, int count) {
   std::vector<TrafficClip> clips;
   for (int i = 0; i < count; ++i) {
@@ -32,7 +33,7 @@ inline std::vector<TrafficClip> sampleClips(const TrafficOptions& options, int c
   return clips;
 }
 
-/// All windows of the clips as one batch, with their future.
+/// Returns all windows of the clips as one batch, with their future.
 inline TrafficBatch sampleBatch(const std::vector<TrafficClip>& clips,
                                 const TrafficOptions& options) {
   std::vector<TrafficWindow> windows;
@@ -42,7 +43,7 @@ inline TrafficBatch sampleBatch(const std::vector<TrafficClip>& clips,
   return batchOf(windows, options, options.future_frames);
 }
 
-/// m, mean over all agents and frames, of what the generator drives.
+/// Returns the mean displacement error (m) of the generator over all agents and frames.
 inline double driveError(const TrafficGenerator& generator, const TrafficBatch& batch,
                          const TrafficOptions& options) {
   const torch::NoGradGuard no_gradients;

@@ -12,7 +12,7 @@ std::shared_ptr<TrafficGenerator> makeSeeded(const GeneratorOptions& options) {
   return makeSocialGan(options.c_sgan, options.traffic, torch::kCPU);
 }
 
-TEST(SocialGan, HasTheSizeOfThePublishedOne) {
+TEST(SocialGan, HasThePublishedNumberOfWeights) {
   const GeneratorOptions options = blindOptions();
   const auto gan = makeSocialGan(options.c_sgan, options.traffic, torch::kCPU);
   long count = 0;
@@ -21,7 +21,7 @@ TEST(SocialGan, HasTheSizeOfThePublishedOne) {
   EXPECT_EQ(count, 60234 + 6 * 4 * 32);
 }
 
-TEST(SocialGan, LearnsAHandfulOfClipsByHeart) {
+TEST(SocialGan, OverfitsAFewClips) {
   GeneratorOptions options = blindOptions();
   options.c_sgan.learning_rate = 0.003;
   options.c_sgan.variety = 2;
@@ -39,7 +39,7 @@ TEST(SocialGan, LearnsAHandfulOfClipsByHeart) {
   EXPECT_LT(after, 0.5);
 }
 
-TEST(SocialGan, WhoWasNotSeenThroughoutIsNotPooled) {
+TEST(SocialGan, AgentsWithoutFullHistoryAreNotPooled) {
   const GeneratorOptions options = blindOptions();
   const auto gan = makeSeeded(options);
   std::vector<TrafficClip> clips = sampleClips(options.traffic, 1);

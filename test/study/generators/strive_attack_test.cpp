@@ -10,7 +10,7 @@
 namespace forge {
 namespace {
 
-/// The ego at 10 m/s, a car 18 m behind it on the same lane at 12 m/s: they do not meet within 4 s.
+/// The ego at 10 m/s, a car 18 m behind it on the same lane at 12 m/s: no contact within 4 s.
 Moment farBehind() {
   const auto map = twoLaneRoad();
   return {snapshotOf(pastTrack(kEgoId, kEgoSize, {}, 10.0),
@@ -18,7 +18,7 @@ Moment farBehind() {
           std::nullopt, std::make_shared<const LaneIndex>(map)};
 }
 
-/// A model that has learned to drive on, and its methods.
+/// A model trained to continue the motion, and its methods.
 class StriveAttacks : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -45,7 +45,7 @@ class StriveAttacks : public testing::Test {
 };
 std::shared_ptr<TrafficGenerator> StriveAttacks::model_;
 
-TEST_F(StriveAttacks, FindsTheCrashThatTheModelAloneDoesNotDrive) {
+TEST_F(StriveAttacks, FindsACrashThatTheModelAloneDoesNotPredict) {
   Moment moment = farBehind();
   moment.recorded = predictFuture(moment.snapshot, *moment.lanes, 8.0, shippedOptions().prediction);
   EXPECT_FALSE(answer("c_strive", moment).report.contact);
@@ -56,7 +56,7 @@ TEST_F(StriveAttacks, FindsTheCrashThatTheModelAloneDoesNotDrive) {
   EXPECT_NEAR(found.report.relative_heading, 0.0, 0.3);
 }
 
-TEST(StriveAttack, NumbersThatAreNotFiniteAreAnError) {
+TEST(StriveAttack, NonFiniteValuesAreAnError) {
   GeneratorOptions options = shippedConfig().generators;
   options.strive_optimised.iterations = 1;
   const auto model =

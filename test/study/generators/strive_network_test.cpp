@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-/// The nets of the configuration, as they are before training.
+/// Untrained networks with the shipped configuration.
 class StriveNets : public testing::Test {
  protected:
   StriveNets() {
@@ -20,7 +20,7 @@ class StriveNets : public testing::Test {
   std::shared_ptr<StriveNetwork> network_;
 };
 
-TEST_F(StriveNets, EncodeTakesWhoWasSeenThroughoutAndPairsThem) {
+TEST_F(StriveNets, EncodesAndPairsAgentsWithFullHistory) {
   std::vector<TrafficClip> clips = sampleClips(options_.traffic, 2);
   clips[1].agents.push_back(clips[1].agents[1]);
   clips[1].agents.push_back(clips[1].agents[1]);
@@ -35,7 +35,7 @@ TEST_F(StriveNets, EncodeTakesWhoWasSeenThroughoutAndPairsThem) {
   EXPECT_NEAR(scene.turn[0].item<double>(), 0.0, 1e-4);
 }
 
-TEST_F(StriveNets, TheBicycleIsThePublishedOne) {
+TEST_F(StriveNets, TheBicycleEqualsThePublishedOne) {
   // (x 0, y 0, h 0, s 10, turn 0.1), length 4.7, a 1, turn's change 0.2: STRIVE's code gives
   // turn 0.2, h 0.212766, s 10.5, x 5.131616, y 1.108613. The last layer of the decoder is made to
   // ask for these, whatever it sees.
@@ -60,14 +60,14 @@ TEST_F(StriveNets, TheBicycleIsThePublishedOne) {
   EXPECT_NEAR(driven[0][0][2].item<double>(), 0.212766, 1e-5);
 }
 
-TEST_F(StriveNets, SeesAgentsAndLanesFromEachAgent) {
+TEST_F(StriveNets, EncodesAgentsAndLanesRelativeToEachAgent) {
   std::vector<TrafficClip> clips = sampleClips(options_.traffic, 1);
   clips[0].lanes = {{{{0.0, 0.0, 0.3}, {10.0, 3.0, 0.3}, {20.0, 6.0, 0.3}}, false}};
   TrafficBatch batch = batchOf({{&clips[0], 7}}, options_.traffic, 0);
   const StriveScene scene = network_->encode(batch);
   const torch::Tensor latent = torch::zeros({2, options_.c_strive.latent});
   const torch::Tensor driven = network_->drive(scene, latent, 4);
-  // the same, turned by a quarter and moved
+  // the same scene, rotated by 90 degrees and moved
   batch.poses = torch::stack({5.0 - batch.poses.select(3, 1), 7.0 + batch.poses.select(3, 0),
                               batch.poses.select(3, 2) + M_PI_2},
                              3);
@@ -84,7 +84,7 @@ TEST_F(StriveNets, SeesAgentsAndLanesFromEachAgent) {
   EXPECT_FALSE(torch::allclose(blind, turned, 1e-4, 1e-3)) << "lanes are seen";
 }
 
-TEST_F(StriveNets, OthersSeeTheEgoWhereItIsPut) {
+TEST_F(StriveNets, OtherAgentsReactToAGivenEgo) {
   const std::vector<TrafficClip> clips = sampleClips(options_.traffic, 1);
   const StriveScene scene = network_->encode(batchOf({{&clips[0], 7}}, options_.traffic, 0));
   const torch::Tensor latent = torch::zeros({2, options_.c_strive.latent});
@@ -96,7 +96,7 @@ TEST_F(StriveNets, OthersSeeTheEgoWhereItIsPut) {
   EXPECT_FALSE(torch::equal(with_near[1], with_far[1]));
 }
 
-TEST_F(StriveNets, OverlapIsOneWhereTwoStandInOnePlace) {
+TEST_F(StriveNets, OverlapIsOneForCoincidingAgents) {
   const std::vector<TrafficClip> clips = sampleClips(options_.traffic, 1);
   const StriveScene scene = network_->encode(batchOf({{&clips[0], 7}}, options_.traffic, 0));
   torch::Tensor poses = torch::zeros({2, 3, 3});

@@ -13,7 +13,7 @@ std::shared_ptr<TrafficGenerator> striveOf(const GeneratorOptions& options) {
   return makeStrive(options.c_strive, options.strive_optimised, options.traffic, torch::kCPU);
 }
 
-TEST(Strive, LearnsAHandfulOfClipsByHeart) {
+TEST(Strive, OverfitsAFewClips) {
   GeneratorOptions options = shippedConfig().generators;
   options.c_strive.learning_rate = 0.002;
   const auto strive = striveOf(options);
@@ -28,7 +28,7 @@ TEST(Strive, LearnsAHandfulOfClipsByHeart) {
   EXPECT_LT(driveError(*strive, batch, options.traffic), 0.5);
 }
 
-TEST(Strive, WhoWasNotSeenThroughoutIsNotHeard) {
+TEST(Strive, AgentsWithoutFullHistorySendNoMessages) {
   const GeneratorOptions options = shippedConfig().generators;
   const auto strive = striveOf(options);
   strive->network()->eval();

@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-TEST(WindowsOf, GoOverAllFramesWithFuture) {
+TEST(WindowsOf, CoverAllFramesWithFuture) {
   const TrafficOptions options = withoutLanes(shippedConfig().generators.traffic);
   TrafficClip clip = sampleClips(options, 1).front();  // the crash is in frame 12
   const auto windows = windowsOf(clip, options);
@@ -18,7 +18,7 @@ TEST(WindowsOf, GoOverAllFramesWithFuture) {
   EXPECT_EQ(windowsOf(clip, options).size(), 1u);
 }
 
-TEST(BatchOf, IsSeenFromEachWindowsEgo) {
+TEST(BatchOf, IsInTheFrameOfEachWindowsEgo) {
   const TrafficOptions options = withoutLanes(shippedConfig().generators.traffic);
   const TrafficClip clip = sampleClips(options, 1).front();  // ego at 5 m/s, attacker at 9 m/s
   const TrafficBatch batch = batchOf({{&clip, 7}, {&clip, 8}}, options, 4);
@@ -32,7 +32,7 @@ TEST(BatchOf, IsSeenFromEachWindowsEgo) {
   EXPECT_EQ(batch.seen.sum().item<double>(), 2 * 2 * 12);
 }
 
-TEST(BatchOf, MarksWhoIsNotSeen) {
+TEST(BatchOf, MarksUnobservedAgents) {
   const TrafficOptions options = withoutLanes(shippedConfig().generators.traffic);
   TrafficClip clip = sampleClips(options, 1).front();
   clip.agents[1][3].reset();

@@ -11,7 +11,7 @@ namespace {
 const CollideOptions kCollide{{4.7, 2.0}, 2.0, 0.1};
 constexpr double kRounding = 1e-5;  // m; times since 1970 have 1e-7 s
 
-/// A clip whose others are a car that moves, one that stands, and one that comes late.
+/// A clip with three other agents: a moving car, a standing one, and one that appears late.
 CollideClip clipWithOthers() {
   CollideClip clip = straightClip(CollisionType::kLtap, 90.0, 11, 5.0, {30.0, 3.0, M_PI}, 8.0);
   clip.tracks.push_back(standingClipTrack("standing", {0.0, 6.0, 0.0}, 11));
@@ -22,7 +22,7 @@ CollideClip clipWithOthers() {
   return clip;
 }
 
-TEST(TrafficOf, HasEgoThenAttackerThenWhoMovesNearestFirst) {
+TEST(TrafficOf, OrdersEgoAttackerThenMovingAgentsByDistance) {
   const TrafficClip traffic = trafficOf(clipWithOthers(), kCollide,
                                         withoutLanes(shippedConfig().generators.traffic), nullptr);
   EXPECT_EQ(traffic.scene, "scene-0001");
@@ -38,7 +38,7 @@ TEST(TrafficOf, HasEgoThenAttackerThenWhoMovesNearestFirst) {
   EXPECT_EQ(traffic.ids, (std::vector<std::string>{kEgoId, "attacker", "near", "far"}));
 }
 
-TEST(TrafficOf, KeepsAsManyAgentsAsTold) {
+TEST(TrafficOf, KeepsAtMostMaxAgents) {
   TrafficOptions options = withoutLanes(shippedConfig().generators.traffic);
   options.max_agents = 3;
   const TrafficClip traffic = trafficOf(clipWithOthers(), kCollide, options, nullptr);
@@ -46,7 +46,7 @@ TEST(TrafficOf, KeepsAsManyAgentsAsTold) {
   EXPECT_NEAR(traffic.agents[2][7]->x, 10.0, kRounding);
 }
 
-TEST(TrafficOf, DoesNotShowTheAttackersHistory) {
+TEST(TrafficOf, HidesTheHistoryOfTheAttacker) {
   CollideClip clip = clipWithOthers();
   const TrafficOptions options = withoutLanes(shippedConfig().generators.traffic);
   const TrafficClip straight = trafficOf(clip, kCollide, options, nullptr);
@@ -60,7 +60,7 @@ TEST(TrafficOf, DoesNotShowTheAttackersHistory) {
   }
 }
 
-TEST(TrafficOf, SnapshotIsSeenFromTheEgoUpToNow) {
+TEST(TrafficOf, ConvertsASnapshotToTheFrameOfTheEgo) {
   const Snapshot snapshot =
       snapshotOf(pastTrack(kEgoId, kEgoSize, {100.0, 50.0, M_PI_2}, 10.0),
                  {pastTrack("attacker", kCarSize, {100.0, 20.0, M_PI_2}, 14.0)}, twoLaneRoad());

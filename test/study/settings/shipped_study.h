@@ -4,7 +4,7 @@
 
 namespace forge {
 
-/// The configuration of config/, with the study's files.
+/// The configuration of config/, including config/study/.
 inline const StudyConfig& shippedStudy() {
   static const StudyConfig config = loadStudyConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   return config;

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder with clips of six scenes, and runs on them.
+/// A folder with clips of six scenes, and training runs on them.
 class GeneratorTrainingRun : public testing::Test {
  protected:
   GeneratorTrainingRun() {
@@ -51,7 +51,7 @@ class GeneratorTrainingRun : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(GeneratorTrainingRun, OneThatIsKilledBetweenTwoFilesGivesTheSame) {
+TEST_F(GeneratorTrainingRun, ARunKilledBetweenTwoFilesResumesToTheSameResult) {
   trainGenerator(runTo("whole", 0));
   trainGenerator(runTo("before", 1));
   fs::copy(folder_.path() + "/before", folder_.path() + "/after");
@@ -74,7 +74,7 @@ TEST_F(GeneratorTrainingRun, OneThatIsKilledBetweenTwoFilesGivesTheSame) {
   }
 }
 
-TEST_F(GeneratorTrainingRun, GoesOnWithWhatItWroteAlone) {
+TEST_F(GeneratorTrainingRun, ResumesOnlyFromUnchangedFiles) {
   const auto complaintWith = [&](const std::string& file, std::size_t place) {
     fs::remove_all(folder_.path() + "/run");
     trainGenerator(runTo("run", 1));
@@ -89,7 +89,7 @@ TEST_F(GeneratorTrainingRun, GoesOnWithWhatItWroteAlone) {
     }
     return std::string("no error");
   };
-  EXPECT_THAT(complaintWith("state.pt", 0), testing::StartsWith(": is not as it was written"));
+  EXPECT_THAT(complaintWith("state.pt", 0), testing::StartsWith(": the file was changed"));
   EXPECT_THAT(complaintWith("metrics.csv", 1), testing::StartsWith(": line 1: "));
   const std::string metrics = readText(folder_.path() + "/run/metrics.csv");
   EXPECT_THAT(complaintWith("metrics.csv", metrics.size() - 2), testing::StartsWith(": line 2: "));

@@ -10,7 +10,7 @@ namespace {
 constexpr float kTolerance = 1e-4F;
 constexpr double kTta = 3.0;  // s
 
-/// The ego in a bend before a fork, with a vehicle beside it: nothing is the same left and right.
+/// The ego in a bend before a fork, with a vehicle beside it: a scene without mirror symmetry.
 Snapshot bentSnapshot(double side) {
   auto map = emptyMap();
   Lane in;
@@ -54,7 +54,7 @@ void expectNear(const RowMatrix& a, const RowMatrix& b) {
   EXPECT_LT((a - b).cwiseAbs().maxCoeff(), kTolerance);
 }
 
-TEST(Mirrored, SceneIsThatOfTheMirroredWorld) {
+TEST(Mirrored, SceneEqualsTheFeaturesOfTheMirroredScene) {
   const auto featuresOf = [](double side) {
     const Snapshot snapshot = bentSnapshot(side);
     return sceneFeatures(observedSnapshot(snapshot, {}), lanesOf(snapshot), smallFeatures());
@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(Mirrored, MirroredHeads,
                                          EgoHead::kRegression),
                          [](const auto& info) { return std::string(toString(info.param)); });
 
-TEST_P(MirroredHeads, AnchorsAreThoseOfTheMirroredWorld) {
+TEST_P(MirroredHeads, AnchorsEqualTheAnchorsOfTheMirroredScene) {
   const AnchorFeatures left = anchorsOf(bentSnapshot(1.0), GetParam());
   const TimedSample right{kTta, anchorsOf(bentSnapshot(-1.0), GetParam()), {20.0, -3.0, -0.2}};
   const TimedSample back = mirrored(right);

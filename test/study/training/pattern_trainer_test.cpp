@@ -34,7 +34,7 @@ PatternTrainer trainerOf(const TrainingOptions& options, std::uint64_t seed = 0,
   return {features, smallLayers(), options, "cpu", 1, seed};
 }
 
-/// The ego at several speeds, driving on at a speed of its own; the second vehicle attacks.
+/// Samples with different ego speeds; the second vehicle is the attacker.
 std::vector<TrainingSample> samplesOf(const PatternFeatureOptions& options, int count) {
   std::vector<TrainingSample> samples;
   const EgoFutureOptions futures = shippedEgoFutureOptions();
@@ -90,7 +90,8 @@ INSTANTIATE_TEST_SUITE_P(PatternTrainer, Heads,
                                          EgoHead::kRegression),
                          [](const auto& info) { return std::string(toString(info.param)); });
 
-/// Derivatives against differences, of the layers whose names begin with `prefix` or of all others.
+/// Compares gradients with finite differences, for layers with names that begin with `prefix`, or
+/// for all others.
 void checkGradients(PatternTrainer trainer, const std::vector<TrainingSample>& samples,
                     const std::string& prefix, bool others) {
   std::map<std::string, std::vector<double>> gradients;
@@ -114,19 +115,19 @@ void checkGradients(PatternTrainer trainer, const std::vector<TrainingSample>& s
   }
 }
 
-TEST_P(Heads, GradientsAreThoseOfTheLoss) {
+TEST_P(Heads, GradientsMatchFiniteDifferences) {
   const auto samples = samplesOf(features(), 3);
   TrainingOptions options = quickTraining();
-  // which anchors' headings count is held by training, so differences would not agree
+  // The weights of the anchors' heading errors are detached, so finite differences would not agree.
   if (GetParam() != EgoHead::kRegression) options.heading_weight = 0.0;
   checkGradients(trainerOf(options, 3, features()), samples, "candidate_", false);
-  // what the ego's place is told by is trained by that alone
+  // The layers of the ego position are trained only by its loss.
   options.offset_weight = 0.0;
   options.selection_weight = 0.0;
   checkGradients(trainerOf(options, 3, features()), samples, "candidate_", true);
 }
 
-TEST_P(Heads, LearnAFewMomentsByHeart) {
+TEST_P(Heads, OverfitAFewMoments) {
   const auto samples = samplesOf(features(), 4);
   TrainingOptions options = quickTraining();
   options.epochs = 500;
@@ -148,23 +149,23 @@ TEST_P(Heads, LearnAFewMomentsByHeart) {
   const TimedSample& time = samples[1].times.back();
   const Pose2 pose = medianPose(network.ego(
       network.withRequest(scene, requestFeatures(std::nullopt, time.tta)), time.anchors));
-  if (GetParam() == EgoHead::kTargetPoints) return;  // of several points near each other
+  if (GetParam() == EgoHead::kTargetPoints) return;  // several points are close to each other
   EXPECT_NEAR(pose.x, time.ego.x, 2.0);
   EXPECT_NEAR(pose.y, time.ego.y, 0.5);
 }
 
-TEST_P(Heads, InferenceGivesTheLossOfTraining) {
+TEST_P(Heads, InferenceReproducesTheTrainingLoss) {
   const auto samples = samplesOf(features(), 4);
   TrainingOptions options = quickTraining();
   options.heading_weight = options.offset_weight = options.selection_weight = 0.0;
   options.clip_weight = 1.0;
   PatternTrainer trainer = trainerOf(options, 2, features());
   const double loss = trainer.lossAndGradients(samples, nullptr);
-  const PatternNetwork network(trainer.presentWeights());
+  const PatternNetwork network(trainer.currentWeights());
   double sum = 0.0;
   for (const TrainingSample& sample : samples) {
     SceneFeatures seen = sample.features;
-    if (sample.attack) {  // as training does to clips
+    if (sample.attack) {  // as in the training on clips
       for (Eigen::Index row = 8; row < seen.agent_mask.size(); ++row) {
         if (row % 8 != 7) seen.agent_mask[row] = 0.0F;
       }
@@ -217,7 +218,7 @@ TEST(PatternTrainer, ResumesToTheSameBits) {
   }
 }
 
-/// What MPI does, for two threads.
+/// Sums over two threads, as MPI over two ranks.
 class TwoRanks {
  public:
   TrainingRanks rank(int rank) {
@@ -228,7 +229,8 @@ class TwoRanks {
   void sumUp(std::vector<double>& numbers) {
     std::unique_lock<std::mutex> lock(mutex_);
     const int round = rounds_;
-    std::vector<double>& sum = sums_[round % 2];  // the other may begin the next round at once
+    std::vector<double>& sum =
+        sums_[round % 2];  // the other thread may begin the next round at once
     if (++arrived_ == 1) {
       sum = numbers;
       all_here_.wait(lock, [&] { return rounds_ != round; });
@@ -248,7 +250,7 @@ class TwoRanks {
   int rounds_ = 0;
 };
 
-TEST(PatternTrainer, TwoRanksStepByTheMeanOfTheirGradients) {
+TEST(PatternTrainer, TwoRanksAverageTheirGradients) {
   // two ranks with one moment each, and one process with both
   const std::vector<TrainingSample> samples = {samplesOf(smallFeatures(), 2)[1],
                                                samplesOf(smallFeatures(), 4)[3]};
@@ -261,27 +263,27 @@ TEST(PatternTrainer, TwoRanksStepByTheMeanOfTheirGradients) {
   TwoRanks ranks;
   PatternTrainer first = trainerOf(options);
   PatternTrainer second = trainerOf(options);
-  first.trainTogether(ranks.rank(0));
-  second.trainTogether(ranks.rank(1));
+  first.setRanks(ranks.rank(0));
+  second.setRanks(ranks.rank(1));
   std::thread other([&] { second.trainEpoch(samples, all(samples)); });
   first.trainEpoch(samples, all(samples));
   other.join();
-  for (const auto& [name, layer] : alone.presentWeights().layers) {
-    const RowMatrix difference = layer.matrix - first.presentWeights().layers.at(name).matrix;
+  for (const auto& [name, layer] : alone.currentWeights().layers) {
+    const RowMatrix difference = layer.matrix - first.currentWeights().layers.at(name).matrix;
     EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-4F) << name;
   }
 }
 
-TEST(PatternTrainer, RanksThatPartAreFoundOut) {
+TEST(PatternTrainer, DivergingRanksAreDetected) {
   const auto samples = samplesOf(smallFeatures(), 4);
   PatternTrainer trainer = trainerOf(quickTraining());
-  trainer.trainTogether({0, 2, [](std::vector<double>& numbers) {
-                           if (numbers.size() == 2) numbers[1] = numbers[0] + 1.0;
-                         }});
+  trainer.setRanks({0, 2, [](std::vector<double>& numbers) {
+                      if (numbers.size() == 2) numbers[1] = numbers[0] + 1.0;
+                    }});
   EXPECT_THROW(trainer.trainEpoch(samples, all(samples)), TrainingError);
 }
 
-TEST(PatternTrainer, RefusesDamagedAndForeignStates) {
+TEST(PatternTrainer, RejectsDamagedAndForeignStates) {
   const std::string path = (fs::path(testing::TempDir()) / "trainer_damaged.pt").string();
   writeText(path, trainerOf(quickTraining(), 1).state());
   PatternTrainer other = trainerOf(quickTraining(), 2);

@@ -13,7 +13,7 @@ constexpr double kSpeed = 6.0;       // m/s
 constexpr std::size_t kFrames = 21;  // every half second, ten seconds in all
 constexpr std::size_t kFirst = 1;    // frame that has a motion
 
-/// East along the right lane at a constant speed.
+/// A scene with an ego that drives east along the right lane at constant speed.
 Scene straightScene() {
   Scene scene;
   scene.name = "straight";
@@ -30,7 +30,7 @@ std::vector<PlannerSample> straightSamples() {
   return plannerSamples(straightScene(), threeLaneRoad(), shippedStudy(), shippedStudy().planners);
 }
 
-TEST(PlannerSamples, AreOfEveryFrameWithEnoughPastAndFuture) {
+TEST(PlannerSamples, CoverEveryFrameWithEnoughPastAndFuture) {
   const auto samples = straightSamples();
   const double min_future = shippedStudy().planner_training.min_future;
   ASSERT_EQ(samples.size(),
@@ -38,7 +38,7 @@ TEST(PlannerSamples, AreOfEveryFrameWithEnoughPastAndFuture) {
   for (const PlannerSample& sample : samples) EXPECT_EQ(sample.scene, "straight");
 }
 
-TEST(PlannerSamples, KnowTheFutureUntilTheRecordingEnds) {
+TEST(PlannerSamples, HaveTheFutureUntilTheEndOfTheRecording) {
   const auto samples = straightSamples();
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const std::size_t left = 5 * (kFrames - 1 - kFirst - i);  // tenths of a second
@@ -52,7 +52,7 @@ TEST(PlannerSamples, KnowTheFutureUntilTheRecordingEnds) {
   }
 }
 
-TEST(PlannerSamples, TellTheMotionFromThePastAlone) {
+TEST(PlannerSamples, EstimateTheMotionOnlyFromThePast) {
   const auto samples = straightSamples();
   const auto speedNow = [](const PlannerSample& sample) {
     return sample.ego_history[(kContractFrames - 1) * kContractEgoNumbers + 3];
@@ -62,7 +62,7 @@ TEST(PlannerSamples, TellTheMotionFromThePastAlone) {
   EXPECT_EQ(samples[4].ego_history[5], 1.0f);
 }
 
-TEST(PlannerSamples, ShowTheRouteAhead) {
+TEST(PlannerSamples, HaveTheRouteAhead) {
   const PlannerSample sample = straightSamples()[3];
   ASSERT_EQ(sample.route.size(), kContractInputs[kRoute].count());
   for (std::size_t i = 0; i < kContractRoutePoints; ++i) {

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kAcceleration = 0.5;  // m/s2
 
-/// Starts at this speed on a straight route and accelerates; of some the recording ends early.
+/// A sample that starts at this speed on a straight route and accelerates; some recordings end
+/// early.
 PlannerSample acceleratingSample(double speed, std::size_t known) {
   PlannerSample sample;
   sample.known = known;
@@ -59,7 +60,7 @@ TEST(DisplacementErrors, AreMeansOverThePosesUpToEachTime) {
   const Learning learning = smallLearning();
   const DisplacementErrors errors = constantVelocityErrors(learning.samples, learning.all);
   for (std::size_t i = 0; i < DisplacementErrors::kTimes.size(); ++i) {
-    // Constant velocity falls behind by a t^2 / 2; the mean over t = 0.1, 0.2, ... up to the time.
+    // The error of constant velocity is a t^2 / 2, averaged over t = 0.1, 0.2, ... up to the time.
     const int poses = static_cast<int>(std::lround(DisplacementErrors::kTimes[i] / 0.1));
     double sum = 0.0;
     for (int k = 1; k <= poses; ++k) sum += 0.5 * kAcceleration * 0.01 * k * k;
@@ -68,7 +69,7 @@ TEST(DisplacementErrors, AreMeansOverThePosesUpToEachTime) {
   }
 }
 
-TEST(PlannerTrainer, LearnsWhatConstantVelocityDoesNotKnow) {
+TEST(PlannerTrainer, BeatsConstantVelocity) {
   const Learning learning = smallLearning();
   PlannerTrainer trainer(learning.options, 1, 0);
   const double first = trainer.trainEpoch(learning.samples, learning.all);
@@ -81,7 +82,7 @@ TEST(PlannerTrainer, LearnsWhatConstantVelocityDoesNotKnow) {
             0.5 * constantVelocityErrors(learning.samples, learning.all).means.back());
 }
 
-TEST(PlannerTrainer, SavesWhatItHasLearntAsAFileOfTheContract) {
+TEST(PlannerTrainer, SavesATorchScriptFileOfTheContract) {
   const TemporaryFolder folder;
   const Learning learning = smallLearning();
   PlannerTrainer trainer(learning.options, 1, 0);

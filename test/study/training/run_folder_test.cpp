@@ -13,7 +13,7 @@
 namespace forge {
 namespace {
 
-/// The complaint about a run that was begun with one text and goes on with another.
+/// Returns the difference reported for a run that is resumed with another description.
 std::string differenceOf(const std::string& begun, const std::string& now) {
   const TemporaryFolder folder;
   TrainingRun run;
@@ -23,10 +23,12 @@ std::string differenceOf(const std::string& begun, const std::string& now) {
       errorOf<std::runtime_error>([&] { static_cast<void>(openRunFolder(run, now)); });
   const std::string where = run.out + "/run.txt: ";
   EXPECT_EQ(complaint.substr(0, where.size()), where);
-  return complaint.substr(where.size());
+  const std::string remedy = "; use the same options or choose another --out";
+  EXPECT_THAT(complaint, testing::EndsWith(remedy));
+  return complaint.substr(where.size(), complaint.size() - where.size() - remedy.size());
 }
 
-TEST(OpenRunFolder, GoesOnWithTheSameRun) {
+TEST(OpenRunFolder, ResumesTheSameRun) {
   const TemporaryFolder folder;
   TrainingRun run;
   run.out = folder.path() + "/run";
@@ -39,7 +41,7 @@ TEST(OpenRunFolder, NamesTheFirstLineThatDiffers) {
             "line 2: the run was started with \"fold = 2\", not \"fold = 3\"");
 }
 
-/// Of a run on the embedded logs; drawing.yaml stands for the file that a network is trained by.
+/// Describes a run on the embedded logs; drawing.yaml stands in for a training configuration.
 std::string describedWith(const std::map<std::string, std::string>& config_files) {
   TrainingRun run;
   run.sources.logs.path = COLLISION_FORGE_SOURCE_DIR "/data/embedded";
@@ -68,7 +70,7 @@ TEST(DescribeRun, NamesTheProgramAndTheConfigurationThatResultsDependOn) {
           version + "\"");
 }
 
-TEST(OpenRunFolder, IsOfOneRunAtATime) {
+TEST(OpenRunFolder, IsLockedByOneRunAtATime) {
   const TemporaryFolder folder;
   TrainingRun run;
   run.out = folder.path();
@@ -76,7 +78,7 @@ TEST(OpenRunFolder, IsOfOneRunAtATime) {
   EXPECT_THROW(static_cast<void>(openRunFolder(run, "seed = 1\n")), std::runtime_error);
 }
 
-TEST(OpenRunFolder, RefusesAStateThatNobodyDescribes) {
+TEST(OpenRunFolder, RejectsAStateWithoutDescription) {
   const TemporaryFolder folder;
   TrainingRun run;
   run.out = folder.path();
@@ -84,7 +86,7 @@ TEST(OpenRunFolder, RefusesAStateThatNobodyDescribes) {
   EXPECT_THROW(static_cast<void>(openRunFolder(run, "seed = 1\n")), std::runtime_error);
 }
 
-TEST(SplitByScene, KeepsAScenesSamplesTogether) {
+TEST(SplitByScene, KeepsTheSamplesOfASceneTogether) {
   std::vector<std::string> scenes;
   for (int i = 0; i < 60; ++i) scenes.push_back("scene-" + std::to_string(i % 20));
   const SampleSplit split = splitByScene(scenes, 0.1, 3);
@@ -96,7 +98,7 @@ TEST(SplitByScene, KeepsAScenesSamplesTogether) {
   EXPECT_TRUE(splitByScene(scenes, 0.0, 3).validation.empty());
 }
 
-/// A run of three epochs, and what is wrong with going on with it.
+/// A run folder with three finished epochs.
 class EpochTableTest : public testing::Test {
  protected:
   EpochTableTest() {
@@ -119,7 +121,7 @@ class EpochTableTest : public testing::Test {
       "epoch,loss,validation\n1,3.000000,2.000000\n2,2.000000,2.500000\n3,1.000000,1.500000\n";
 };
 
-TEST_F(EpochTableTest, KeepsTheRowsOfEpochsThatAreDone) {
+TEST_F(EpochTableTest, KeepsTheRowsOfFinishedEpochs) {
   EXPECT_EQ(readText(path_), rows_);
   EpochTable again(run_, kColumns, 2);
   EXPECT_FALSE(again.add({1.0, 2.0}));
@@ -131,14 +133,14 @@ TEST_F(EpochTableTest, KeepsTheRowsOfEpochsThatAreDone) {
   EXPECT_TRUE(std::filesystem::exists(folder_.path() + "/curves.png"));
 }
 
-TEST_F(EpochTableTest, GoesOnWhereTheProcessWasKilledBetweenTwoFiles) {
+TEST_F(EpochTableTest, ResumesAfterAKillBetweenTwoFiles) {
   const std::string sums = readText(sums_);
-  EpochTable(run_, kColumns, 3).add({1.0, 1.0});  // the row is there, its checksum is not
+  EpochTable(run_, kColumns, 3).add({1.0, 1.0});  // the row exists, its checksum does not
   EXPECT_TRUE(hasState(run_));
   EpochTable table(run_, kColumns, 3);
   table.add({1.0, 1.0});
   table.keep("state of 4");
-  writeText(statePath(run_), "state of 3");  // row and checksum are there, the state is not
+  writeText(statePath(run_), "state of 3");  // row and checksum exist, the state does not
   EXPECT_TRUE(hasState(run_));
   EpochTable again(run_, kColumns, 3);
   again.add({1.0, 1.0});
@@ -149,9 +151,9 @@ TEST_F(EpochTableTest, GoesOnWhereTheProcessWasKilledBetweenTwoFiles) {
   EXPECT_EQ(readText(sums_).size(), sums.size() / 3 * 4);
 }
 
-TEST_F(EpochTableTest, AStateThatWasAlteredIsRefused) {
+TEST_F(EpochTableTest, AnAlteredStateIsRejected) {
   EXPECT_TRUE(hasState(run_));
-  const std::string refusal = statePath(run_) + ": is not as it was written: ";
+  const std::string refusal = statePath(run_) + ": the file was changed: ";
   std::string flipped = "state of 3";
   flipped[4] ^= 1;
   for (const std::string& altered : {flipped, std::string("state of"), std::string()}) {

@@ -43,7 +43,7 @@ double shareOfDraws(const TrainingSample& sample, Fact fact) {
   return static_cast<double>(count) / kDraws;
 }
 
-TEST(RandomDraw, HasTheImpactOfAnAttackOnceAtLeast) {
+TEST(RandomDraw, ContainsTheImpactOfAnAttack) {
   const TrainingSample sample = clip(CollisionType::kRearEnd);
   std::mt19937_64 engine(1);
   const TrainingDraw draw = randomDraw(sample, drawOptions(), engine);
@@ -54,7 +54,7 @@ TEST(RandomDraw, HasTheImpactOfAnAttackOnceAtLeast) {
               0.2, 0.03);
 }
 
-TEST(RandomDraw, HidesHistoriesOfClipsAndOfAShareOfTheLogs) {
+TEST(RandomDraw, HidesHistoriesOfClipsAndOfAShareOfLogs) {
   const auto hides = [](const TrainingDraw& draw) { return draw.hides_history; };
   EXPECT_EQ(shareOfDraws(clip(CollisionType::kRearEnd), hides), 1.0);
   EXPECT_NEAR(shareOfDraws(moment(), hides), 0.3, 0.03);
@@ -67,7 +67,7 @@ TEST(RandomDraw, MirrorsAllButLeftTurns) {
   EXPECT_EQ(shareOfDraws(clip(CollisionType::kLtap), mirrors), 0.0);
 }
 
-TEST(EvenDraw, SpreadsItsTimesAndChangesNothing) {
+TEST(EvenDraw, HasEvenlySpreadTimesAndNoAugmentation) {
   const TrainingSample sample = clip(CollisionType::kRearEnd);
   const TrainingDraw draw = evenDraw(sample, drawOptions());
   ASSERT_EQ(draw.times.size(), 3U);

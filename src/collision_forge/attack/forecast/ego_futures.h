@@ -11,27 +11,29 @@
 
 namespace forge {
 
-/// Draws motions of the ego from now on as likely as they are. Implementations are immutable and
-/// may be used from many threads.
+/// Interface: samples motions of the ego after t0 in proportion to their probability.
+/// Implementations must be immutable: one object is used from many threads at once.
 class EgoFutureSampler {
  public:
   virtual ~EgoFutureSampler() = default;
 
-  /// `count` equally likely tracks of the ego, states evenly from now to at least `horizon` seconds
-  /// later; the first is now's. The same arguments give the same tracks. Throws
-  /// std::invalid_argument for an ego without states, a horizon that is not positive and finite,
-  /// or a negative count.
+  /// Returns `count` equally likely tracks of the ego. The states are evenly spaced from t0 to at
+  /// least t0 + `horizon` (s); the first is the state at t0. Called on the caller's thread, once
+  /// per request by pattern predictors and at each update step by adaptive attackers, so it must be
+  /// fast. Must be deterministic in its arguments and must use only `snapshot`, nothing later than
+  /// t0. Throws std::invalid_argument if the ego has no states, `horizon` is not positive and
+  /// finite, or `count` is negative.
   virtual std::vector<Track> sample(const Snapshot& snapshot, const LaneIndex& lanes,
                                     double horizon, int count, std::uint64_t seed) const = 0;
 };
 
-/// Lanes and speeds: each sample takes a way (egoPaths()) and drives it at speeds that drivers
-/// choose in the ego's situation (SpeedForecaster). Its offset from the way returns to near zero.
-/// Samples are spread evenly over ways, speeds and offsets, not drawn independently. A reversing
-/// ego stops.
+/// Samples a path (egoPaths()) and a speed profile typical of the ego's situation (SpeedForecaster)
+/// per track; the lateral offset decays towards the path. Samples are stratified over paths, speeds
+/// and offsets, not independent. A reversing ego stops.
 class KinematicEgoFutures : public EgoFutureSampler {
  public:
-  /// Null, or a forecast without columns: the present acceleration, with a spread, fades instead.
+  /// If `speeds` is null or its forecast has no columns, the acceleration at t0 (with a spread)
+  /// decays instead.
   KinematicEgoFutures(const EgoFutureOptions& options,
                       std::shared_ptr<const SpeedForecaster> speeds);
 

@@ -11,10 +11,10 @@
 namespace forge {
 namespace {
 
-// What WayAhead is made of.
+// Limits of the quantities in WayAhead.
 constexpr double kBendReach = 80.0;        // m
-constexpr double kBendMargin = 4.0;        // m in which braking for a bend is possible at least
-constexpr double kStraight = 1e-3;         // 1/m, smaller curvatures do not matter
+constexpr double kBendMargin = 4.0;        // m, shortest distance assumed for braking before a bend
+constexpr double kStraight = 1e-3;         // 1/m; smaller curvatures count as straight
 constexpr double kMinBendBraking = -3.0;   // m/s2
 constexpr double kMaxBendBraking = 6.0;    // m/s2
 constexpr double kMaxBendCurvature = 0.1;  // 1/m
@@ -23,14 +23,14 @@ constexpr double kGapReach = 60.0;         // m to the vehicle ahead
 constexpr double kMinGap = 1.5;            // m
 constexpr double kMaxHeadway = 2.0;
 constexpr double kMaxClosing = 1.0;      // 1/s
-constexpr double kLaneHalfWidth = 0.9;   // m, of what is ahead rather than beside
+constexpr double kLaneHalfWidth = 0.9;   // m; an agent farther to the side is beside, not ahead
 constexpr double kLeadMaxHeading = 1.0;  // rad between a vehicle ahead and the path
 
-constexpr double kSameSeconds = 6.0;       // paths that part later than this are one
+constexpr double kSameSeconds = 6.0;       // s; paths that separate later are merged
 constexpr double kSameMargin = 10.0;       // m added to that
 constexpr double kSameDistance = 1.0;      // m
-constexpr double kSpeedGain = 4.0;         // m/s, mean, that paths are long enough for
-constexpr double kMinTurningSpeed = 1.0;   // m/s, slower egos have no curvature
+constexpr double kSpeedGain = 4.0;         // m/s, mean speed gain for which paths are long enough
+constexpr double kMinTurningSpeed = 1.0;   // m/s; a slower ego has no curvature
 constexpr double kMaxFreeCurvature = 0.2;  // 1/m
 
 std::size_t stepsOf(double length) {
@@ -98,14 +98,15 @@ Pose2 SampledPath::poseAt(double arc_length, double lateral) const {
 
 namespace {
 
-/// Signed along the heading at the end; over `elapsed` seconds.
+/// Returns the mean speed over `elapsed` s, signed along the later heading, m/s.
 double speedBetween(const AgentState& earlier, const AgentState& later, double elapsed) {
   const Vector2 step = later.pose.position() - earlier.pose.position();
   return std::copysign(step.norm(), later.pose.heading().dot(step)) / elapsed;
 }
 
-/// From the first of the states up to now that no gap parts; a lone one stands.
-void tellShortMotion(const Track& track, EgoNow& now) {
+/// Derives speeds and turn rate from a history shorter than kProfileStep, from the first state
+/// after the last gap; a single state stands.
+void deriveShortMotion(const Track& track, EgoNow& now) {
   const auto all = static_cast<int>(track.states.size());
   const AgentState& earliest = track.states[unbrokenStart(track.states, all)];
   const double elapsed = now.state.time - earliest.time;
@@ -123,7 +124,7 @@ EgoNow egoNow(const Track& ego) {
   for (std::size_t i = 0; i < now.past_speeds.size(); ++i) {
     const auto earlier = stateAt(ego, later.time - kProfileStep);
     if (!earlier && i == 0) {
-      tellShortMotion(ego, now);
+      deriveShortMotion(ego, now);
       break;
     }
     if (!earlier) {
@@ -140,7 +141,8 @@ EgoNow egoNow(const Track& ego) {
 
 namespace {
 
-/// The curvature over 8 m about each sample but those near the ends, which take the nearest.
+/// Returns the |curvature| over 8 m around each sample; samples near the ends take the nearest
+/// value.
 std::vector<double> curvatures(const std::vector<Pose2>& poses) {
   constexpr std::size_t kReach = 4;  // samples
   const std::size_t last = poses.size() - 1;
@@ -181,7 +183,7 @@ WayAhead bendsAhead(const SampledPath& line, const EgoNow& ego, const EgoPathOpt
   return ahead;
 }
 
-/// From a point to the nearest sample.
+/// Returns the distance from `point` to the nearest sample, m.
 double distanceTo(const std::vector<Pose2>& poses, const Vector2& point) {
   double squared = std::numeric_limits<double>::infinity();
   for (const Pose2& pose : poses) {
@@ -190,7 +192,7 @@ double distanceTo(const std::vector<Pose2>& poses, const Vector2& point) {
   return std::sqrt(squared);
 }
 
-/// Where constant speed and turn rate lead.
+/// Returns the position after `seconds` at constant speed and turn rate.
 Vector2 pointAfter(const EgoNow& ego, double seconds) {
   const double yaw = ego.state.pose.yaw + 0.5 * ego.turn_rate * seconds;
   return ego.state.pose.position() +
@@ -214,18 +216,19 @@ bool sameWay(const SampledPath& a, const SampledPath& b, double length) {
   return true;
 }
 
-/// Metres within which ways must part to be two.
+/// Returns the length (m) within which paths must separate to count as different.
 double sameLength(const EgoNow& ego) {
   return kSameSeconds * std::max(ego.past_speeds[0], 0.0) + kSameMargin;
 }
 
-/// Metres that paths are long.
+/// Returns the length of the candidate paths, m.
 double reachOf(const EgoNow& ego, double horizon) {
   const double speed = std::max(ego.past_speeds[0], 0.0);
   return std::max({(speed + kSpeedGain) * horizon, sameLength(ego), kBendReach});
 }
 
-/// The first stretch of lanes within a junction, `start` metres along the first lane being 0.
+/// Sets the path's first stretch of junction lanes. `start`: arc length (m) on the first lane at
+/// which the path begins.
 void findJunction(const LanePath& way, double start, const LaneIndex& lanes, EgoPath& path) {
   path.junction_start = path.junction_end = std::numeric_limits<double>::infinity();
   double along = -start;
@@ -296,11 +299,12 @@ SampledPath freePath(const EgoNow& ego, double turn_rate_difference, double hori
 namespace {
 
 struct Lead {
-  double gap = kGapReach;  ///< metres from the ego's front to the vehicle's rear
+  double gap = kGapReach;  ///< m from the ego's front to the vehicle's rear
   double speed = 0.0;      ///< m/s along the path
 };
 
-/// Where the agent is ahead on the path; empty when it is beside, behind or crosses.
+/// Returns the agent's gap and speed if it is ahead on the path; empty if it is beside, behind or
+/// crossing.
 std::optional<Lead> leadOn(const std::vector<Pose2>& poses, const Track& agent, const EgoNow& ego,
                            const BoxSize& ego_size) {
   const AgentState& state = agent.states.back();

@@ -10,22 +10,23 @@
 
 namespace forge {
 
-/// A line ahead of the ego in even steps, for fast look-up. Global map frame.
+/// A path ahead of the ego sampled at equal steps, for fast look-up. Global map frame.
 class SampledPath {
  public:
-  static constexpr double kSpacing = 1.0;  ///< metres
+  static constexpr double kSpacing = 1.0;  ///< m
 
-  /// The first `length` metres of a line (straight on beyond its end), headings over 4 m.
+  /// Samples the first `length` m of a polyline of at least two points, extended straight beyond
+  /// its end. Headings are averaged over 4 m.
   SampledPath(const std::vector<Vector2>& points, double length);
-  /// An arc from `start` whose curvature fades by 1/e over `fading` metres.
+  /// Samples an arc from `start` whose `curvature` (1/m) decays by 1/e per `fading` m.
   SampledPath(const Pose2& start, double curvature, double fading, double length);
 
-  /// `lateral` metres left of the path at an arc length; straight on beyond both ends. Yaw is the
-  /// path's.
+  /// Returns the pose `lateral` m to the left of the path at `arc_length` (m), with the path's yaw;
+  /// extended straight beyond both ends.
   Pose2 poseAt(double arc_length, double lateral) const;
 
-  /// Even steps of kSpacing, the first at arc length 0. Yaws are not wrapped: their differences
-  /// tell how far the path turns.
+  /// Poses every kSpacing from arc length 0. Yaws are not wrapped: their differences are the turn
+  /// of the path.
   const std::vector<Pose2>& poses() const { return poses_; }
 
  private:
@@ -33,40 +34,43 @@ class SampledPath {
   std::vector<Vector2> headings_;
 };
 
-/// The ego's motion as its newest states tell it.
+/// The ego's state at t0 and its recent motion.
 struct EgoNow {
   AgentState state;
-  std::array<double, 5> past_speeds = {};  ///< as DrivingSituation
+  std::array<double, 5> past_speeds = {};  ///< m/s, as in DrivingSituation
   double turn_rate = 0.0;                  ///< rad/s over the last kProfileStep
 };
 
-/// Looks at the past only. Throws std::invalid_argument for a track without states.
+/// Derives the ego's motion from past states only. Throws std::invalid_argument if `ego` has no
+/// states.
 EgoNow egoNow(const Track& ego);
 
-/// A way that the ego may take.
+/// A candidate path of the ego.
 struct EgoPath {
   SampledPath line;
-  double weight = 0.0;  ///< probability
-  bool on_lanes = false;
-  WayAhead ahead = {};          ///< but for the vehicle ahead
-  double junction_start = 0.0;  ///< metres to the first connector or intersection on it
-  double junction_end = 0.0;    ///< metres to where that one ends; none: both are infinite
+  double weight = 0.0;          ///< probability
+  bool on_lanes = false;        ///< false: the path that ignores lanes
+  WayAhead ahead = {};          ///< without the vehicle ahead
+  double junction_start = 0.0;  ///< m along the path to its first junction; infinity if none
+  double junction_end = 0.0;    ///< m to the end of that junction; infinity if none
 };
 
-/// The ways that the ego may take: along the lanes near it, with all branches, and free of lanes on
-/// with its turn rate (the last entry). Long enough for `horizon` seconds; ways that are the same
-/// for the next 6 s come once.
+/// Returns the ego's candidate paths, weights summing to 1: along the lanes near it with all
+/// branches, and last one path that ignores lanes and keeps the turn rate. Long enough for
+/// `horizon` s; paths that agree over the next 6 s are merged.
 std::vector<EgoPath> egoPaths(const EgoNow& ego, const LaneIndex& lanes, double horizon,
                               const EgoPathOptions& options);
 
-/// The free way with `turn_rate_difference` (rad/s) added to the ego's turn rate.
+/// Returns the path that ignores lanes, for the ego's turn rate plus `turn_rate_difference`
+/// (rad/s).
 SampledPath freePath(const EgoNow& ego, double turn_rate_difference, double horizon,
                      const EgoPathOptions& options);
 
-/// The path's WayAhead with the vehicle ahead of the ego on it.
+/// Returns path.ahead with headway and closing of the nearest vehicle ahead of the ego on the path.
 WayAhead wayAhead(const EgoPath& path, const EgoNow& ego, const Snapshot& snapshot);
 
-/// The path that a track followed: that of the smallest mean distance, the first of equals.
+/// Returns the path with the smallest mean distance to the positions of `track`, the first of
+/// equals. Throws std::invalid_argument if `paths` is empty.
 const EgoPath& followedPath(const std::vector<EgoPath>& paths, const std::vector<Vector2>& track);
 
 }  // namespace forge

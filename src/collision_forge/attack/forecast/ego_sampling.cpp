@@ -11,10 +11,9 @@
 namespace forge {
 namespace {
 
-constexpr double kRankingTime = 4.0;  // s from now; speeds are spread evenly by the distance then
+constexpr double kRankingTime = 4.0;          // s after t0, until which distances rank the profiles
 constexpr Eigen::Index kFadingProfiles = 64;  // of a forecast without recorded profiles
-constexpr double kMonotone =
-    3.0;  // times the lower neighbouring speed keeps a Hermite cubic monotone
+constexpr double kMonotone = 3.0;  // bound on slope / lower mean speed for a monotone Hermite cubic
 
 /// Quantile of a two-sided exponential (Laplace) distribution.
 double difference(double share, double mean_difference) {
@@ -22,7 +21,7 @@ double difference(double share, double mean_difference) {
   return -std::copysign(mean_difference, side) * std::log(1.0 - std::abs(side));
 }
 
-/// Accelerations about the present one, which fade.
+/// Returns profiles whose accelerations, spread around the one at t0, decay.
 SpeedForecast fadingAccelerations(const std::array<double, 5>& past_speeds, int intervals,
                                   const EgoFutureOptions& options) {
   SpeedForecast forecast;
@@ -165,9 +164,11 @@ Track drive(const Track& ego, const EgoNow& now, const DrivenDistance& distance,
 
 void checkSampleArguments(double horizon, int count) {
   if (!(horizon > 0.0 && std::isfinite(horizon))) {
-    throw std::invalid_argument("horizon = " + numberText(horizon) + " s is not positive");
+    throw std::invalid_argument("horizon = " + numberText(horizon) +
+                                " s: it must be positive and finite");
   }
-  if (count < 0) throw std::invalid_argument("count = " + std::to_string(count) + " is negative");
+  if (count < 0)
+    throw std::invalid_argument("count = " + std::to_string(count) + ": it must not be negative");
 }
 
 }  // namespace forge

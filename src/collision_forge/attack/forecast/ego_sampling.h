@@ -14,11 +14,12 @@ namespace forge {
 
 // What samplers of the ego's futures are made of.
 
-/// Evenly spread numbers in (0, 1), shifted at random.
+/// Stratified random numbers in (0, 1): equally spaced, with one random shift.
 class EvenDraws {
  public:
   EvenDraws(int count, std::mt19937_64& engine)
       : count_(count), shift_((static_cast<double>(engine() >> 11) + 0.5) * 0x1.0p-53) {}
+  /// Returns the i-th number, 0 <= i < count; ascending.
   double operator()(int i) const { return (i + shift_) / count_; }
 
  private:
@@ -26,28 +27,31 @@ class EvenDraws {
   double shift_;
 };
 
-/// Evenly spread differences of a two-sided exponential (Laplace) distribution, in random order.
+/// Returns stratified samples of a zero-mean Laplace distribution with mean absolute value
+/// `mean_difference`, in random order.
 std::vector<double> drawDifferences(int count, double mean_difference, std::mt19937_64& engine);
 
-/// How many of `count` samples each of some choices gets. Weights sum to 1.
+/// Distributes `count` samples over choices: returns the number of samples per choice. `weights`
+/// must sum to 1.
 std::vector<int> shareOut(const std::vector<double>& weights, int count, std::mt19937_64& engine);
 
-/// What `speeds` foretells for the next `horizon` seconds; the present acceleration, with a spread,
-/// fades where it is null or knows nothing.
+/// Returns the speed forecast of `speeds` for the next `horizon` s. If `speeds` is null or its
+/// forecast is empty, the acceleration at t0 (with a spread) decays instead.
 SpeedForecast forecastSpeeds(const SpeedForecaster* speeds, const DrivingSituation& situation,
                              double horizon, const EgoFutureOptions& options);
 
-/// Rows of the forecast, spread evenly by the distance that they drive in 4 s.
+/// Returns `count` rows of the forecast, stratified by the distance driven in 4 s.
 std::vector<Eigen::Index> drawProfiles(const SpeedForecast& forecast, int count,
                                        std::mt19937_64& engine);
 
-/// Distance driven since now, smooth and never falling, from the mean speeds of intervals of
-/// kProfileStep.
+/// Distance driven since t0 as a smooth, non-decreasing function of time, from mean speeds over
+/// intervals of kProfileStep.
 class DrivenDistance {
  public:
+  /// `past_speed`: mean speed over the interval before t0, m/s. `speeds`: one per interval, m/s.
   DrivenDistance(double past_speed, const Eigen::RowVectorXd& speeds);
 
-  /// Metres. Beyond the last interval its speed is kept.
+  /// Returns the distance (m) at `time` s after t0. Beyond the last interval its speed continues.
   double at(double time) const;
 
  private:
@@ -58,14 +62,15 @@ class DrivenDistance {
   std::vector<Node> nodes_;
 };
 
-/// Poses that leave the ego's for a path: critically damped towards a lateral offset from it, which
-/// is a share of the present one and `offset_difference` (metres) more. The path must outlive it.
+/// Poses that converge from the ego's pose to a lateral offset from the path, critically damped.
+/// The target offset is a share (options.kept_offset) of the offset at t0 plus `offset_difference`
+/// (m). `path` must outlive this object.
 class ReturnToPath {
  public:
   ReturnToPath(const SampledPath& path, const EgoNow& ego, double offset_difference,
                const EgoFutureOptions& options);
 
-  /// After so many metres along the path.
+  /// Returns the pose after `driven` m along the path.
   Pose2 poseAfter(double driven) const;
 
  private:
@@ -78,11 +83,11 @@ class ReturnToPath {
   double return_distance_ = 0.0;
 };
 
-/// The ego on its way for `horizon` seconds, a state each `step`; the first is now's.
+/// Returns the ego's track along `way` for `horizon` s, one state per `step` (s), the first at t0.
 Track drive(const Track& ego, const EgoNow& now, const DrivenDistance& distance,
             const ReturnToPath& way, double horizon, double step);
 
-/// Throws std::invalid_argument for a horizon that is not positive and finite and a negative count.
+/// Throws std::invalid_argument if `horizon` (s) is not positive and finite or `count` is negative.
 void checkSampleArguments(double horizon, int count);
 
 }  // namespace forge

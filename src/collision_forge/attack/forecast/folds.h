@@ -9,13 +9,13 @@
 
 namespace forge {
 
-/// Models of one kind that left some scenes out each, when they were fitted.
+/// Cross-validation models of one kind, each fitted without some scenes.
 template <class Model>
 class Folds {
  public:
   Folds() = default;
-  /// `Weights` make a Model and name their `left_out_scenes`. Throws std::invalid_argument for a
-  /// scene that two of them left out.
+  /// Makes one Model from each entry of `weights`. Throws std::invalid_argument if two entries
+  /// leave out the same scene.
   template <class Weights>
   explicit Folds(std::vector<Weights> weights) {
     for (Weights& entry : weights) {
@@ -29,7 +29,7 @@ class Folds {
   }
 
   const std::vector<std::shared_ptr<const Model>>& models() const { return models_; }
-  /// The one that left the scene out; null when none did.
+  /// Returns the model that was fitted without `scene`; null if there is none.
   std::shared_ptr<const Model> withoutScene(const std::string& scene) const {
     const auto fold = fold_of_.find(scene);
     return fold == fold_of_.end() ? nullptr : models_[fold->second];
@@ -40,8 +40,8 @@ class Folds {
   std::unordered_map<std::string, std::size_t> fold_of_;
 };
 
-/// What `model` has for a scene on test: model->withoutScene(), or itself where that is null. No
-/// weights are copied.
+/// Returns the model to use on a test scene: model->withoutScene(scene), or `model` if that is
+/// null. Copies no weights.
 template <class Model>
 std::shared_ptr<const Model> withoutScene(const std::shared_ptr<const Model>& model,
                                           const std::string& scene) {

@@ -6,10 +6,11 @@
 
 namespace forge {
 
-/// Predicts where everybody goes from now to `horizon` seconds later without knowing the future:
-/// vehicles that fit a lane follow it at constant speed (at each branch the straightest successor),
-/// their lateral offset fading; all others keep their velocity; agents below the standstill speed
-/// stay. Only agents seen at now are predicted. The first state of every track is now's.
+/// Predicts ego and other agents from t0 to t0 + `horizon` (s) from the snapshot alone. A vehicle
+/// on a lane follows it at constant speed, at branches the straightest successor, while its lateral
+/// offset decays; all others keep their velocity; agents below options.standstill_speed stand
+/// still. Agents without a state at t0 are omitted. The first state of every track is the one at
+/// t0.
 Future predictFuture(const Snapshot& snapshot, const LaneIndex& lanes, double horizon,
                      const PredictionOptions& options);
 

@@ -4,7 +4,7 @@
 
 namespace forge {
 
-/// How an agent moves at the instant of its newest state.
+/// Motion of an agent at its newest state.
 struct Motion {
   Pose2 pose;                 ///< box centre, global map frame, as recorded
   double speed = 0.0;         ///< m/s along the heading; negative when reversing
@@ -12,14 +12,14 @@ struct Motion {
   double yaw_rate = 0.0;      ///< rad/s
 };
 
-/// Index of the first of the newest `frames` states that no gap above 1.1 s parts; there must be
-/// one state at least.
+/// Returns the index of the oldest of the newest `frames` states after the last gap longer than 1.1
+/// s. `states` must not be empty.
 std::size_t unbrokenStart(const std::vector<AgentState>& states, int frames);
 
-/// Fits a parabola in time to the positions, and a line to the yaws, of the `frames` newest states
-/// from unbrokenStart() on: least squares, evaluated at the newest. Two states give a velocity
-/// without acceleration, one gives standstill. The past alone is looked at, recorded velocities
-/// (which may look ahead) are not. Throws std::invalid_argument for a track without states.
+/// Estimates the motion at the newest state by least squares over the `frames` newest states after
+/// unbrokenStart(): a parabola in time for positions, a line for yaws. Two states give no
+/// acceleration, one gives standstill. Ignores recorded velocities, which may use later states.
+/// Throws std::invalid_argument if `track` has no states.
 Motion estimateMotion(const Track& track, int frames);
 
 }  // namespace forge

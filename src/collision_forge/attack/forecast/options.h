@@ -6,86 +6,86 @@ namespace forge {
 
 class Section;
 
-inline constexpr int kMaxHistoryFrames = 256;  ///< 128 s; in config/ and a file of networks alike
+inline constexpr int kMaxHistoryFrames = 256;  ///< 128 s; in config/ and in network files
 
 /// config/prediction.yaml
 struct PredictionOptions {
-  int history_frames = 0;
-  int min_history_frames = 0;
-  int motion_frames = 0;
-  double min_tta = 0.0;
-  double max_tta = 0.0;
-  double candidate_radius = 0.0;
-  double step = 0.0;
-  double tail = 0.0;
-  int ego_samples = 0;
-  double on_lane_distance = 0.0;
-  double on_lane_heading = 0.0;
-  double standstill_speed = 0.0;
-  double lane_return_distance = 0.0;
-  double rear_end_closing_speed = 0.0;
-  double min_impact_speed = 0.0;
-  double pattern_tolerance = 0.0;
-  double network_pattern_tolerance = 0.0;
+  int history_frames = 0;                  ///< frames at 2 Hz, the one at t0 included
+  int min_history_frames = 0;              ///< frames of the ego
+  int motion_frames = 0;                   ///< frames for estimateMotion()
+  double min_tta = 0.0;                    ///< s
+  double max_tta = 0.0;                    ///< s
+  double candidate_radius = 0.0;           ///< m around the ego at t0
+  double step = 0.0;                       ///< s between predicted states
+  double tail = 0.0;                       ///< s predicted after the impact
+  int ego_samples = 0;                     ///< futures; half for search, half for confidence
+  double on_lane_distance = 0.0;           ///< m from an agent to its lane
+  double on_lane_heading = 0.0;            ///< rad between an agent and its lane
+  double standstill_speed = 0.0;           ///< m/s; slower agents stand
+  double lane_return_distance = 0.0;       ///< m in which a lateral offset decays by 1/e
+  double rear_end_closing_speed = 0.0;     ///< m/s above the ego's speed
+  double min_impact_speed = 0.0;           ///< m/s of any other attacker
+  double pattern_tolerance = 0.0;          ///< m of corner distance from a pattern
+  double network_pattern_tolerance = 0.0;  ///< m, the same for a network's pattern
 };
 
-/// The features of a driving situation (featuresOf()), in this order, with the unit of their
-/// weights: speed over the last 0.5 s (s/m); acceleration over the last 1 s, 0.5 s earlier, and
-/// over the 1 s before that (s2/m); turn rate (s/rad); braking for the bend ahead (s2/m), its turn
-/// (1/rad) and its curvature (0.1 m); wished over actual gap to the vehicle ahead; closing in on it
-/// (s).
+/// Features of a driving situation (featuresOf()) in order, with the unit of their weights: speed
+/// over the last 0.5 s (s/m); acceleration over the last 1 s, 0.5 s earlier, and over the 1 s
+/// before (s2/m); turn rate (s/rad); braking for the bend ahead (s2/m), its turn (1/rad) and its
+/// curvature (0.1 m); desired over actual gap to the vehicle ahead (1); closing rate (s).
 inline constexpr int kSpeedFeatures = 10;
 using FeatureWeights = std::array<double, kSpeedFeatures>;
 
 /// config/study/speed_model_fit.yaml
 struct SpeedModelFitOptions {
-  int intervals = 0;
-  int centers = 0;
-  int cluster_rounds = 0;
-  int folds = 0;
-  double gain_ridge = 0.0;
-  double spread_ridge = 0.0;
-  double linear_ridge = 0.0;
-  double spread_floor = 0.0;
-  int profiles = 0;
-  double standing_speed = 0.0;
-  int standing_profiles = 0;
-  double standing_ridge = 0.0;
-  /// Of a difference between two situations; 1 halves how near they are at sqrt(3).
+  int intervals = 0;            ///< forecast intervals of kProfileStep
+  int centers = 0;              ///< cluster centres in feature space
+  int cluster_rounds = 0;       ///< k-means iterations
+  int folds = 0;                ///< of scenes, for held-out residuals
+  double gain_ridge = 0.0;      ///< ridge penalty of the gains
+  double spread_ridge = 0.0;    ///< ridge penalty of the log spreads
+  double linear_ridge = 0.0;    ///< ridge penalty of the linear features
+  double spread_floor = 0.0;    ///< share of the mean |residual|, added before the log
+  int profiles = 0;             ///< residual profiles per forecast
+  double standing_speed = 0.0;  ///< m/s; slower egos stand
+  int standing_profiles = 0;    ///< profiles per forecast from a standstill
+  double standing_ridge = 0.0;  ///< ridge penalty of the standing shares
+  /// Scale the feature differences of two situations; a scaled distance of sqrt(3) halves their
+  /// similarity.
   FeatureWeights feature_weights = {0.25, 1.0, 0.75, 0.25, 2.5, 0.35, 1.14, 1.3, 0.25, 4.0};
 };
 
-/// config/ego_futures.yaml, section paths
+/// config/ego_futures.yaml, section paths; costs are summed and a path has weight exp(-cost).
 struct EgoPathOptions {
-  double reachable_lane_distance = 0.0;
-  double reachable_lane_heading = 0.0;
-  int max_lanes = 0;
-  int max_paths_per_lane = 0;
-  double near_deviation_cost = 0.0;
-  double far_deviation_cost = 0.0;
-  double bend_braking_cost = 0.0;
-  double turn_cost = 0.0;
-  double free_path_cost = 0.0;
-  double comfortable_lateral_acceleration = 0.0;
-  double turn_rate_fading = 0.0;
+  double reachable_lane_distance = 0.0;           ///< m from the ego to a lane
+  double reachable_lane_heading = 0.0;            ///< rad between the ego and a lane
+  int max_lanes = 0;                              ///< nearest lanes followed
+  int max_paths_per_lane = 0;                     ///< branches per lane
+  double near_deviation_cost = 0.0;               ///< 1/m from constant turn rate after 1 s
+  double far_deviation_cost = 0.0;                ///< 1/m, after 2 s
+  double bend_braking_cost = 0.0;                 ///< s2/m of braking needed for bends
+  double turn_cost = 0.0;                         ///< 1/rad of turn over 60 m
+  double free_path_cost = 0.0;                    ///< cost of leaving the lanes
+  double comfortable_lateral_acceleration = 0.0;  ///< m/s2
+  double turn_rate_fading = 0.0;  ///< s in which the turn rate decays by 1/e off lanes
 };
 
 /// config/ego_futures.yaml
 struct EgoFutureOptions {
-  double step = 0.0;  ///< that of PredictionOptions
+  double step = 0.0;  ///< s, PredictionOptions::step
   EgoPathOptions paths;
-  double lane_return_time = 0.0;
-  double lane_return_min_distance = 0.0;
-  double kept_offset = 0.0;
-  double offset_spread = 0.0;
-  double turn_rate_spread = 0.0;
-  double acceleration_fading = 0.0;
-  double acceleration_spread = 0.0;
+  double lane_return_time = 0.0;          ///< s in which an offset decays by about 1/e
+  double lane_return_min_distance = 0.0;  ///< m, the same for a slow ego
+  double kept_offset = 0.0;               ///< share 0..1 of the offset that remains
+  double offset_spread = 0.0;             ///< m, mean |difference| of the target offset
+  double turn_rate_spread = 0.0;          ///< rad/s, mean |difference| off lanes
+  double acceleration_fading = 0.0;       ///< s to 1/e
+  double acceleration_spread = 0.0;       ///< m/s2, mean |difference|
 };
 
 void readOptions(Section& section, PredictionOptions& options);
 void readOptions(Section& section, SpeedModelFitOptions& options);
-/// `step` is that of PredictionOptions: all futures have states at the same intervals.
+/// `step` (s) is PredictionOptions::step: all futures have states at the same intervals.
 void readOptions(Section& section, EgoFutureOptions& options, double step);
 
 }  // namespace forge

@@ -9,12 +9,12 @@ double uniform(std::mt19937_64& engine) {
   return (static_cast<double>(engine() >> 11) + 0.5) * 0x1.0p-53;
 }
 
-/// Of each point to one.
+/// Returns the squared distance of each row of `points` to the point `to`.
 Eigen::VectorXd squaredDistances(const Eigen::MatrixXd& points, const Eigen::RowVectorXd& to) {
   return (points.rowwise() - to).rowwise().squaredNorm();
 }
 
-/// A point as likely as its share of the sum.
+/// Draws a point with probability proportional to its share of `sum`.
 Eigen::Index draw(const Eigen::VectorXd& shares, double sum, std::mt19937_64& engine) {
   const double wanted = uniform(engine) * sum;
   double reached = 0.0;
@@ -52,7 +52,7 @@ std::vector<Eigen::Index> nearestCenters(const Eigen::MatrixXd& points,
   return nearest;
 }
 
-/// The means of the members; clusters without any go.
+/// Returns the clusters' means and drops empty clusters.
 Clusters meansOf(const Eigen::MatrixXd& points, std::vector<Eigen::Index> member,
                  Eigen::Index count) {
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(count, points.cols());

@@ -6,15 +6,15 @@
 
 namespace forge {
 
-/// Points grouped around the means of the groups.
+/// Result of k-means.
 struct Clusters {
-  Eigen::MatrixXd centers;           ///< a row a cluster that has members
+  Eigen::MatrixXd centers;           ///< one row per non-empty cluster: its mean
   std::vector<Eigen::Index> member;  ///< for each point the row of its cluster
 };
 
-/// k-means: `rounds` rounds from `count` starting points that are drawn far apart (k-means++), or
-/// from all distinct ones when these are fewer. `points`: a row a point, at least one. The same
-/// arguments give the same clusters.
+/// Clusters the rows of `points` (at least one) by k-means with `rounds` iterations (at least one).
+/// Starts from `count` points chosen by k-means++, or from all distinct points if there are fewer.
+/// Deterministic in its arguments.
 Clusters clusterPoints(const Eigen::MatrixXd& points, int count, int rounds, std::uint64_t seed);
 
 }  // namespace forge

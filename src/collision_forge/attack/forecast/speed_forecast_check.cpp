@@ -7,9 +7,10 @@
 namespace forge {
 namespace {
 
-constexpr double kSameDistance = 0.1;  // m, which is not told apart
+constexpr double kSameDistance = 0.1;  // m; smaller differences count as equal
 
-/// How much of the ranks from `low` to `high`, which are equally good, is in a central interval.
+/// Returns the part of the rank interval [low, high] that lies in the central interval of
+/// probability `interval`.
 double shareWithin(double low, double high, double interval) {
   const double from = 0.5 - 0.5 * interval;
   const double to = 0.5 + 0.5 * interval;
@@ -17,7 +18,7 @@ double shareWithin(double low, double high, double interval) {
   return std::max(std::min(high, to) - std::max(low, from), 0.0) / (high - low);
 }
 
-/// Takes one case in; sums until they are divided by the number of cases.
+/// Adds one case to `sums`, which divided() later turns into means.
 void add(const Eigen::VectorXd& driven, const Eigen::VectorXd& weights, double recorded,
          ForecastErrors& sums) {
   std::vector<Eigen::Index> order(static_cast<std::size_t>(driven.size()));

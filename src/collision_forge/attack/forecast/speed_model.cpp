@@ -12,8 +12,8 @@ namespace forge {
 namespace {
 
 constexpr double kWeightTolerance = 1e-3;  // of a sum of rounded weights
-constexpr double kMinShare = 1e-6;         // of a profile that is not expected
-constexpr double kLargestWeight = 1e6;     // what is fitted to recordings is some hundreds at most
+constexpr double kMinShare = 1e-6;         // weight of a profile with negative share
+constexpr double kLargestWeight = 1e6;     // fitted weights are a few hundred at most
 constexpr double kLargestGain = 1e3;       // m/s
 
 void checkMatrix(const Eigen::MatrixXd& matrix, Eigen::Index rows, Eigen::Index columns,
@@ -46,7 +46,7 @@ void checkProfiles(const WeightedProfiles& profiles, Eigen::Index intervals,
 
 SpeedForecast gaining(const Eigen::MatrixXd& gains, const Eigen::VectorXd& weights, double speed) {
   if (!(gains.array().abs() <= kLargestGain).all() || !weights.allFinite()) {
-    throw std::runtime_error("the speed model foretells speeds beyond " +
+    throw std::runtime_error("the speed model predicts speeds beyond " +
                              std::to_string(static_cast<int>(kLargestGain)) +
                              " m/s: its weights are damaged");
   }

@@ -10,43 +10,44 @@
 
 namespace forge {
 
-/// Speeds over the next intervals of kProfileStep, m/s, or multiples of a spread.
+/// Weighted profiles over the next intervals of kProfileStep, in m/s or in multiples of a spread.
 struct WeightedProfiles {
-  Eigen::MatrixXd profiles;  ///< a row a profile, a column an interval
-  Eigen::VectorXd weights;   ///< one a profile, sum 1
+  Eigen::MatrixXd profiles;  ///< row: profile, column: interval
+  Eigen::VectorXd weights;   ///< one per profile, sum 1
 };
 
-/// What a SpeedModel is made of. Scaled features are featuresOf() times `feature_weights`, held
-/// within what the model was fitted to. The basis is 1, the scaled features, and for each center
-/// 1 / sqrt(1 + squared distance from the scaled features).
+/// Parameters of a SpeedModel. Scaled features are featuresOf() times `feature_weights`, clamped to
+/// the range of the training data. The basis vector is [1, scaled features, and per centre 1 /
+/// sqrt(1 + squared distance to the scaled features)].
 struct SpeedModelWeights {
-  std::vector<std::string> left_out_scenes;  ///< that the model was not fitted to
+  std::vector<std::string> left_out_scenes;  ///< not used in the fit
   Eigen::RowVectorXd feature_weights;
-  Eigen::RowVectorXd lowest;        ///< scaled features
-  Eigen::RowVectorXd highest;       ///< scaled features
-  Eigen::MatrixXd centers;          ///< a row a center, scaled features
-  Eigen::MatrixXd gains;            ///< times the basis: m/s expected over the present speed
-  Eigen::MatrixXd log_spreads;      ///< times the basis: logarithm of the mean difference from that
-  WeightedProfiles residuals;       ///< differences, in spreads
-  double standing_speed = 0.0;      ///< m/s; what is slower stands
-  Eigen::MatrixXd standing;         ///< profiles after a standstill, m/s over the present speed
-  Eigen::MatrixXd standing_shares;  ///< times 1 and the scaled features: how likely each of them
-                                    ///< is, none when negative; no columns: as driving
+  Eigen::RowVectorXd lowest;    ///< minimum of the scaled features
+  Eigen::RowVectorXd highest;   ///< maximum of the scaled features
+  Eigen::MatrixXd centers;      ///< row: centre, in scaled features
+  Eigen::MatrixXd gains;        ///< basis * gains: expected speed minus speed at t0, m/s
+  Eigen::MatrixXd log_spreads;  ///< basis * log_spreads: log of the mean |error|
+  WeightedProfiles residuals;   ///< errors in multiples of the spread
+  double standing_speed = 0.0;  ///< m/s; slower egos stand
+  Eigen::MatrixXd standing;     ///< row: profile after a standstill, m/s above speed at t0
+  /// [1, scaled features] * standing_shares: weight of each `standing` profile, negative values
+  /// count as zero. Without columns a standing ego is forecast like a moving one.
+  Eigen::MatrixXd standing_shares;
 };
 
-/// Throws std::invalid_argument, naming the field, when sizes do not fit together, a number is not
-/// finite, or weights are negative or do not sum to 1.
+/// Throws std::invalid_argument, naming the field, if sizes do not match, a number is not finite or
+/// too large, or profile weights are negative or do not sum to 1.
 void checkWeights(const SpeedModelWeights& weights);
 
-/// The basis of the situations with these features (a row a situation).
+/// Returns the basis vectors of the feature rows, one row per situation.
 Eigen::MatrixXd basisOf(const Eigen::ArrayXXd& features, const SpeedModelWeights& weights);
 
-/// Forecasts by a regression that was fitted to recorded profiles (fitSpeedModel()), which it does
-/// not need any more.
+/// Forecasts by a regression fitted to recorded profiles (fitSpeedModel()); the profiles are not
+/// needed any more.
 class SpeedModel : public SpeedForecaster {
  public:
-  /// `folds` are models of the same drivers that left some scenes out each; no scene is left out
-  /// twice. Throws std::invalid_argument otherwise and as checkWeights().
+  /// `folds`: models fitted without some scenes each. Throws std::invalid_argument if two folds
+  /// leave out the same scene, and as checkWeights().
   explicit SpeedModel(SpeedModelWeights weights, std::vector<SpeedModelWeights> folds = {});
 
   const SpeedModelWeights& weights() const { return weights_; }

@@ -13,13 +13,13 @@
 namespace forge {
 namespace {
 
-constexpr Eigen::Index kMinProfiles = 40;  // that an interval is fitted on
-constexpr Eigen::Index kRowsACenter = 8;   // a small collection is not learnt by heart
+constexpr Eigen::Index kMinProfiles = 40;  // to fit an interval
+constexpr Eigen::Index kRowsACenter = 8;   // rows per centre, against overfitting small collections
 constexpr Eigen::Index kMinStanding = 8;   // profiles that begin at a standstill
-constexpr double kMinSpread = 1e-3;        // m/s, of drivers who are all alike
-constexpr double kConstantRidge = 1e-6;    // of the constant, which is not drawn to zero
+constexpr double kMinSpread = 1e-3;        // m/s, for recordings without variation
+constexpr double kConstantRidge = 1e-6;    // for the constant, which is hardly penalised
 
-/// A fold from 0 to folds - 1 for each item, at random, of even scales.
+/// Assigns each item a random fold, 0 to folds - 1; fold sizes differ by at most one.
 std::vector<int> deal(std::size_t count, int folds, std::uint64_t seed) {
   std::vector<int> fold(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -30,7 +30,7 @@ std::vector<int> deal(std::size_t count, int folds, std::uint64_t seed) {
   return fold;
 }
 
-/// Rows that something is fitted to, those that last longest first.
+/// Rows used in a fit, longest profiles first.
 class Sample {
  public:
   Sample(const SpeedSituations& recorded, std::vector<Eigen::Index> rows)
@@ -44,21 +44,22 @@ class Sample {
   Eigen::Index row(Eigen::Index i) const { return rows_[static_cast<std::size_t>(i)]; }
   int sceneOf(Eigen::Index i) const { return recorded_.sceneOf(row(i)); }
 
-  /// How many of the rows, the first ones, have the interval recorded.
+  /// Returns the number of rows, all at the front, in which `interval` is recorded.
   Eigen::Index lasting(int interval) const {
     return std::partition_point(rows_.begin(), rows_.end(),
                                 [&](Eigen::Index row) { return recorded_.lasts(row) > interval; }) -
            rows_.begin();
   }
 
-  /// Of the rows that have the interval recorded.
+  /// Returns the gains at `interval` of the lasting(interval) rows.
   Eigen::VectorXd gains(int interval) const {
     Eigen::VectorXd gains(lasting(interval));
     for (Eigen::Index i = 0; i < gains.size(); ++i) gains[i] = recorded_.gain(row(i), interval);
     return gains;
   }
 
-  /// Of the rows that have all of the first `intervals` recorded, a row a row.
+  /// Returns the gains of the rows in which the first `intervals` intervals are recorded, one row
+  /// each.
   Eigen::MatrixXd wholeGains(int intervals) const {
     Eigen::MatrixXd whole(lasting(intervals - 1), intervals);
     for (int interval = 0; interval < intervals; ++interval) {
@@ -81,10 +82,10 @@ class Sample {
 struct Samples {
   Sample driving;
   Sample standing;
-  int intervals = 0;  ///< that enough rows of drivers last
+  int intervals = 0;  ///< forecast intervals with enough recorded profiles
 };
 
-/// Throws std::invalid_argument when there are too few.
+/// Throws std::invalid_argument if there are too few profiles.
 Samples samplesOf(const SpeedSituations& recorded, const std::vector<std::string>& left_out_scenes,
                   const SpeedModelFitOptions& options) {
   std::vector<bool> left_out(recorded.scenes().size(), false);
@@ -104,12 +105,13 @@ Samples samplesOf(const SpeedSituations& recorded, const std::vector<std::string
   int& intervals = samples.intervals;
   while (intervals > 0 && samples.driving.lasting(intervals - 1) < kMinProfiles) --intervals;
   if (intervals > 0) return samples;
-  throw std::invalid_argument(std::to_string(samples.driving.size()) +
-                              " speed profiles of drivers are too few to fit a model; it takes " +
-                              std::to_string(kMinProfiles));
+  throw std::invalid_argument(
+      std::to_string(samples.driving.size()) +
+      " speed profiles of moving drivers are too few to fit a model; minimum " +
+      std::to_string(kMinProfiles));
 }
 
-/// Sums over rows that ridge regressions on the basis are solved from, for each fold apart.
+/// Normal equations of ridge regressions on the basis, summed per fold.
 class NormalEquations {
  public:
   NormalEquations(const Eigen::MatrixXd& basis, const std::vector<int>& fold_of, int folds,
@@ -120,7 +122,7 @@ class NormalEquations {
                   Eigen::MatrixXd::Zero(basis.cols(), basis.cols())),
         linear_ridge_(linear_ridge) {}
 
-  /// Takes the rows up to `count` in.
+  /// Adds the rows up to `count`.
   void extend(Eigen::Index count) {
     for (std::size_t fold = 0; fold < products_.size(); ++fold) {
       const std::vector<Eigen::Index> rows = rowsOf(fold, count_, count);
@@ -133,7 +135,8 @@ class NormalEquations {
     count_ = count;
   }
 
-  /// Coefficients that fit `values`, one a row taken in, without the rows of `left_out` (-1: none).
+  /// Returns the coefficients that fit `values`, one per added row, without the rows of fold
+  /// `left_out` (-1: all rows).
   Eigen::VectorXd solve(const Eigen::VectorXd& values, double ridge, int left_out = -1) const {
     Eigen::MatrixXd product = Eigen::MatrixXd::Zero(basis_.cols(), basis_.cols());
     for (std::size_t fold = 0; fold < products_.size(); ++fold) {
@@ -150,7 +153,7 @@ class NormalEquations {
     return product.selfadjointView<Eigen::Lower>().ldlt().solve(right);
   }
 
-  /// `values` less what is fitted to the rows of other folds.
+  /// Returns `values` minus their prediction by a fit to the other folds.
   Eigen::VectorXd heldOutResiduals(const Eigen::VectorXd& values, double ridge) const {
     Eigen::VectorXd residuals = values;
     for (std::size_t fold = 0; fold < products_.size(); ++fold) {
@@ -178,7 +181,7 @@ class NormalEquations {
   Eigen::Index count_ = 0;
 };
 
-/// Folds of whole scenes, one for each row of the sample, and their number.
+/// Returns the fold of each row, with whole scenes per fold, and the number of folds.
 std::pair<std::vector<int>, int> foldsByScene(const Sample& sample, int wanted,
                                               std::uint64_t seed) {
   std::vector<int> scenes;
@@ -187,7 +190,8 @@ std::pair<std::vector<int>, int> foldsByScene(const Sample& sample, int wanted,
   std::sort(distinct.begin(), distinct.end());
   distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
   if (distinct.size() < 2) {
-    throw std::invalid_argument("speed profiles of one scene are too few to fit a model");
+    throw std::invalid_argument(
+        "speed profiles of one scene are too few to fit a model; minimum 2 scenes");
   }
   const int folds = std::min(wanted, static_cast<int>(distinct.size()));
   const std::vector<int> fold = deal(distinct.size(), folds, seed);
@@ -211,8 +215,8 @@ void placeCenters(const Sample& sample, const SpeedModelFitOptions& options, std
       clusterPoints(scaled, static_cast<int>(count), options.cluster_rounds, seed).centers;
 }
 
-/// Fits gains and log_spreads. Returns the residuals, in spreads; a row a row of the sample, zero
-/// where a profile has ended.
+/// Fits gains and log_spreads. Returns the residuals in spreads, one row per sample row, zero after
+/// the end of a profile.
 Eigen::MatrixXd fitRegressions(const Sample& sample, int intervals,
                                const SpeedModelFitOptions& options, std::uint64_t seed,
                                SpeedModelWeights& weights) {
@@ -238,14 +242,14 @@ Eigen::MatrixXd fitRegressions(const Sample& sample, int intervals,
   return residuals;
 }
 
-/// Of the points, one a cluster.
+/// Returns each cluster's share of the points.
 Eigen::VectorXd sharesOf(const Clusters& clusters) {
   Eigen::VectorXd shares = Eigen::VectorXd::Zero(clusters.centers.rows());
   for (const Eigen::Index cluster : clusters.member) shares[cluster] += 1.0;
   return shares / static_cast<double>(clusters.member.size());
 }
 
-/// A row a cluster.
+/// Returns the mean profile of each cluster, one row each.
 Eigen::MatrixXd meansOf(const Eigen::MatrixXd& profiles, const Clusters& clusters) {
   Eigen::MatrixXd means = Eigen::MatrixXd::Zero(clusters.centers.rows(), profiles.cols());
   const Eigen::VectorXd shares = sharesOf(clusters);
@@ -256,13 +260,13 @@ Eigen::MatrixXd meansOf(const Eigen::MatrixXd& profiles, const Clusters& cluster
   return means;
 }
 
-/// Sums from the first column on.
+/// Returns the cumulative sums along each row.
 Eigen::MatrixXd accumulated(Eigen::MatrixXd values) {
   for (Eigen::Index i = 1; i < values.cols(); ++i) values.col(i) += values.col(i - 1);
   return values;
 }
 
-/// Of profiles that last through, in groups that drive alike.
+/// Clusters the residuals of full-length profiles by their accumulated distance.
 WeightedProfiles typicalResiduals(const Sample& sample, const Eigen::MatrixXd& residuals,
                                   const SpeedModelFitOptions& options, std::uint64_t seed) {
   const Eigen::MatrixXd whole =
@@ -274,8 +278,8 @@ WeightedProfiles typicalResiduals(const Sample& sample, const Eigen::MatrixXd& r
   return {meansOf(whole, clusters), sharesOf(clusters)};
 }
 
-/// Regresses on the features which of the typical profiles a standing driver takes. `linear`: 1 and
-/// the scaled features, a row a driver.
+/// Regresses the probability of each typical profile on the features. `linear`: [1, scaled
+/// features], one row per driver.
 Eigen::MatrixXd fitShares(const Eigen::MatrixXd& linear, const Clusters& clusters,
                           const SpeedModelFitOptions& options) {
   Eigen::MatrixXd taken = Eigen::MatrixXd::Zero(linear.rows(), clusters.centers.rows());
@@ -288,7 +292,7 @@ Eigen::MatrixXd fitShares(const Eigen::MatrixXd& linear, const Clusters& cluster
   return product.ldlt().solve(linear.transpose() * taken);
 }
 
-/// Fits what follows a standstill; nothing when too little is recorded.
+/// Fits the profiles after a standstill; leaves them empty if too few are recorded.
 void fitStanding(const Sample& sample, int intervals, const SpeedModelFitOptions& options,
                  std::uint64_t seed, SpeedModelWeights& weights) {
   weights.standing_speed = options.standing_speed;
@@ -324,7 +328,7 @@ SpeedModel fitSpeedModelWithFolds(
   if (folds < 0 || folds == 1 || folds > static_cast<int>(recorded.scenes().size())) {
     throw std::invalid_argument(std::to_string(folds) + " folds of " +
                                 std::to_string(recorded.scenes().size()) +
-                                " scenes: it takes none, or 2 to one a scene");
+                                " scenes: use 0, or 2 to the number of scenes");
   }
   std::vector<std::vector<std::string>> left_out(static_cast<std::size_t>(folds));
   if (folds > 0) {
@@ -333,7 +337,7 @@ SpeedModel fitSpeedModelWithFolds(
       left_out[static_cast<std::size_t>(fold[i])].push_back(recorded.scenes()[i]);
     }
   }
-  left_out.emplace_back();  // for the model of all
+  left_out.emplace_back();  // the model of all scenes
   std::vector<SpeedModelWeights> models;
   for (const auto& scenes : left_out) {
     models.push_back(fitSpeedModel(recorded, scenes, options, seed));

@@ -12,23 +12,23 @@
 
 namespace forge {
 
-/// Fits a model to what was recorded outside of `left_out_scenes`:
+/// Fits a model to all scenes except `left_out_scenes`:
 /// - centers: k-means of the scaled features;
-/// - gains: ridge regression, for each interval on the profiles that last so long;
-/// - log_spreads: the same on the logarithm of how far profiles were from gains that were fitted
-///   without their scene;
-/// - residuals: k-means of these differences, in spreads, as distances driven;
-/// - standing, standing_shares: k-means of what followed a standstill, and a ridge regression.
-/// The same arguments give the same weights. Throws std::invalid_argument when fewer than two
-/// scenes or too few profiles are left.
+/// - gains: ridge regression, per interval over the profiles that are long enough;
+/// - log_spreads: ridge regression of the log |residual|, residuals from gains fitted without the
+///   scene;
+/// - residuals: k-means of the residuals in spreads, accumulated over time;
+/// - standing, standing_shares: k-means of profiles after a standstill, and a ridge regression.
+///
+/// Deterministic in its arguments. Throws std::invalid_argument if fewer than two scenes or too few
+/// profiles remain.
 SpeedModelWeights fitSpeedModel(const SpeedSituations& recorded,
                                 const std::vector<std::string>& left_out_scenes,
                                 const SpeedModelFitOptions& options, std::uint64_t seed);
 
-/// A model of all that was recorded, with `folds` others (none, or two and more) that leave each
-/// scene out once. Throws std::invalid_argument for another number of folds than none, or 2 to one
-/// a scene, and as fitSpeedModel(). `on_progress`, if any, is told how many of the models are
-/// fitted.
+/// Fits a model to all scenes, and `folds` models that leave out each scene once in total. `folds`
+/// must be 0 or 2 to the number of scenes; throws std::invalid_argument otherwise and as
+/// fitSpeedModel(). Calls `on_progress`, if set, after each model on the caller's thread.
 SpeedModel fitSpeedModelWithFolds(
     const SpeedSituations& recorded, int folds, const SpeedModelFitOptions& options,
     std::uint64_t seed,

@@ -7,9 +7,9 @@
 namespace forge {
 namespace {
 
-constexpr double kFollowedSeconds = 6.0;  // that tell which path the ego took
-constexpr double kStepTolerance = 0.25;   // s, of the time between frames about kProfileStep
-constexpr int kPastFrames = 2;            // that other agents' velocities need
+constexpr double kFollowedSeconds = 6.0;  // s of recorded driving that select the followed path
+constexpr double kStepTolerance = 0.25;   // s, deviation of the frame interval from kProfileStep
+constexpr int kPastFrames = 2;            // frames from which other agents' velocities are derived
 
 std::vector<Vector2> positionsAfter(const Track& ego, double now) {
   std::vector<Vector2> positions;
@@ -20,7 +20,7 @@ std::vector<Vector2> positionsAfter(const Track& ego, double now) {
   return positions;
 }
 
-/// The ego's past states for egoNow().
+/// Returns the ego's past states for egoNow().
 Track pastOf(const Track& ego, double now) {
   Track past{ego.id, ego.agent_class, ego.size, {}};
   for (double before = 2.5; before > -0.25; before -= kProfileStep) {

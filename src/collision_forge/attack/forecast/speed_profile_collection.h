@@ -9,9 +9,9 @@
 
 namespace forge {
 
-/// What SpeedSituations are made of: a row for each annotation frame of a recording but the first.
-/// The way ahead is that of the path that the ego went on to follow. Where frames are not about
-/// kProfileStep apart, a frame number is left out, so that no profile goes on across.
+/// Returns one row per annotation frame of a recording except the first. `ahead` refers to the
+/// candidate path that the ego followed afterwards. If two frames are not about kProfileStep apart,
+/// a frame number is skipped, so that no profile spans the gap.
 std::vector<SpeedProfileRow> collectSpeedProfiles(const Scene& scene, const LaneIndex& lanes,
                                                   const EgoPathOptions& options);
 

@@ -41,7 +41,8 @@ SpeedSituations::SpeedSituations(std::vector<SpeedProfileRow> rows)
     if (!isFinite(row)) throw std::invalid_argument(place + " has a value that is not finite");
     const bool same_scene = i > 0 && rows_[i - 1].scene == row.scene;
     if (same_scene ? row.frame <= rows_[i - 1].frame : scene_numbers_.count(row.scene) > 0) {
-      throw std::invalid_argument(place + " does not come in order");
+      throw std::invalid_argument(
+          place + " is out of order: each scene needs contiguous rows with increasing frames");
     }
     if (!same_scene) {
       scene_numbers_.emplace(row.scene, static_cast<int>(scenes_.size()));

@@ -10,42 +10,43 @@
 
 namespace forge {
 
-/// One recorded frame.
+/// One recorded frame of the ego.
 struct SpeedProfileRow {
   std::string scene;
-  int frame = 0;       ///< counts kProfileStep; frames that follow each other form a profile
-  double speed = 0.0;  ///< m/s, mean since the frame before
+  int frame = 0;       ///< counts kProfileStep; consecutive frames form a profile
+  double speed = 0.0;  ///< m/s, mean since the previous frame
   WayAhead ahead;
 };
 
-/// What situations are compared by, of order one, in the order of FeatureWeights.
+/// Returns the features of a situation, each of order one, in the order of FeatureWeights.
 Eigen::ArrayXd featuresOf(const DrivingSituation& situation);
 
-/// Recorded frames, each with the situation that the driver was in and what the driver did next.
+/// Recorded frames, each with the driver's situation and the speeds that followed.
 class SpeedSituations {
  public:
-  /// Rows of one scene together, frames increasing. Throws std::invalid_argument otherwise and for
-  /// a number that is not finite.
+  /// Rows of a scene must be contiguous with increasing frames. Throws std::invalid_argument
+  /// otherwise and for numbers that are not finite.
   explicit SpeedSituations(std::vector<SpeedProfileRow> rows);
 
   Eigen::Index size() const { return features_.rows(); }
   const std::vector<SpeedProfileRow>& rows() const { return rows_; }
 
-  /// In order of appearance; numbered by their place.
+  /// Scene names in order of appearance; a scene's number is its index.
   const std::vector<std::string>& scenes() const { return scenes_; }
-  /// -1 for a scene that is not among them.
+  /// Returns the scene's number, -1 if unknown.
   int sceneNumber(const std::string& name) const;
 
   int sceneOf(Eigen::Index row) const { return scene_of_[static_cast<std::size_t>(row)]; }
-  /// Intervals of kProfileStep recorded after a row.
+  /// Returns the number of intervals of kProfileStep recorded after the row.
   int lasts(Eigen::Index row) const { return lasts_[static_cast<std::size_t>(row)]; }
   double speed(Eigen::Index row) const { return rows_[static_cast<std::size_t>(row)].speed; }
   const DrivingSituation& situation(Eigen::Index row) const {
     return situations_[static_cast<std::size_t>(row)];
   }
-  /// A row a row, a column a feature.
+  /// One row per recorded row, one column per feature.
   const Eigen::ArrayXXd& features() const { return features_; }
-  /// m/s of the interval `interval` (0 is the first) after a row that lasts so long, over its own.
+  /// Returns the speed in the interval `interval` after the row (0: the next) minus the row's
+  /// speed, m/s. `interval` must be less than lasts(row).
   double gain(Eigen::Index row, int interval) const {
     return speed(row + interval + 1) - speed(row);
   }

@@ -21,7 +21,7 @@ constexpr double kMinHeadway = 1e-3;
 constexpr double kAcrossFloor = 0.3;  // m
 constexpr double kAcrossRate = 0.1;   // m/s
 
-/// The gap to the vehicle ahead that WayAhead tells, metres; empty when there is none.
+/// Returns the gap to the vehicle ahead, m; empty if there is none.
 std::optional<double> gapAhead(const WayAhead& ahead, double speed) {
   if (ahead.headway < kMinHeadway) return std::nullopt;
   return wishedGap(speed) / ahead.headway;
@@ -61,7 +61,8 @@ void placeAnchor(const Pose2& ego, const Pose2& pose, Eigen::Index row, AnchorFe
       static_cast<float>(std::cos(local.yaw)), static_cast<float>(std::sin(local.yaw));
 }
 
-/// Largest squared speed times curvature on the first `driven` metres, over what is comfortable.
+/// Returns the mean lateral acceleration in the first `driven` m at `speed`, over the comfortable
+/// one.
 double bendDemand(const EgoPath& path, double start, double driven, double speed,
                   double comfortable) {
   if (driven < 1.0) return 0.0;
@@ -114,7 +115,7 @@ AnchorFeatures emptyAnchors(int groups, int group_size, double tta,
   return features;
 }
 
-/// Anchors along the ways: standing still, then evenly about driving on at the present speed.
+/// Places anchors along the candidate paths: one standing, then evenly around constant speed.
 AnchorFeatures wayAnchors(const EgoWays& ways, double tta, const EgoFutureOptions& futures,
                           const PatternFeatureOptions& options) {
   AnchorFeatures features = emptyAnchors(options.max_ways, options.way_anchors + 1, tta, options);
@@ -154,7 +155,7 @@ void fillFreely(const EgoNow& ego, double tta, Eigen::Index row, AnchorFeatures&
   features.anchors(row, 5) = pose[3];
 }
 
-/// Points along the centrelines nearest to where the ego would be.
+/// Places anchors along the centrelines nearest to the ego's reachable position.
 AnchorFeatures targetPoints(const EgoWays& ways, const LaneIndex& lanes, double tta,
                             const PatternFeatureOptions& options) {
   AnchorFeatures features = emptyAnchors(options.target_lanes, options.target_points, tta, options);
@@ -175,7 +176,7 @@ AnchorFeatures targetPoints(const EgoWays& ways, const LaneIndex& lanes, double 
       features.prior[row] = 0.0F;
     }
   }
-  if (near.empty()) {  // without lanes the ego drives on
+  if (near.empty()) {  // without lanes the ego drives straight on
     placeAnchor(ego, compose(ego, {reached, 0.0, 0.0}), 0, features);
     fillFreely(ways.ego, tta, 0, features);
     features.prior[0] = 0.0F;
@@ -218,7 +219,7 @@ AnchorFeatures anchorFeatures(const EgoWays& ways, const LaneIndex& lanes, doubl
                               const EgoFutureOptions& futures,
                               const PatternFeatureOptions& options) {
   if (!(tta > 0.0 && std::isfinite(tta))) {
-    throw std::invalid_argument("tta = " + numberText(tta) + " s is not positive");
+    throw std::invalid_argument("tta = " + numberText(tta) + " s: it must be positive and finite");
   }
   switch (options.head) {
     case EgoHead::kRegionProposal:

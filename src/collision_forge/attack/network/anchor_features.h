@@ -12,32 +12,36 @@
 
 namespace forge {
 
-inline constexpr int kGroupFeatures = 21;  ///< of the way that anchors lie on
-inline constexpr int kAnchorFeatures = 12;
+/// Features of a path, shared by the anchors on it.
+inline constexpr int kGroupFeatures = 21;
+inline constexpr int kAnchorFeatures = 12;  ///< features of one anchor
 
-/// Where the ego may stand at an instant. Anchors of a group lie together, `group_size` a group.
+/// Candidate positions (anchors) of the ego at one time, as network input. Anchors of a group are
+/// contiguous, `group_size` per group.
 struct AnchorFeatures {
   int group_size = 0;
   RowMatrix groups;             ///< [groups, kGroupFeatures]
   RowMatrix anchors;            ///< [groups * group_size, kAnchorFeatures]
-  RowMatrix poses;              ///< [.., 4]: x, y (m), cos, sin in the frame of the ego now
-  Eigen::VectorXf prior;        ///< [..]: added to the score; kAbsent: there is no such anchor
-  float along_scale = 1.0F;     ///< m, of offsets and spreads along an anchor's heading
-  float across_scale = 1.0F;    ///< m, across it
-  Eigen::VectorXf arc_lengths;  ///< [..]: m along the way; empty for anchors that are on no way
+  RowMatrix poses;              ///< [anchors, 4]: x, y (m), cos, sin in the ego's frame at t0
+  Eigen::VectorXf prior;        ///< [anchors]: added to the score; kAbsent: no such anchor
+  float along_scale = 1.0F;     ///< m, unit of offsets and spreads along an anchor's heading
+  float across_scale = 1.0F;    ///< m, the same across it
+  Eigen::VectorXf arc_lengths;  ///< [anchors]: m along the path; empty if anchors lie on none
 };
-inline constexpr float kAbsent = -1e4F;
+inline constexpr float kAbsent = -1e4F;  ///< prior of a missing anchor
 
-/// The ways of the ego with what is ahead on them, likeliest first, `max_ways` at most.
+/// The ego's candidate paths, most probable first.
 struct EgoWays {
   EgoNow ego;
   std::vector<EgoPath> paths;
-  std::vector<WayAhead> ahead;  ///< one a path, with the vehicle ahead
+  std::vector<WayAhead> ahead;  ///< one per path, with the vehicle ahead
 };
+/// Returns the ego's most probable candidate paths, at most `max_ways`, for `horizon` s.
 EgoWays egoWays(const Snapshot& observed, const LaneIndex& lanes, double horizon,
                 const EgoFutureOptions& options, int max_ways);
 
-/// The anchors for the ego `tta` seconds from now, of the head that the options name.
+/// Returns the anchors of the ego `tta` s after t0 for options.head. Throws std::invalid_argument
+/// if `tta` is not positive and finite.
 AnchorFeatures anchorFeatures(const EgoWays& ways, const LaneIndex& lanes, double tta,
                               const EgoFutureOptions& futures,
                               const PatternFeatureOptions& options);

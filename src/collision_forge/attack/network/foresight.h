@@ -10,18 +10,19 @@
 
 namespace forge {
 
-/// What futures and patterns are foreseen by: fitted and trained models. Cheap to copy; may be used
-/// from many threads.
+/// Trained models that predict ego futures and collision patterns. Cheap to copy; usable from many
+/// threads at once.
 struct Foresight {
-  std::shared_ptr<const SpeedForecaster> speeds;  ///< null: the present acceleration fades
-  std::shared_ptr<const PatternNetwork> network;  ///< null: no learning
-  /// The request's type, where the network was trained on clips of the very scene. What it knows
-  /// by heart of it, the type brings up; in other scenes it misleads what tells the ego's place.
+  std::shared_ptr<const SpeedForecaster> speeds;  ///< null: the acceleration at t0 decays
+  std::shared_ptr<const PatternNetwork> network;  ///< null: kinematic prediction only
+  /// The requested type. Set only if the scene was in the network's training set; in unseen scenes,
+  /// conditioning on the type makes the ego prediction worse.
   std::optional<CollisionType> known_type;
-  std::string unseen_scene = {};  ///< that is on test; empty: none
+  std::string unseen_scene = {};  ///< test scene that models must not know; empty: none
 
   Foresight withoutNetwork() const { return {speeds, nullptr, std::nullopt, unseen_scene}; }
-  /// For a scene on test: models that know nothing of it, where there are any.
+  /// Returns the models fitted without `scene`, for tests on it; models without such a fold are
+  /// kept.
   Foresight withoutScene(const std::string& scene) const;
 };
 

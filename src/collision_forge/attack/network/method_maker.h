@@ -9,12 +9,12 @@
 
 namespace forge {
 
-/// One method of a run, made anew for every scene that it must not have learned from. Cheap to
-/// copy; may be used from many threads.
+/// Makes one attack method for a run, and variants for test scenes that its models must not have
+/// been trained on. Cheap to copy; usable from many threads at once.
 class MethodMaker {
  public:
-  /// An empty name is defaultMethod(). Throws std::invalid_argument for a name that `methods` does
-  /// not have, and for a method that lacks what it needs.
+  /// An empty `name` selects defaultMethod(). Throws std::invalid_argument if `methods` has no such
+  /// name or the method lacks a required input, such as a network.
   MethodMaker(const std::string& name, const MethodRegistry& methods, const AttackOptions& options,
               Foresight foresight);
 
@@ -23,15 +23,15 @@ class MethodMaker {
   const AttackOptions& options() const { return options_; }
 
   std::unique_ptr<const AttackMethod> make() const { return makeOf(foresight_); }
-  /// For a scene on test: a method that knows nothing of it, where its models can.
+  /// Returns the method with models trained without `scene`, where there are any.
   std::unique_ptr<const AttackMethod> makeWithoutScene(const std::string& scene) const {
     return makeOf(foresight_.withoutScene(scene));
   }
-  /// How the ego may drive on.
+  /// Returns the sampler of ego futures.
   std::shared_ptr<const EgoFutureSampler> egoFutures() const {
     return std::make_shared<NetworkEgoFutures>(options_.ego_futures, foresight_);
   }
-  /// How the ego of a scene on test may drive on, by models that know nothing of it.
+  /// Returns the sampler of ego futures with models trained without `scene`.
   std::shared_ptr<const EgoFutureSampler> egoFuturesWithoutScene(const std::string& scene) const {
     return std::make_shared<NetworkEgoFutures>(options_.ego_futures,
                                                foresight_.withoutScene(scene));

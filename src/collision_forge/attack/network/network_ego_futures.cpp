@@ -12,12 +12,13 @@
 namespace forge {
 namespace {
 
-constexpr double kInstants[] = {0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.5, 9.0};  // s that are asked
-constexpr double kWayInstant = 4.0;  // s from now; the ways are as likely as they are then
-constexpr int kTableSteps = 80;      // of a distribution
+constexpr double kInstants[] = {0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.5, 9.0};  // s, queried times
+constexpr double kWayInstant = 4.0;  // s after t0 at which path probabilities are taken
+constexpr int kTableSteps = 80;      // per distribution
 constexpr double kTableReach = 6.0;  // scales beyond the outermost components
 
-/// How far the ego has driven along one way at one instant: a mixture of logistic distributions.
+/// Distribution of the ego's driven distance along one path at one time: a mixture of logistic
+/// distributions.
 class DistanceTable {
  public:
   DistanceTable(const std::vector<EgoComponent>& components, Eigen::Index way) {
@@ -43,7 +44,7 @@ class DistanceTable {
 
   double weight() const { return weight_; }
 
-  /// The distance, metres, that a share of drivers stays below. The table must have weight.
+  /// Returns the distance (m) below which a share 0..1 of drivers stays. weight() must be positive.
   double quantile(double share) const {
     const double* begin = shares_.data();
     const double* end = begin + shares_.size();
@@ -60,7 +61,7 @@ class DistanceTable {
   Eigen::ArrayXd shares_;
 };
 
-/// The network's distributions at several instants: a table an instant and way.
+/// The network's distributions: one table per time and path.
 struct Distributions {
   std::vector<double> instants;
   std::vector<std::vector<DistanceTable>> tables;
@@ -89,7 +90,8 @@ std::vector<double> wayWeights(const Distributions& distributions) {
   return weights;
 }
 
-/// For each row the share of the forecast that has driven less far, its own half counted.
+/// Returns for each row the share of the forecast that has driven less far, half its own weight
+/// included.
 std::vector<double> sharesBelow(const std::vector<double>& driven, const Eigen::VectorXd& weights) {
   std::vector<std::size_t> order(driven.size());
   std::iota(order.begin(), order.end(), 0);
@@ -105,7 +107,7 @@ std::vector<double> sharesBelow(const std::vector<double>& driven, const Eigen::
   return shares;
 }
 
-/// The forecast's profiles stretched to the network's distances on one way.
+/// Speed profiles rescaled to the network's distances on one path.
 class StretchedForecast {
  public:
   StretchedForecast(SpeedForecast forecast, const EgoNow& ego, const Distributions& distributions,
@@ -123,7 +125,7 @@ class StretchedForecast {
     }
     for (std::size_t i = 0; i < driven.size(); ++i) {
       const DistanceTable& table = distributions.tables[i][way];
-      if (table.weight() <= 0.0) continue;  // no chance then: the forecast stays as it is
+      if (table.weight() <= 0.0) continue;  // path impossible at this time: no rescaling
       const std::vector<double> shares = sharesBelow(driven[i], forecast_.weights);
       for (std::size_t row = 0; row < rows; ++row) {
         gains_[row][i] = table.quantile(shares[row]) - driven[i][row];
@@ -151,7 +153,7 @@ class StretchedForecast {
     return {ego_.past_speeds[0], forecast_.speeds.row(row)};
   }
 
-  /// Linear between instants; what was gained last grows on evenly.
+  /// Interpolates linearly between times; after the last one the gain grows in proportion to time.
   double gainAt(Eigen::Index row, double time) const {
     const std::vector<double>& gains = gains_[static_cast<std::size_t>(row)];
     const std::vector<double>& instants = distributions_.instants;
@@ -171,7 +173,7 @@ class StretchedForecast {
   SpeedForecast forecast_;
   const EgoNow& ego_;
   const Distributions& distributions_;
-  std::vector<std::vector<double>> gains_;  // m, a row a profile, one an instant
+  std::vector<std::vector<double>> gains_;  // m, [profile][time]
 };
 
 }  // namespace

@@ -5,11 +5,10 @@
 
 namespace forge {
 
-/// The ego's futures as the network foretells them: ways as likely as it says, distances driven
-/// that are spread at every instant as it says. How a driver's speed goes on from one instant to
-/// the next is as SpeedForecaster knows it: each of its profiles is stretched to the distance that
-/// as large a share of drivers stays below in the network's eyes. As KinematicEgoFutures without a
-/// network, or with one whose anchors lie on no ways.
+/// Samples ego futures from the network: path probabilities and the distribution of driven distance
+/// at each time are the network's. Speed changes over time are the SpeedForecaster's: each of its
+/// profiles is rescaled to the distance at the same quantile of the network's distribution. Without
+/// a network, or with one whose anchors lie on no paths, samples as KinematicEgoFutures.
 class NetworkEgoFutures : public EgoFutureSampler {
  public:
   NetworkEgoFutures(const EgoFutureOptions& options, Foresight foresight);

@@ -11,7 +11,7 @@
 namespace forge {
 namespace {
 
-/// The vehicles of the patterns, each once.
+/// Returns the patterns' attackers, each once.
 std::vector<const Track*> attackersOf(const std::vector<CollisionPattern>& patterns,
                                       const Snapshot& snapshot) {
   std::vector<const Track*> attackers;
@@ -27,7 +27,7 @@ std::vector<const Track*> attackersOf(const std::vector<CollisionPattern>& patte
   return attackers;
 }
 
-/// Indices of the answers, the likeliest attacker first.
+/// Returns the indices of the candidates, most probable attacker first.
 std::vector<std::size_t> ranked(const std::vector<CandidateAnswer>& answers) {
   std::vector<std::size_t> order(answers.size());
   std::iota(order.begin(), order.end(), 0);
@@ -37,7 +37,7 @@ std::vector<std::size_t> ranked(const std::vector<CandidateAnswer>& answers) {
   return order;
 }
 
-/// The pattern whose offset comes nearest.
+/// Returns the pattern whose relative pose is nearest to `offset`.
 std::vector<CollisionPattern>::iterator nearestTo(const Pose2& offset,
                                                   std::vector<CollisionPattern>& patterns,
                                                   const BoxSize& attacker) {
@@ -48,7 +48,7 @@ std::vector<CollisionPattern>::iterator nearestTo(const Pose2& offset,
                           [&](const auto& a, const auto& b) { return apart(a) < apart(b); });
 }
 
-/// The ego's pose at impact in its frame now.
+/// Returns the ego's pose at impact in its frame at t0.
 Pose2 egoAtImpact(const PredictedScene& scene, const CollisionRequest& request,
                   const Future* recorded, double now, std::optional<CollisionType> known_type) {
   if (recorded) {

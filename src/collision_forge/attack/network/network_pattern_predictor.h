@@ -6,14 +6,14 @@
 
 namespace forge {
 
-/// The network's ranking of the candidates, and as each one's first pattern the network's offset at
-/// the ego's most central pose at impact (in replay mode the recorded one), in place of the pattern
-/// that it comes nearest to. Who is a candidate, the other patterns and the motion that they assume
-/// are KinematicPatternPredictor's.
+/// Ranks the candidate attackers by the network. The first pattern of each candidate has the
+/// network's relative pose, at the median predicted ego pose at impact (in replay mode: the
+/// recorded one), and replaces the kinematic pattern nearest to it. Candidates, further patterns
+/// and the assumed future come from KinematicPatternPredictor.
 class NetworkPatternPredictor : public PatternPredictor {
  public:
-  /// Without a network it is a KinematicPatternPredictor. The ego's place is told without the type,
-  /// unless it is known (Foresight::known_type).
+  /// Without a network it predicts as KinematicPatternPredictor. The ego pose is predicted without
+  /// the requested type unless Foresight::known_type is set.
   NetworkPatternPredictor(const AttackOptions& options, Foresight foresight);
 
   PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,

@@ -10,10 +10,10 @@ namespace {
 
 constexpr int kMedianSteps = 30;
 constexpr double kMedianFloor = 0.05;  // m
-constexpr double kHeadingReach = 2.0;  // m around the median whose headings count
+constexpr double kHeadingReach = 2.0;  // m around the median within which headings are averaged
 constexpr int kEgoOutputs = 6;
 constexpr int kCandidateOutputs = 5;
-constexpr float kLargestWeight = 1e6F;  // those that were trained are 2 at most
+constexpr float kLargestWeight = 1e6F;  // trained weights are 2 at most
 constexpr float kLargestOutput = 1e4F;  // of the last layers
 
 std::string shapeText(Eigen::Index outputs, Eigen::Index inputs) {
@@ -32,7 +32,7 @@ void requireShape(const Eigen::Ref<const RowMatrix>& matrix, Eigen::Index rows,
   }
 }
 
-/// False for NaN.
+/// Returns false for NaN, too.
 template <typename Numbers>
 bool isWithin(const Numbers& numbers, float largest) {
   return (numbers.array().abs() <= largest).all();
@@ -41,7 +41,7 @@ bool isWithin(const Numbers& numbers, float largest) {
 void checkOutputs(const RowMatrix& outputs) {
   if (isWithin(outputs, kLargestOutput)) return;
   throw std::runtime_error(
-      "the pattern network answers with a number beyond 10000: its weights are damaged");
+      "the pattern network returned a number beyond 10000: its weights are damaged");
 }
 
 RowMatrix apply(const LinearWeights& layer, const RowMatrix& input) {
@@ -50,7 +50,7 @@ RowMatrix apply(const LinearWeights& layer, const RowMatrix& input) {
   return output;
 }
 
-/// The part of a layer that takes its first inputs, and the part that takes the others.
+/// The columns of a layer for its first inputs, and for its last inputs.
 auto firstInputs(const LinearWeights& layer, Eigen::Index count) {
   return layer.matrix.leftCols(count);
 }
@@ -60,12 +60,13 @@ auto lastInputs(const LinearWeights& layer, Eigen::Index count) {
 
 void relu(RowMatrix& values) { values = values.cwiseMax(0.0F); }
 
-/// Polylines of `size` vectors each: two layers, of which the second sees the polyline's maximum
-/// too, then the maximum. A row for each polyline that has a vector; what is masked costs nothing.
+/// Encodes polylines of `size` vectors each: two layers, where the second also receives the
+/// polyline's maximum, then max pooling. Returns one row per polyline with at least one unmasked
+/// vector; masked vectors cost nothing.
 RowMatrix polylines(const RowMatrix& vectors, const Eigen::VectorXf& mask, Eigen::Index size,
                     const LinearWeights& first, const LinearWeights& second) {
   std::vector<Eigen::Index> rows;
-  std::vector<Eigen::Index> bounds;  // of polylines among the rows
+  std::vector<Eigen::Index> bounds;  // first row of each polyline
   for (Eigen::Index first_row = 0; first_row < mask.size(); first_row += size) {
     const auto before = static_cast<Eigen::Index>(rows.size());
     for (Eigen::Index row = first_row; row < first_row + size; ++row) {
@@ -92,11 +93,11 @@ RowMatrix polylines(const RowMatrix& vectors, const Eigen::VectorXf& mask, Eigen
   for (Eigen::Index i = 0; i < count; ++i) {
     result.row(i) = polyline(outer, i).colwise().maxCoeff() + shared.row(i);
   }
-  relu(result);  // the largest of sums and the sum of the largest are the same
+  relu(result);  // the maximum of sums equals the sum of the maximum here
   return result;
 }
 
-/// Rows of the anchors in groups that have one, and these groups.
+/// Groups with at least one anchor, and the rows of their anchors.
 struct PresentAnchors {
   std::vector<Eigen::Index> groups;
   std::vector<Eigen::Index> rows;
@@ -112,7 +113,7 @@ PresentAnchors presentAnchors(const AnchorFeatures& anchors) {
   return present;
 }
 
-/// Over the anchors' scale.
+/// Returns the spread in units of the anchors' scale.
 float spreadOf(float log_spread) {
   constexpr auto kMax = static_cast<float>(kMaxLogSpread);
   return std::exp(std::clamp(log_spread, -kMax, kMax));
@@ -150,7 +151,7 @@ std::map<std::string, LayerShape> layerShapes(const PatternNetworkOptions& optio
 void checkWeights(const PatternWeights& weights) {
   const PatternNetworkOptions& network = weights.network;
   if (network.hidden < 1 || network.scene < 1 || network.anchor < 1) {
-    throw std::invalid_argument("a layer of the network has no width");
+    throw std::invalid_argument("network: hidden, scene and anchor must be at least 1");
   }
   const auto shapes = layerShapes(network);
   for (const auto& [name, shape] : shapes) {

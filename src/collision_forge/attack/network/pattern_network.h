@@ -12,45 +12,51 @@
 
 namespace forge {
 
-/// One place that the ego may come to. Frame of the ego now.
+/// One component of the predicted distribution of the ego's pose; in the ego's frame at t0.
 struct EgoComponent {
   double probability = 0.0;
-  Pose2 pose;          ///< expected
-  double along = 0.0;  ///< m, scale of a logistic distribution along the heading
-  double across = 0.0;
-  Eigen::Index group = 0;   ///< of the anchors: the way
-  double arc_length = 0.0;  ///< m along the way, expected
+  Pose2 pose;               ///< mean
+  double along = 0.0;       ///< m, scale of a logistic distribution along the heading
+  double across = 0.0;      ///< m, the same across the heading
+  Eigen::Index group = 0;   ///< index of the anchor's group: the path
+  double arc_length = 0.0;  ///< m along the path, mean
 };
 
-/// What the head says about one candidate.
+/// The network's prediction for one candidate attacker.
 struct CandidateAnswer {
-  double score = 0.0;  ///< logarithm of how likely it is the attacker, up to a common number
-  Pose2 offset;        ///< of its box in the ego box's frame at impact
+  double score = 0.0;  ///< log probability that it is the attacker, plus a constant
+  Pose2 offset;        ///< box centre and yaw in the ego box's frame at impact
 };
 
-/// The network as a function of features, on one core; the same numbers as training has. Immutable.
+/// Inference of the collision-pattern network on one CPU core, numerically equal to training.
+/// Immutable; usable from many threads at once.
 class PatternNetwork {
  public:
-  /// `folds` were trained like it, but left some scenes out each; no scene is left out twice.
-  /// Throws std::invalid_argument otherwise and as checkWeights().
+  /// `folds`: the same network trained without some scenes each. Throws std::invalid_argument if
+  /// two folds leave out the same scene, and as checkWeights().
   explicit PatternNetwork(PatternWeights weights, std::vector<PatternWeights> folds = {});
 
   const PatternWeights& weights() const { return weights_; }
   const std::vector<std::shared_ptr<const PatternNetwork>>& folds() const {
     return folds_.models();
   }
-  /// The fold that left the scene out; null when none did.
+  /// Returns the fold trained without `scene`; null if there is none.
   std::shared_ptr<const PatternNetwork> withoutScene(const std::string& scene) const {
     return folds_.withoutScene(scene);
   }
 
-  /// Throws std::invalid_argument for features of another size or with a number that is not finite.
+  /// Encodes a scene. Throws std::invalid_argument if a feature matrix has the wrong size or a
+  /// number is not finite.
   Eigen::VectorXf encode(const SceneFeatures& features) const;
+  /// Combines a scene encoding with requestFeatures().
   Eigen::VectorXf withRequest(const Eigen::VectorXf& scene, const Eigen::VectorXf& request) const;
-  // The answers. Throw std::runtime_error for numbers that no trained network gives.
-  /// Most probable first is not promised; the order is that of the anchors that are there.
+  /// Returns the ego's pose distribution: one component per present anchor, in the anchors' order.
+  /// Throws std::runtime_error for outputs beyond the range of a trained network,
+  /// std::invalid_argument if a feature is not finite.
   std::vector<EgoComponent> ego(const Eigen::VectorXf& with_request,
                                 const AnchorFeatures& anchors) const;
+  /// Returns one prediction per row of `features` ([candidates, kCandidateFeatures]). Throws
+  /// std::runtime_error as ego().
   std::vector<CandidateAnswer> candidates(const Eigen::VectorXf& with_request,
                                           const RowMatrix& features) const;
 
@@ -59,10 +65,11 @@ class PatternNetwork {
   Folds<PatternNetwork> folds_;
 };
 
-/// The pose with the least expected distance, headed as what is expected there.
+/// Returns the geometric median of the positions (minimum expected distance), with the mean heading
+/// near it. `components` must not be empty.
 Pose2 medianPose(const std::vector<EgoComponent>& components);
 
-/// Logarithm of the density (1/m2) at a position.
+/// Returns the log probability density (1/m2) at `position`, in the components' frame.
 double logDensity(const std::vector<EgoComponent>& components, const Vector2& position);
 
 }  // namespace forge

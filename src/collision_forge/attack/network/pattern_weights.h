@@ -10,8 +10,8 @@
 
 namespace forge {
 
-// What outputs are in, in training and in use alike.
-inline constexpr double kMaxLogSpread = 3.0;  ///< of spreads over the anchors' scales
+// Output scales, equal in training and inference.
+inline constexpr double kMaxLogSpread = 3.0;  ///< bound of |log(spread / anchor scale)|
 inline constexpr double kOffsetScale = 4.0;   ///< m
 
 /// y = matrix * x + bias.
@@ -20,24 +20,24 @@ struct LinearWeights {
   Eigen::VectorXf bias;  ///< [outputs]
 };
 
-/// Everything that a pattern network is.
+/// A trained pattern network: options and layers.
 struct PatternWeights {
   PatternFeatureOptions features;
   PatternNetworkOptions network;
-  std::vector<std::string> left_out_scenes;  ///< that it was not trained on
-  std::map<std::string, LinearWeights> layers;
+  std::vector<std::string> left_out_scenes;     ///< not in its training set
+  std::map<std::string, LinearWeights> layers;  ///< by name, as layerShapes()
 };
 
-/// Inputs and outputs of a layer.
+/// Size of a linear layer.
 struct LayerShape {
   int inputs = 0;
   int outputs = 0;
 };
-/// The layers of the architecture by their names.
+/// Returns the layers of the architecture by name.
 std::map<std::string, LayerShape> layerShapes(const PatternNetworkOptions& options);
 
-/// Throws std::invalid_argument, naming the layer, when a layer is missing, unknown, of another
-/// shape or not finite, and for options that are not positive.
+/// Throws std::invalid_argument, naming the layer, if a layer is missing, unknown, of the wrong
+/// shape or has numbers that are not finite or too large, or if a width is not positive.
 void checkWeights(const PatternWeights& weights);
 
 }  // namespace forge

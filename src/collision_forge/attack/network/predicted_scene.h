@@ -7,23 +7,25 @@
 
 namespace forge {
 
-/// A snapshot as a network sees it: encoded once, asked for many instants.
+/// A snapshot encoded once by the network and queried for many times after t0. Immutable.
 class PredictedScene {
  public:
-  /// Ways as long as `horizon` seconds take. Network and lanes must outlive it. Throws as
+  /// Candidate paths cover `horizon` s. `network` and `lanes` must outlive this object. Throws as
   /// sceneFeatures().
   PredictedScene(const PatternNetwork& network, const Snapshot& snapshot, const LaneIndex& lanes,
                  double horizon, const EgoFutureOptions& options);
 
   const EgoWays& ways() const { return ways_; }
+  /// The snapshot without information from later frames, see observedSnapshot().
   const Snapshot& observed() const { return observed_; }
 
-  /// Where the ego may be `tta` seconds from now, in its frame now; a component's group is its way.
-  /// Without a type nothing is taken to be planned.
+  /// Returns the distribution of the ego's pose `tta` s after t0, in its frame at t0; a component's
+  /// group is the index of its path in ways(). Without `type`, the prediction is not conditioned on
+  /// a crash.
   std::vector<EgoComponent> egoAfter(double tta, std::optional<CollisionType> type) const;
 
-  /// What the network says about vehicles of the snapshot, given the ego's pose at impact (frame of
-  /// the ego now).
+  /// Returns the network's prediction for each vehicle, given the ego's pose at impact (ego frame
+  /// at t0). Throws std::invalid_argument if a vehicle is not in the snapshot.
   std::vector<CandidateAnswer> judge(const std::vector<const Track*>& vehicles,
                                      const Pose2& ego_at_impact, double tta,
                                      CollisionType type) const;

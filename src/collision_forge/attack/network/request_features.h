@@ -9,20 +9,24 @@
 
 namespace forge {
 
-inline constexpr int kRequestFeatures = 8;     ///< type one-hot (none: zeros), three of the TTA
-inline constexpr int kCandidateFeatures = 24;  ///< of a vehicle that may attack
+inline constexpr int kRequestFeatures = 8;  ///< type one-hot (none: zeros), three functions of TTA
+inline constexpr int kCandidateFeatures = 24;  ///< of a candidate attacker
 
+/// Returns the network input of a request; `tta` in s.
 Eigen::VectorXf requestFeatures(std::optional<CollisionType> type, double tta);
 
-/// A vehicle now, in the frame of the ego now.
+/// A candidate attacker at t0, in the ego's frame at t0.
 struct CandidateNow {
   Pose2 pose;
   double speed = 0.0;  ///< m/s along the heading
 };
+/// Returns the newest state of `observed`, which must not be empty. `ego_now`: the ego's pose at
+/// t0, map frame.
 CandidateNow candidateNow(const Track& observed, const Pose2& ego_now);
 
-/// What tells whether a vehicle can be at the ego's pose at impact (in the frame of the ego now).
-/// The vehicle's history has no say.
+/// Returns the network input of a candidate: position, speed and the motion needed to reach the
+/// ego's pose at impact (`ego_at_impact`, ego frame at t0) in `tta` s. `ego_speed` in m/s. Uses no
+/// history.
 Eigen::VectorXf candidateFeatures(const CandidateNow& candidate, double ego_speed,
                                   const Pose2& ego_at_impact, double tta, CollisionType type);
 

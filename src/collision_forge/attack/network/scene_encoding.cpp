@@ -23,7 +23,7 @@ DenseTensor zeros(std::vector<std::size_t> shape) {
   return tensor;
 }
 
-/// The times of the newest `frames` frames, oldest first.
+/// Returns the times of the newest `frames` frames, oldest first.
 std::vector<double> frameTimes(const Track& ego, int frames) {
   std::vector<double> times;
   const std::size_t count = std::min(ego.states.size(), static_cast<std::size_t>(frames));
@@ -33,7 +33,7 @@ std::vector<double> frameTimes(const Track& ego, int frames) {
   return times;
 }
 
-/// A free vector of the map frame in the frame of `ego`.
+/// Rotates a vector from the map frame into the frame of `ego`.
 Vector2 turnedInto(const Pose2& ego, const Vector2& vector) {
   const double c = std::cos(ego.yaw);
   const double s = std::sin(ego.yaw);
@@ -106,7 +106,7 @@ void encodeLanes(const Snapshot& snapshot, const LaneIndex& lanes, const Encodin
 SceneEncoding encodeScene(const Snapshot& snapshot, const LaneIndex& lanes, int frames,
                           const EncodingOptions& options) {
   if (!newestAt(snapshot.ego, snapshot.now)) {
-    throw std::invalid_argument("the snapshot has no ego at its time");
+    throw std::invalid_argument("the snapshot has no ego state at its time");
   }
   SceneEncoding encoding;
   encodeAgents(snapshot, frames, encoding);

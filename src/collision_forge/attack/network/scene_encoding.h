@@ -10,17 +10,17 @@
 
 namespace forge {
 
-/// A dense row-major array.
+/// A dense row-major array of any rank.
 struct DenseTensor {
   std::vector<std::uint32_t> shape;
   std::vector<float> data;
 };
 
-/// A snapshot as network input, in the frame of the ego's box now (x forward, y left; m, rad, m/s).
-/// Nothing that is missing is given a position: its mask is 0.
+/// A snapshot as network input, in the frame of the ego's box at t0 (x forward, y left; m, rad,
+/// m/s). Missing entries have mask 0 and no meaningful values.
 struct SceneEncoding {
-  /// [1 + agents, frames, 8]: x, y, cos yaw, sin yaw, vx, vy, length, width; row 0 is the ego, then
-  /// the agents in the snapshot's order; the last frame is now.
+  /// [1 + agents, frames, 8]: x, y, cos yaw, sin yaw, vx, vy, length, width. Row 0 is the ego, then
+  /// the agents in the snapshot's order; the last frame is t0.
   DenseTensor agent_features;
   DenseTensor agent_mask;  ///< [1 + agents, frames]
   /// [lanes, points, 6]: x, y, cos yaw, sin yaw, is_connector, is_intersection; nearest lane first.
@@ -30,8 +30,8 @@ struct SceneEncoding {
   std::vector<std::size_t> lanes;     ///< [lanes], indices into LaneMap::lanes
 };
 
-/// Encodes the `frames` newest frames of the snapshot and the lanes around the ego.
-/// Throws std::invalid_argument for a snapshot without an ego at now.
+/// Encodes the `frames` newest frames of the snapshot and the lanes around the ego. Throws
+/// std::invalid_argument if the snapshot has no ego state at its time.
 SceneEncoding encodeScene(const Snapshot& snapshot, const LaneIndex& lanes, int frames,
                           const EncodingOptions& options);
 

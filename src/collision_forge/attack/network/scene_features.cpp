@@ -14,8 +14,8 @@
 namespace forge {
 namespace {
 
-constexpr double kSeconds = 4.0;  // s
-constexpr double kLinks = 3.0;    // successors or predecessors
+constexpr double kSeconds = 4.0;  // s, scale of times
+constexpr double kLinks = 3.0;    // scale of numbers of successors and predecessors
 
 void requireFinite(const Track& track) {
   for (const AgentState& state : track.states) {
@@ -26,7 +26,7 @@ void requireFinite(const Track& track) {
   }
 }
 
-/// Rows of the encoding's agents: the ego, then those seen now, nearest first.
+/// Returns rows of the encoding: the ego, then the agents present at t0, nearest first.
 std::vector<std::size_t> nearestAgents(const Snapshot& observed, int count) {
   const Vector2 ego = observed.ego.states.back().pose.position();
   std::vector<std::pair<double, std::size_t>> near;
@@ -64,7 +64,8 @@ void takeAgents(const SceneEncoding& encoding, const std::vector<std::size_t>& r
   }
 }
 
-/// The last five of kLaneVector. A turn is that from the lane's end to the successor's end.
+/// Returns the last five entries of kLaneVector. A turn is measured from the lane's end to the
+/// successor's end.
 std::array<float, 5> linksOf(const LaneIndex& lanes, std::size_t lane) {
   const Polyline& line = *lanes.centerline(lane);
   const double end = line.poseAt(line.length()).yaw;

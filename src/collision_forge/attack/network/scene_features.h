@@ -11,31 +11,31 @@
 
 namespace forge {
 
-inline constexpr int kAgentVector = 8;  ///< x, y, cos, sin, vx, vy, time, is the ego
-/// x, y, cos, sin, is_connector, is_intersection, place; then what follows the lane: numbers of
-/// successors and predecessors, the turns of the leftmost and the rightmost successor, whether a
-/// successor is in an intersection
+inline constexpr int kAgentVector = 8;  ///< x, y, cos, sin, vx, vy, time, is ego
+/// x, y, cos, sin, is_connector, is_intersection, position along the lane; then the lane's links:
+/// numbers of successors and predecessors, turns of the leftmost and the rightmost successor,
+/// whether a successor is in an intersection.
 inline constexpr int kLaneVector = 12;
 inline constexpr int kEgoFeatures = 9;  ///< five past speeds, three accelerations, turn rate
 
-/// What was observed, made safe for networks: every velocity is the difference to the state before
-/// (recorded ones may look ahead), that of a track's first state the one of its second, and of
-/// agents whose history is hidden only the newest state is left (its velocity stays).
+/// Returns the snapshot without information from later frames: velocities are backward differences
+/// (recorded ones may look ahead; a track's first state takes the velocity of its second), and of
+/// agents in `hidden` only the newest state remains.
 Snapshot observedSnapshot(const Snapshot& snapshot, const std::set<std::string>& hidden);
 
-/// A scene as network input, in the frame of the ego now, numbers of order one. Made to fixed sizes
-/// of PatternFeatureOptions; what is missing has the mask 0 and the value 0.
+/// A scene as network input of fixed size (PatternFeatureOptions), in the ego's frame at t0, scaled
+/// to order one. Missing entries have mask 0 and value 0.
 struct SceneFeatures {
-  RowMatrix agents;  ///< [(1 + max_agents) * frames, kAgentVector], the ego first
-  Eigen::VectorXf agent_mask;
-  RowMatrix lanes;  ///< [max_lanes * lane_points, kLaneVector]
-  Eigen::VectorXf lane_mask;
-  Eigen::VectorXf ego;  ///< [kEgoFeatures]
+  RowMatrix agents;            ///< [(1 + max_agents) * history_frames, kAgentVector], ego first
+  Eigen::VectorXf agent_mask;  ///< [rows of agents]
+  RowMatrix lanes;             ///< [max_lanes * lane_points, kLaneVector]
+  Eigen::VectorXf lane_mask;   ///< [rows of lanes]
+  Eigen::VectorXf ego;         ///< [kEgoFeatures]
 };
 
-/// Agents nearest to the ego and seen now, and lanes nearest to it. `observed` as of
-/// observedSnapshot(). Throws std::invalid_argument, naming the agent, for a number that is not
-/// finite, and for a snapshot without an ego at now.
+/// Encodes the ego, the agents present at t0 nearest to it and the nearest lanes. `observed` must
+/// come from observedSnapshot(). Throws std::invalid_argument, naming the agent, for a number that
+/// is not finite, and if the snapshot has no ego state at its time.
 SceneFeatures sceneFeatures(const Snapshot& observed, const LaneIndex& lanes,
                             const PatternFeatureOptions& options);
 

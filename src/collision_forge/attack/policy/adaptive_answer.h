@@ -7,26 +7,27 @@
 
 namespace forge {
 
-/// A fixed attack that sets out, and what becomes of it where the attacker sees and reacts.
+/// Result of driving an adaptive attacker over a recording.
 struct AdaptiveAnswer {
-  Realization attack;               ///< its trajectory is what was driven, its report tells of that
-  std::vector<AttackerPlan> plans;  ///< AttackerPolicy::plans()
-  std::vector<double> milliseconds;  ///< of the wall clock, that each look at a frame took
+  Realization attack;                ///< trajectory as driven, with its report
+  std::vector<AttackerPlan> plans;   ///< AttackerPolicy::plans()
+  std::vector<double> milliseconds;  ///< wall-clock time of each update step
 };
 
-/// Asks the method for an attack as in history mode, however little it promises, and lets it drive
-/// over the recording, which is revealed frame by frame. With kOk the drive was verified against
-/// the recording (verify()), and may not be as asked. The moment is one of the recording.
+/// Requests an attack from `method` as in history mode, without a minimum confidence, and drives it
+/// adaptively over `recording`, revealed frame by frame. If the status is kOk, the drive was
+/// verified against the recording (verify()) but may not meet the request: see withoutMisses().
+/// `moment` must be an instant of `recording` and hold its recorded future.
 AdaptiveAnswer answerAdaptively(const AttackMethod& method, const Moment& moment,
                                 const Scene& recording, const EgoVehicle& ego,
                                 const CollisionRequest& request, const AttackerSetup& setup);
 
-/// The same with a first attack, status kOk, that was found already, verified or not.
+/// As answerAdaptively(), from the first attack `first` with status kOk, verified or not.
 AdaptiveAnswer driveAdaptively(Realization first, const Moment& moment, const Scene& recording,
                                const EgoVehicle& ego, const CollisionRequest& request,
                                const AttackerSetup& setup);
 
-/// Declines, with the shortcoming, an answer whose drive turned out not to be as asked.
+/// Returns `answer`, or kNoAttackWithinLimits with the reason if its drive does not meet `request`.
 AdaptiveAnswer withoutMisses(AdaptiveAnswer answer, const CollisionRequest& request);
 
 }  // namespace forge

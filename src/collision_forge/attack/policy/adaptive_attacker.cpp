@@ -17,8 +17,8 @@
 namespace forge {
 namespace {
 
-constexpr double kOwnSpacing = 1.0;  // m between the points of its own way
-constexpr double kOwnBeyond = 40.0;  // m that its own way goes straight on
+constexpr double kOwnSpacing = 1.0;  // m between the points of the planned path
+constexpr double kOwnBeyond = 40.0;  // m by which the planned path continues straight
 
 AttackOptions optionsOfPlans(AttackOptions options, const AdaptiveOptions& adaptive) {
   options.route.ways = adaptive.ways;
@@ -35,7 +35,7 @@ AttackOptions optionsOfPlans(AttackOptions options, const AdaptiveOptions& adapt
   return options;
 }
 
-/// The points every `step` seconds up to `end`, straight on where they end earlier.
+/// Resamples the points every `step` s up to `end`; extended straight beyond their end.
 std::vector<TrajectoryPoint> spread(const std::vector<TrajectoryPoint>& points, double step,
                                     double end) {
   const AttackerTrajectory whole{"", AgentClass::kCar, {}, points};
@@ -61,7 +61,8 @@ std::vector<TrajectoryPoint> spread(const std::vector<TrajectoryPoint>& points, 
 
 std::string shareText(double share) {
   char text[64];
-  std::snprintf(text, sizeof(text), "meets %.0f %% of the ego's futures", 100.0 * share);
+  std::snprintf(text, sizeof(text), "new plan hits the ego in %.0f %% of its predicted futures",
+                100.0 * share);
   return text;
 }
 
@@ -75,7 +76,7 @@ AdaptiveAttacker::AdaptiveAttacker(AttackerTask task, AttackerSetup setup)
       limits_(driveLimitsOf(vehicle_, setup_.attack.verification)),
       scene_(setup_.attack.prediction.history_frames, task_.ego, task_.snapshot),
       impact_(task_.snapshot.now + task_.request.tta),
-      last_look_(task_.snapshot.now),
+      last_update_(task_.snapshot.now),
       last_ego_(task_.snapshot.now),
       seen_ego_{task_.snapshot.ego.states.back()} {
   task_.request.attacker = vehicle_.id;
@@ -102,31 +103,31 @@ bool AdaptiveAttacker::hasJumped(const Frame& seen) const {
 
 void AdaptiveAttacker::observe(const Frame& seen) {
   const AdaptiveOptions& options = setup_.adaptive;
-  if (seen.time < last_look_ + options.period - kTimeEpsilon) return;
+  if (seen.time < last_update_ + options.period - kTimeEpsilon) return;
   const std::size_t from = firstAfter(seen.time + options.fairness.reaction_time);
   if (from + 1 >= task_.plan.points.size()) return;
   const bool is_there = seen.ego.isFinite();
   const bool has_jumped = is_there && hasJumped(seen);
-  last_look_ = seen.time;
+  last_update_ = seen.time;
   if (is_there) last_ego_ = seen.time;
   if (is_there || !seen.agents.empty()) {
     Frame kept = seen;
-    if (!is_there) kept.ego = scene_.newest().ego;  // the others are seen all the same
+    if (!is_there) kept.ego = scene_.newest().ego;  // other agents are still observed
     scene_.add(kept);
   }
   if (phase_ == AttackerPhase::kDrivingOn) {
     driveOnFrom(seen.time, from, "");
   } else if (has_jumped) {
-    giveUp(seen.time, from, "the ego jumped");
+    abortAttack(seen.time, from, "the ego jumped");
   } else if (seen.time - last_ego_ > options.lost_after) {
-    giveUp(seen.time, from, "the ego is out of sight");
+    abortAttack(seen.time, from, "the ego is no longer observed");
   } else if (seen.time > impact_ + task_.request.crash.time_tolerance) {
-    giveUp(seen.time, from, "the time asked for is over");
+    abortAttack(seen.time, from, "the requested time has passed");
   } else if (timeOf(from) + options.commit_time < impact_ + task_.request.crash.time_tolerance) {
     if (is_there) replan(seen, from);
   } else if (phase_ == AttackerPhase::kAttacking) {
     phase_ = AttackerPhase::kCommitted;
-    plans_.push_back({seen.time, timeOf(from), phase_, "too late to change anything", {}});
+    plans_.push_back({seen.time, timeOf(from), phase_, "too late to replan", {}});
   }
   if (is_there) seen_ego_.push_back({seen.time, seen.ego, Vector2::Zero()});
 }
@@ -151,7 +152,7 @@ Future AdaptiveAttacker::foresee(const Snapshot& snapshot) const {
                         setup_.adaptive.ego_samples, task_.request.seed, prediction);
 }
 
-/// The snapshot with the attacker as it will be at a point of its plan, which is now.
+/// Returns the snapshot with the attacker at point `from` of its plan, whose time becomes t0.
 Snapshot AdaptiveAttacker::asOf(std::size_t from, Snapshot snapshot) const {
   const TrajectoryPoint& point = task_.plan.points[from];
   snapshot.now = point.time;
@@ -167,7 +168,7 @@ Snapshot AdaptiveAttacker::asOf(std::size_t from, Snapshot snapshot) const {
   return snapshot;
 }
 
-/// The way that its plan takes, and straight on.
+/// Returns the path of the current plan, extended straight.
 ReferencePath AdaptiveAttacker::ownWay() const {
   const auto& points = task_.plan.points;
   std::vector<Vector2> way = {points.front().pose.position()};
@@ -181,7 +182,7 @@ ReferencePath AdaptiveAttacker::ownWay() const {
   return ReferencePath(Polyline(way));
 }
 
-/// What it drives and means to, as of a point of its plan.
+/// Returns the driven and planned motion as of point `from` of the plan.
 Underway AdaptiveAttacker::underwayFrom(std::size_t from) const {
   const auto& points = task_.plan.points;
   const auto now = points.begin() + static_cast<std::ptrdiff_t>(from);
@@ -230,15 +231,15 @@ void AdaptiveAttacker::replan(const Frame& seen, std::size_t from) {
     if (drafted_->draft.wait > 0.0) drafted_->draft.wait += snapshot.now;
     take(seen.time, from, better->points, shareText(better->score.share));
   } else if (present->score.share == 0.0 && present->score.closeness < setup_.adaptive.min_hope) {
-    giveUp(seen.time, from, "no plan comes near the crash any more");
+    abortAttack(seen.time, from, "no plan comes close to the requested crash");
     return;
   }
   if (better->score.share == 0.0 && touchesOthers(future, from)) {
-    giveUp(seen.time, from, "somebody is in the way");
+    abortAttack(seen.time, from, "another agent blocks the plan");
   }
 }
 
-/// Of what was driven up to a point of the plan, and these points after it.
+/// Checks the motion driven up to point `from` of the plan, followed by `points`.
 bool AdaptiveAttacker::isBelievable(std::size_t from, const std::vector<TrajectoryPoint>& points,
                                     double contact) const {
   if (!task_.request.crash.believable) return true;
@@ -251,7 +252,7 @@ bool AdaptiveAttacker::isBelievable(std::size_t from, const std::vector<Trajecto
   return whyUnbelievable(road, whole, vehicle_.size, lanes, options).empty();
 }
 
-/// What it means to drive within the time that it takes to avoid that.
+/// Returns true if the plan hits another agent within options.evade_time from point `from` on.
 bool AdaptiveAttacker::touchesOthers(const Future& future, std::size_t from) const {
   const auto& points = task_.plan.points;
   const auto steps =
@@ -266,14 +267,14 @@ bool AdaptiveAttacker::touchesOthers(const Future& future, std::size_t from) con
   return firstTouch(next, vehicle_.size, others).has_value();
 }
 
-void AdaptiveAttacker::giveUp(double seen, std::size_t from, const std::string& reason) {
+void AdaptiveAttacker::abortAttack(double seen, std::size_t from, const std::string& reason) {
   phase_ = AttackerPhase::kDrivingOn;
   driveOnFrom(seen, from, reason);
 }
 
 void AdaptiveAttacker::driveOnFrom(double seen, std::size_t from, const std::string& reason) {
   Future future = foresee(scene_.snapshot());
-  if (last_ego_ < seen - kTimeEpsilon) future.ego.states.clear();  // nobody knows where it is
+  if (last_ego_ < seen - kTimeEpsilon) future.ego.states.clear();  // unknown position
   const auto& points = task_.plan.points;
   const DriveState state = driveStateOf(points[from], limits_);
   take(seen, from,

@@ -13,37 +13,39 @@
 
 namespace forge {
 
-/// What an adaptive attacker is told at the attack's now.
+/// Input of an adaptive attacker at t0.
 struct AttackerTask {
-  Snapshot snapshot;  ///< known at now
+  Snapshot snapshot;  ///< at t0
   std::shared_ptr<const LaneIndex> lanes;
   EgoVehicle ego;
-  CollisionRequest request;  ///< with what counts as the crash
-  CollisionPattern aim;      ///< that the first plan came from
-  AttackerTrajectory plan;   ///< the first one, from now on; at least two points
-  double effort = 0.0;       ///< of the first plan, Realization::effort
+  CollisionRequest request;  ///< with the crash definition filled in
+  CollisionPattern aim;      ///< pattern from which `plan` was made
+  AttackerTrajectory plan;   ///< first plan, from t0; at least two points
+  double effort = 0.0;       ///< of `plan`, see Realization::effort
 };
 
-/// What adaptive attackers know and are tuned by.
+/// Models and options of adaptive attackers.
 struct AttackerSetup {
   std::shared_ptr<const EgoFutureSampler> ego_futures;
   AttackOptions attack;
   AdaptiveOptions adaptive;
 };
 
-/// What attackers that see and react drive by, whatever limits a request names.
+/// Limits of adaptive attackers, whatever the request says.
 inline constexpr LimitSet kAdaptiveLimits = LimitSet::kDrivable;
 
-/// An attacker that sees and reacts: at every frame it asks how the ego may drive on from there,
-/// and where its plan does not meet most of these futures as asked, it plans the rest anew
-/// (searchManoeuvres()), to the same type at the same instant. What it sees changes what it drives
-/// FairnessOptions::reaction_time later; until then it drives what it had planned, and goes on from
-/// the state that this leads to. So the whole drive keeps kAdaptiveLimits, if its first plan does.
-/// It commits shortly before the contact. Where no plan comes near the crash any more, or the ego
-/// is out of sight or jumps, it gives up and drives on (driveOn()). A frame without ego and agents
-/// says that nobody was seen: forecasts go on from the frame before.
+/// An attacker that observes the scene and replans every AdaptiveOptions::period. Each update step
+/// samples how the ego may continue. If its plan hits the ego in too few of these futures, it
+/// searches a new one (searchManoeuvres()) with the same type and contact time. A new plan takes
+/// effect FairnessOptions::reaction_time after the observation; until then the old plan is driven,
+/// and the new one continues its state, so the whole drive keeps kAdaptiveLimits if the first plan
+/// does. Shortly before the contact the attacker commits to its plan. If no plan comes close to the
+/// crash, or the ego is lost or jumps, it aborts and continues as normal traffic (driveOn()). A
+/// frame without ego and agents means that nothing was observed: predictions continue from the
+/// previous frame.
 class AdaptiveAttacker : public AttackerPolicy {
  public:
+  /// `task.plan` must have at least two points, `task.snapshot.ego` at least one state.
   AdaptiveAttacker(AttackerTask task, AttackerSetup setup);
 
   std::unique_ptr<AttackerPolicy> clone() const override {
@@ -54,8 +56,8 @@ class AdaptiveAttacker : public AttackerPolicy {
   AttackerPhase phase() const override { return phase_; }
   const std::vector<AttackerPlan>& plans() const override { return plans_; }
 
-  /// The ego since now as it was seen, then its likeliest future; the others' from the newest frame
-  /// on.
+  /// Returns the ego's observed states since t0 followed by its likeliest prediction, and the other
+  /// agents' prediction from the newest frame on.
   Future outlook() const;
 
  private:
@@ -65,7 +67,7 @@ class AdaptiveAttacker : public AttackerPolicy {
   Future foresee(const Snapshot& snapshot) const;
   void replan(const Frame& seen, std::size_t from);
   bool touchesOthers(const Future& future, std::size_t from) const;
-  void giveUp(double seen, std::size_t from, const std::string& reason);
+  void abortAttack(double seen, std::size_t from, const std::string& reason);
   void driveOnFrom(double seen, std::size_t from, const std::string& reason);
   void take(double seen, std::size_t from, std::vector<TrajectoryPoint> points,
             const std::string& reason);
@@ -75,18 +77,18 @@ class AdaptiveAttacker : public AttackerPolicy {
   ReferencePath ownWay() const;
   Underway underwayFrom(std::size_t from) const;
 
-  AttackerTask task_;  // its plan: driven so far, then planned
+  AttackerTask task_;  // its plan: the part driven so far, then the planned part
   AttackerSetup setup_;
-  AttackOptions planning_;  // of new plans
+  AttackOptions planning_;  // for new plans
   Track vehicle_;           // without states
   DriveLimits limits_;
   SceneHistory scene_;
-  double impact_;                     // s, the scene's clock; asked for
-  double last_look_;                  // s
-  double last_ego_;                   // s, when the ego was seen last
-  std::vector<AgentState> seen_ego_;  // from the attack's now on, before the newest look
+  double impact_;                     // s, scene clock; requested contact time
+  double last_update_;                // s, time of the last update step
+  double last_ego_;                   // s, time at which the ego was last observed
+  std::vector<AgentState> seen_ego_;  // from t0 to the last update step
   AttackerPhase phase_ = AttackerPhase::kAttacking;
-  /// Of the plan; contact and wait are instants on the scene's clock.
+  /// Draft of the plan; contact and wait are times on the scene clock, s.
   std::optional<DraftedWay> drafted_;
   std::vector<AttackerPlan> plans_;
 };

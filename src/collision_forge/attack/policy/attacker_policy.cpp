@@ -31,7 +31,7 @@ std::optional<AttackerPhase> attackerPhaseFromString(const std::string& name) {
 
 AttackerPlan firstPlan(const AttackerTrajectory& trajectory, AttackerPhase phase) {
   const double now = trajectory.points.front().time;
-  return {now, now, phase, "sets out", trajectory.points};
+  return {now, now, phase, "initial plan", trajectory.points};
 }
 
 const char* toString(PolicyKind kind) { return wordOf(kPolicyWords, kind); }

@@ -10,60 +10,70 @@
 
 namespace forge {
 
-/// What an attacker is doing.
+/// Phase of an attack.
 enum class AttackerPhase {
-  kAttacking,  ///< drives to the crash, and may change its plan
-  kCommitted,  ///< drives to the crash; it is too late to change anything
-  kDrivingOn,  ///< gave the attack up, or it is over: drives as others do
+  kAttacking,  ///< drives towards the crash and may replan
+  kCommitted,  ///< drives towards the crash, too late to replan
+  kDrivingOn,  ///< aborted or past the crash: normal traffic
 };
-/// "attacking", "committed", "driving_on".
+/// Returns "attacking", "committed" or "driving_on".
 const char* toString(AttackerPhase phase);
 std::optional<AttackerPhase> attackerPhaseFromString(const std::string& name);
 
-/// What an attacker means to do, since an instant.
+/// One decision of an attacker and the motion planned with it.
 struct AttackerPlan {
-  double seen = 0.0;  ///< s, the scene's clock: the frame that it follows from
-  double from = 0.0;  ///< s, the scene's clock: driven from then on
+  double seen = 0.0;  ///< s, scene clock: frame on which the decision is based
+  double from = 0.0;  ///< s, scene clock: start of the planned motion
   AttackerPhase phase = AttackerPhase::kAttacking;
   std::string reason;                   ///< for people
-  std::vector<TrajectoryPoint> points;  ///< from `from` on; empty where the plan before goes on
+  std::vector<TrajectoryPoint> points;  ///< from `from` on; empty: the previous plan continues
 };
 
-/// What an attacker sets out with. The trajectory must have points.
+/// Returns the initial plan: all of `trajectory`, which must have points.
 AttackerPlan firstPlan(const AttackerTrajectory& trajectory, AttackerPhase phase);
 
-/// Who drives an attacker, one frame at a time. One object drives one attack; a policy is
-/// deterministic: the same frames give the same trajectory.
+/// Interface: drives one attacker through one attack, one frame at a time. Extension point for
+/// attackers that react to the scene. A policy must be deterministic: the same frames give the same
+/// trajectory. One object is used by one thread at a time and need not be thread-safe. Users:
+/// LiveAttacker (subscriber thread, under its mutex), planner tests (simulation thread) and
+/// driveOverRecording().
 class AttackerPolicy {
  public:
   virtual ~AttackerPolicy() = default;
 
-  /// Another that has seen the same and means to drive the same.
+  /// Returns an independent copy with the same observations and plan. Called when a simulation is
+  /// branched or restarted. Must not share mutable state with the original.
   virtual std::unique_ptr<AttackerPolicy> clone() const = 0;
 
-  /// Looks at a frame: the ego and everybody else then, and nothing of what comes. Frames come in
-  /// order. One that is not later than the one before is passed over.
+  /// Update step: called once per frame (ego and all agents at its time, nothing later), times
+  /// ascending, on the thread of the scene subscriber or simulation, which waits for it: it must
+  /// take less than the frame interval. Frames not later than the last one must be ignored.
+  /// `seen.ego` is not finite if the ego was not observed. Should not throw, because an exception
+  /// ends the whole simulation: abort the attack instead.
   virtual void observe(const Frame& seen) = 0;
 
-  /// From the attack's now on: what was driven up to the newest frame, and what will be after it.
-  /// Up to the newest frame it never changes.
+  /// Returns the motion from t0: driven up to the newest frame, planned after it. Must have points,
+  /// must never change the part before the newest frame, and must not throw. Called after every
+  /// update step; the reference must stay valid until the next observe().
   virtual const AttackerTrajectory& trajectory() const = 0;
 
+  /// Returns the phase after the newest update step. Must not throw.
   virtual AttackerPhase phase() const = 0;
 
-  /// The plan that it set out with and what it decided since, in order.
+  /// Returns the initial plan and all decisions since, in order. May only grow. Must not throw.
   virtual const std::vector<AttackerPlan>& plans() const = 0;
 };
 
-/// The policies that there are.
+/// The built-in policies.
 enum class PolicyKind { kFixed, kAdaptive };
-/// "fixed", "adaptive".
+/// Returns "fixed" or "adaptive".
 const char* toString(PolicyKind kind);
 std::optional<PolicyKind> policyKindFromString(const std::string& name);
 
-/// Drives a trajectory whatever happens.
+/// Drives a given trajectory, whatever happens.
 class FixedAttacker : public AttackerPolicy {
  public:
+  /// `trajectory` must have points.
   explicit FixedAttacker(AttackerTrajectory trajectory) : trajectory_(std::move(trajectory)) {
     plans_.push_back(firstPlan(trajectory_, AttackerPhase::kCommitted));
   }

@@ -10,15 +10,14 @@
 namespace forge {
 namespace {
 
-constexpr double kWayBeyond = 20.0;    // m of way beyond what can be driven
+constexpr double kWayBeyond = 20.0;    // m of path beyond the reachable distance
 constexpr double kShortestWay = 10.0;  // m
 
-/// Along the nearest lane and on; straight on where none is near.
+/// Returns the path ahead along the nearest lane, straight on if no lane is near.
 ReferencePath wayOf(const Pose2& pose, double reach, const LaneIndex& lanes,
                     const AttackOptions& attack) {
   const PredictionOptions& prediction = attack.prediction;
-  const auto matches =
-      lanes.lanesNear(pose, attack.route.max_departure, prediction.on_lane_heading);
+  const auto matches = lanes.lanesNear(pose, kMaxDeparture, prediction.on_lane_heading);
   if (!matches.empty()) {
     const LaneMatch& match = matches.front();
     return ReferencePath(lanes.pathAhead(match.lane, match.projection.arc_length, reach));
@@ -27,7 +26,7 @@ ReferencePath wayOf(const Pose2& pose, double reach, const LaneIndex& lanes,
       Polyline({pose.position(), Vector2(pose.position() + reach * pose.heading())}));
 }
 
-/// Everybody that is not to be touched, and was not already.
+/// Returns the agents that must not be touched: all that do not overlap the vehicle already.
 std::vector<const Track*> othersOf(const DriveOnInput& input, const OrientedBox& now) {
   std::vector<const Track*> others;
   const auto add = [&](const Track& track) {
@@ -60,15 +59,13 @@ std::optional<double> firstTouch(const std::vector<TrajectoryPoint>& points, con
 
 std::vector<TrajectoryPoint> driveOn(const DriveOnInput& input, const DriveOnOptions& options,
                                      const AttackOptions& attack) {
-  const RouteDriverOptions& route = attack.route;
   const double step = attack.search.step;
   const DriveLimits limits = driveLimitsOf(input.vehicle, attack.verification);
-  const TrackDriver driver(limits, route.limit_share, route.preview, step);
+  const TrackDriver driver(limits, kLimitShare, kPreview, step);
   const Pose2 middle = compose(input.state.axle, {limits.axle_to_middle, 0.0, 0.0});
   const double duration = static_cast<double>(input.steps - 1) * step;
   const double reach = std::max(kShortestWay, input.state.speed * duration) + kWayBeyond;
-  const RouteDriver along(wayOf(middle, reach, input.lanes, attack), input.state, driver.limits(),
-                          route);
+  const RouteDriver along(wayOf(middle, reach, input.lanes, attack), input.state, driver.limits());
   const std::vector<const Track*> others = othersOf(input, {middle, input.vehicle.size});
   RoutePlan plan;
   plan.arrival = std::max(duration, step);
@@ -82,7 +79,7 @@ std::vector<TrajectoryPoint> driveOn(const DriveOnInput& input, const DriveOnOpt
     const BoxSize size{input.vehicle.size.length + 2.0 * clearance,
                        input.vehicle.size.width + 2.0 * clearance};
     for (const double share : options.speed_shares) {
-      for (std::size_t style = 0; style < route.styles.size(); ++style) {
+      for (std::size_t style = 0; style < kDrivingStyles.size(); ++style) {
         along.plan(plan, along.courseAt(plan, {style, share * input.state.speed}, step), step,
                    input.steps, planned);
         driver.drive(input.state, input.time, planned, points);
@@ -92,7 +89,7 @@ std::vector<TrajectoryPoint> driveOn(const DriveOnInput& input, const DriveOnOpt
           latest = *touch;
           best = points;
         }
-        if (share >= 1.0) break;  // no style is needed to keep a speed
+        if (share >= 1.0) break;  // styles differ only in braking
       }
     }
   }

@@ -12,27 +12,28 @@
 
 namespace forge {
 
-/// When a box that drives the points first touches one of the others, at one of the points' times;
-/// empty if it does not.
+/// Returns the first of the points' times (s) at which a box of `size` moving along `points`
+/// overlaps one of `others`; empty if there is none.
 std::optional<double> firstTouch(const std::vector<TrajectoryPoint>& points, const BoxSize& size,
                                  const std::vector<const Track*>& others);
 
-/// A vehicle that is to drive on without touching anybody.
+/// A vehicle that continues as normal traffic.
 struct DriveOnInput {
-  const Track& vehicle;     ///< class and size count
+  const Track& vehicle;     ///< only class and size are used
   const DriveState& state;  ///< at `time`
-  double time = 0.0;        ///< s, the scene's clock
-  std::size_t steps = 0;    ///< points that are wanted, SearchOptions::step apart
-  const Future& future;     ///< of the ego, if it is known, and the others
+  double time = 0.0;        ///< s, scene clock
+  std::size_t steps = 0;    ///< number of points, SearchOptions::step apart; at least 1
+  const Future& future;     ///< other agents, and the ego if it is known
   const LaneIndex& lanes;
 };
 
-/// Drives as drivers do who want nothing of anybody: back to the middle of the nearest lane, or
-/// straight on where there is none, at the present speed, or as much slower as it takes to touch
-/// nobody: of the options' shares of speed and the routes' styles the first at which the box, grown
-/// by the clearance or as it is, stays clear of everybody in the likeliest future. Where none does,
-/// the one that touches somebody latest, of equals that which brakes hardest. Within the limits of
-/// the vehicle's class, the first point at `time`.
+/// Returns a motion that continues as normal traffic, within the limits of the vehicle's class,
+/// first point at `time`: back to the middle of the nearest lane, or straight on without a lane.
+/// Tries the speed shares of `options` in order, each with every style of `attack.route`, first
+/// with the box enlarged by options.clearance, then without, and returns the first motion without
+/// contact in the predicted future. If there is none, returns the motion with the latest contact,
+/// of equals the one with the strongest braking. Agents that overlap the vehicle at `time` are
+/// ignored.
 std::vector<TrajectoryPoint> driveOn(const DriveOnInput& input, const DriveOnOptions& options,
                                      const AttackOptions& attack);
 

@@ -8,13 +8,13 @@
 namespace forge {
 namespace {
 
-constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotObserved = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
 Frame frameAt(const Scene& scene, double time) {
   const auto ego = stateAt(scene.ego, time);
-  return {time, ego ? ego->pose : Pose2{kNowhere, kNowhere, kNowhere},
+  return {time, ego ? ego->pose : Pose2{kNotObserved, kNotObserved, kNotObserved},
           agentsAt(scene.agents, time)};
 }
 

@@ -5,13 +5,13 @@
 
 namespace forge {
 
-/// The frame of a recording at `time`, everybody with one state; the ego's pose is not finite where
-/// it was not recorded.
+/// Returns the frame of a recording at `time` (s), each agent with one state. The ego's pose is not
+/// finite if it was not recorded then.
 Frame frameAt(const Scene& scene, double time);
 
-/// Shows a policy the frames of a recording after `now`, one by one, up to the end of its
-/// trajectory: the ego drives as recorded, whatever the attacker does. Milliseconds of the wall
-/// clock that each look took.
+/// Calls policy.observe() with each frame of the recording after `now` (s) up to the end of the
+/// policy's trajectory; the ego drives as recorded and does not react. Returns the wall-clock time
+/// of each update step in milliseconds.
 std::vector<double> driveOverRecording(AttackerPolicy& policy, const Scene& scene, double now);
 
 }  // namespace forge

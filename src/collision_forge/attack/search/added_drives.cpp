@@ -6,14 +6,24 @@
 #include <optional>
 
 #include "collision_forge/attack/search/placement.h"
+#include "collision_forge/attack/search/route_driver.h"
 
 namespace forge {
 namespace {
 
+// m/s2 from now on of a vehicle that drove as the ego did so far.
+constexpr double kClosings[] = {0.6, 0.0, -0.6, 1.2, -1.2, -2.0};
+constexpr double kStarts[] = {1.2, 0.8, 1.8};  // m/s2 of a vehicle that stands now
+constexpr double kParked[] = {3.0, 5.0};       // m before the meeting, of a vehicle that pulls out
+constexpr double kLeastGap = 1.5;              // m to the ego until now, in the ego's lane
+constexpr double kRidingGap = 0.5;  // m from the ego's side to a motorcycle in its lane until now
+constexpr double kAside = 0.7;      // m from the lane's middle of a vehicle that crosses the centre
+                                    // line, if no vehicle that keeps to the middle can
+constexpr double kLeastCrossingSpeed = 4.5;  // m/s; slower vehicles do not get across in time
 constexpr double kStep = AddedDrive::kStep;
-constexpr double kGettingGoing = 0.4;  // s until somebody who stood has its acceleration
-constexpr double kOwnLane = 1.5;       // m from the middle of a way: the way is the ego's own
-constexpr double kHeadway = 1.2;       // s between two that drive the same way
+constexpr double kGettingGoing = 0.4;  // s until a starting vehicle has its acceleration
+constexpr double kOwnLane = 1.5;       // m from the path's middle: the path is the ego's own
+constexpr double kHeadway = 1.2;       // s between two vehicles on the same path
 
 std::vector<AddedManner> followsOf(const AddedMeeting& meeting) {
   std::vector<AddedManner> follows;
@@ -30,9 +40,9 @@ std::vector<AddedManner> joined(std::initializer_list<std::vector<AddedManner>> 
   return all;
 }
 
-/// On at a steady acceleration; false where that leads backwards.
-bool goOn(const AddedMeeting& meeting, double along, double speed, double acceleration,
-          AddedDrive& drive) {
+/// Continues after t0 with constant acceleration; returns false if that would reverse.
+bool extrapolate(const AddedMeeting& meeting, double along, double speed, double acceleration,
+                 AddedDrive& drive) {
   if (speed + acceleration * meeting.contact < 0.0) return false;
   for (std::size_t i = 0; i < drive.on.size(); ++i) {
     const double time = drive.step() * static_cast<double>(i + 1);
@@ -41,7 +51,8 @@ bool goOn(const AddedMeeting& meeting, double along, double speed, double accele
   return true;
 }
 
-/// Offset from the way's middle, `gap` metres farther from the ego than at the meeting.
+/// Returns the offset from the path's middle that is `gap` m farther from the ego than at the
+/// meeting.
 double besideEgo(const AddedMeeting& meeting, const PathPose& place, double gap) {
   const double outward = place.across - meeting.way->path.seen(meeting.ego.center).across;
   return place.across + std::copysign(gap, outward);
@@ -76,11 +87,7 @@ Pose2 AddedDrive::poseAt(const ReferencePath& path, int steps) const {
 }
 
 AddedDrives::AddedDrives(const AddedVehicleInput& input, const AttackOptions& options)
-    : input_(input),
-      added_(options.added),
-      route_(options.route),
-      past_(input.known()),
-      steps_back_(stepsBack(past_)) {}
+    : input_(input), added_(options.added), past_(input.known()), steps_back_(stepsBack(past_)) {}
 
 std::vector<AddedManner> AddedDrives::mannersOf(const AddedMeeting& meeting) const {
   switch (input_.request.type) {
@@ -102,7 +109,7 @@ std::vector<AddedManner> AddedDrives::mannersInLane(const AddedMeeting& meeting)
   std::vector<AddedManner> cruises;
   std::vector<double> speeds = speedsOf(meeting);
   if (!input_.isFutureKnown()) {
-    // The faster one comes to the other, the less does it matter where exactly the ego will be.
+    // The greater the closing speed, the less the uncertainty of the ego's position matters.
     const double own = past_.ego.states.back().velocity.norm();
     std::sort(speeds.begin(), speeds.end(),
               [&](double a, double b) { return std::abs(a - own) > std::abs(b - own); });
@@ -117,7 +124,7 @@ std::vector<AddedManner> AddedDrives::mannersInLane(const AddedMeeting& meeting)
 
 std::vector<AddedManner> AddedDrives::mannersBeside(const AddedMeeting& meeting) const {
   std::vector<AddedManner> parks;
-  for (const double before : added_.parked) parks.push_back({AddedManner::kPark, before});
+  for (const double before : kParked) parks.push_back({AddedManner::kPark, before});
   std::vector<AddedManner> cruises;
   for (const double speed : speedsOf(meeting)) cruises.push_back({AddedManner::kCruise, speed});
   const std::optional<Manoeuvre>& asked = input_.request.manoeuvre;
@@ -129,32 +136,32 @@ std::vector<AddedManner> AddedDrives::mannersBeside(const AddedMeeting& meeting)
   const bool is_ego_there = !way.ego.empty() && std::abs(way.ego_across) < kOwnLane;
   // Another lane leads into the ego's.
   if (!is_ego_there) return joined({parks, drives});
-  // Beside the ego in its lane is room for motorcycles alone.
+  // Only a motorcycle fits beside the ego in its lane.
   for (AddedManner& manner : drives) manner.rides = true;
   return joined({parks, drives});
 }
 
 std::vector<AddedManner> AddedDrives::mannersOncoming(const AddedMeeting& meeting) const {
   std::vector<AddedManner> manners;
-  // Who comes slowly cannot cross the centre line in time.
+  // A slow vehicle cannot cross the centre line in time.
   for (const double speed : speedsOf(meeting)) {
-    if (speed >= added_.least_crossing_speed) manners.push_back({AddedManner::kCruise, speed});
+    if (speed >= kLeastCrossingSpeed) manners.push_back({AddedManner::kCruise, speed});
   }
   manners = joined({manners, followsOf(meeting)});
-  for (const double start : added_.starts) manners.push_back({AddedManner::kStart, start, false});
+  for (const double start : kStarts) manners.push_back({AddedManner::kStart, start, false});
   std::vector<AddedManner> nearer = manners;
-  for (AddedManner& manner : nearer) manner.aside = std::copysign(added_.aside, meeting.across);
+  for (AddedManner& manner : nearer) manner.aside = std::copysign(kAside, meeting.across);
   return joined({manners, nearer});
 }
 
 std::vector<AddedManner> AddedDrives::mannersCrossing(const AddedMeeting& meeting) const {
   const std::vector<double> speeds = speedsOf(meeting);
   std::vector<AddedManner> manners;
-  for (std::size_t i = 0; i < std::max(speeds.size(), added_.starts.size()); ++i) {
+  for (std::size_t i = 0; i < std::max(speeds.size(), std::size(kStarts)); ++i) {
     if (i < speeds.size()) manners.push_back({AddedManner::kCruise, speeds[i]});
-    if (i >= added_.starts.size()) continue;
-    manners.push_back({AddedManner::kStart, added_.starts[i], false});
-    manners.push_back({AddedManner::kStart, added_.starts[i], true});
+    if (i >= std::size(kStarts)) continue;
+    manners.push_back({AddedManner::kStart, kStarts[i], false});
+    manners.push_back({AddedManner::kStart, kStarts[i], true});
   }
   const std::vector<AddedManner> follows = followsOf(meeting);
   manners.insert(manners.begin() + std::min<std::ptrdiff_t>(2, manners.size()), follows.begin(),
@@ -162,7 +169,7 @@ std::vector<AddedManner> AddedDrives::mannersCrossing(const AddedMeeting& meetin
   return manners;
 }
 
-/// Of the recorded vehicles on its way, of the ego and of the configuration.
+/// Returns the speeds of recorded vehicles on the path, of the ego and of the configuration.
 std::vector<double> AddedDrives::speedsOf(const AddedMeeting& meeting) const {
   std::vector<double> speeds = meeting.way->speeds;
   const double own = past_.ego.states.back().velocity.norm();
@@ -173,7 +180,7 @@ std::vector<double> AddedDrives::speedsOf(const AddedMeeting& meeting) const {
 
 std::vector<AddedManner> AddedDrives::trainsOf(const AddedMeeting& meeting) const {
   std::vector<AddedManner> trains;
-  for (const double closing : added_.closings) trains.push_back({AddedManner::kTrain, closing});
+  for (const double closing : kClosings) trains.push_back({AddedManner::kTrain, closing});
   return joined({trains, followsOf(meeting)});
 }
 
@@ -182,7 +189,7 @@ bool AddedDrives::plan(const AddedMeeting& meeting, const AddedManner& manner, c
   const PathPose place = meeting.seen(size);
   const double along = place.along;
   drive.aside = manner.aside;
-  if (manner.rides) drive.aside = besideEgo(meeting, place, added_.riding_gap);
+  if (manner.rides) drive.aside = besideEgo(meeting, place, kRidingGap);
   drive.back.clear();
   drive.contact = meeting.contact;
   drive.on.assign(static_cast<std::size_t>(std::ceil(meeting.contact / kStep)), 0.0);
@@ -200,17 +207,18 @@ bool AddedDrives::plan(const AddedMeeting& meeting, const AddedManner& manner, c
       return start(meeting, along, manner, drive);
     case AddedManner::kStand:
       drive.back.assign(steps_back_ + 1, along);
-      return goOn(meeting, along, 0.0, 0.0, drive);
+      return extrapolate(meeting, along, 0.0, 0.0, drive);
     case AddedManner::kPark:
       return park(meeting, place, manner.value, drive);
   }
   return false;
 }
 
-/// Goes on backwards, no faster than bends allow, until everything is known or the way begins.
+/// Extends the motion backwards at `speed` or what bends allow, until the first frame or the start
+/// of the path.
 void AddedDrives::cruiseBack(const AddedWay& way, double speed, double now,
                              std::vector<double>& back) const {
-  const double change = added_.braking * kStep;
+  const double change = AddedWay::kBraking * kStep;
   while (back.size() <= steps_back_ && back.back() >= 0.0) {
     const double wanted = std::min(speed, way.cap(back.back()));
     const double before = std::clamp(wanted, now - change, now + change);
@@ -232,7 +240,7 @@ bool AddedDrives::cruise(const AddedMeeting& meeting, double along, double speed
   return true;
 }
 
-/// The meeting stays; nobody drives backwards.
+/// Adds the speed variation without moving the contact and without reversing.
 void AddedDrives::vary(const SpeedVariation& variation, AddedDrive& drive) {
   const double end = variation.way(drive.contact);
   double next = drive.on.back();
@@ -247,7 +255,8 @@ void AddedDrives::vary(const SpeedVariation& variation, AddedDrive& drive) {
   }
 }
 
-/// As the ego drove so far, at a distance at which `closing` brings both together.
+/// Repeats the ego's motion so far, at a distance from which acceleration `closing` leads to the
+/// contact.
 bool AddedDrives::train(const AddedMeeting& meeting, double along, const BoxSize& size,
                         double closing, AddedDrive& drive) const {
   const AddedWay& way = *meeting.way;
@@ -258,10 +267,10 @@ bool AddedDrives::train(const AddedMeeting& meeting, double along, const BoxSize
   const double contact = meeting.contact;
   const double start = along - speed * contact - 0.5 * closing * contact * contact;
   const double gap = start - way.ego[0];
-  const double least = 0.5 * (past_.ego.size.length + size.length) + added_.least_gap;
+  const double least = 0.5 * (past_.ego.size.length + size.length) + kLeastGap;
   const double passing = 0.5 * (past_.ego.size.width + size.width);
   if (std::abs(way.ego_across - drive.aside) < passing && std::abs(gap) < least) return false;
-  if (!goOn(meeting, start, speed, closing, drive)) return false;
+  if (!extrapolate(meeting, start, speed, closing, drive)) return false;
   for (const double ego : way.ego) {
     drive.back.push_back(ego + gap);
     if (drive.back.back() < 0.0) return true;
@@ -272,7 +281,7 @@ bool AddedDrives::train(const AddedMeeting& meeting, double along, const BoxSize
   return true;
 }
 
-/// As a vehicle drives along the way, so much later or earlier that it comes to the meeting.
+/// Repeats a recorded vehicle's motion, shifted in time so that it reaches the meeting.
 bool AddedDrives::followFlow(const AddedMeeting& meeting, double along, const AddedFlow& flow,
                              AddedDrive& drive) const {
   const auto passing = flow.passing(along);
@@ -297,21 +306,21 @@ bool AddedDrives::start(const AddedMeeting& meeting, double along, const AddedMa
   const double moving = std::max(0.0, meeting.contact - kGettingGoing);
   const double place = along - 0.5 * manner.value * moving * moving;
   const double mean = 2.0 * (along - place) / (meeting.contact * meeting.contact);
-  if (!goOn(meeting, place, 0.0, mean, drive)) return false;
-  const auto waited = static_cast<std::size_t>(std::ceil(added_.wait / kStep));
+  if (!extrapolate(meeting, place, 0.0, mean, drive)) return false;
+  const auto waited = static_cast<std::size_t>(std::ceil(AddedDrive::kWait / kStep));
   drive.back.assign(std::min(steps_back_, manner.waits ? waited : steps_back_) + 1, place);
   cruiseBack(*meeting.way, added_.speeds.front(), 0.0, drive.back);
   return true;
 }
 
-/// Parked beside the way, a little before the meeting and farther out.
+/// Parks beside the path, a little before the meeting and farther out.
 bool AddedDrives::park(const AddedMeeting& meeting, const PathPose& place, double before,
                        AddedDrive& drive) const {
   constexpr double kOutward = 0.15;  // a metre along
   drive.aside = besideEgo(meeting, place, kOutward * before);
-  if (std::abs(drive.aside) > route_.parking_distance) return false;
+  if (std::abs(drive.aside) > kParkingDistance) return false;
   drive.back.assign(steps_back_ + 1, place.along - before);
-  return goOn(meeting, place.along - before, 0.0, 0.0, drive);
+  return extrapolate(meeting, place.along - before, 0.0, 0.0, drive);
 }
 
 }  // namespace forge

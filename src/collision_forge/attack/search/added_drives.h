@@ -11,70 +11,74 @@
 
 namespace forge {
 
-/// Where an added vehicle may meet the ego.
+/// A contact of an added vehicle with the ego.
 struct AddedMeeting {
-  const AddedWay* way = nullptr;
-  OrientedBox ego;          ///< its box then, global map frame
-  double contact = 0.0;     ///< s from now
-  Side side = Side::kLeft;  ///< of the ego
-  double heading = 0.0;     ///< of the attacker from the ego's, rad
-  double across = 0.0;      ///< m to the left of the way's middle that a car is then
+  const AddedWay* way = nullptr;  ///< path of the added vehicle
+  OrientedBox ego;                ///< ego box at the contact, global map frame
+  double contact = 0.0;           ///< s after t0
+  Side side = Side::kLeft;        ///< touched side of the ego
+  double heading = 0.0;           ///< rad, attacker's heading relative to the ego's
+  double across = 0.0;            ///< m, left offset from the path of a car at the contact
 
-  /// The ego is on the way then.
+  /// Returns true if the ego is on the path at the contact.
   bool isEgosOwn() const;
-  /// The attacker's box in the frame of the ego's.
+  /// Returns the pose of an attacker of this size in the ego box's frame.
   Pose2 offsetOf(const BoxSize& attacker) const;
-  /// The attacker's box from the way.
+  /// Returns the pose of an attacker of this size relative to the path.
   PathPose seen(const BoxSize& attacker) const;
 };
 
-/// How a vehicle comes along its way.
+/// Speed profile with which an added vehicle approaches along its path.
 struct AddedManner {
   enum Kind {
-    kCruise,  ///< at a speed, slower in bends
-    kTrain,   ///< as the ego drove until now, then at a steady acceleration
-    kFollow,  ///< as a flow of the way, earlier or later
-    kStart,   ///< stands now, then at a steady acceleration
-    kStand,   ///< in its lane, before and after now
-    kPark,    ///< beside its lane, before and after now
+    kCruise,  ///< constant speed, lower in bends
+    kTrain,   ///< as the ego drove until t0, then constant acceleration
+    kFollow,  ///< as a recorded vehicle on the path, shifted in time
+    kStart,   ///< stands at t0, then constant acceleration
+    kStand,   ///< stands in its lane before and after t0
+    kPark,    ///< parked beside its lane before and after t0
   };
   Kind kind = kCruise;
-  /// m/s of a cruise; m/s2 from now on of a train or a start; index of a flow to follow; m before
-  /// the meeting that one parks; nothing of one that stands.
+  /// By kind: kCruise: speed, m/s; kTrain and kStart: acceleration after t0, m/s2; kFollow: index
+  /// of the flow; kPark: m before the meeting; kStand: unused.
   double value = 0.0;
-  bool waits = false;  ///< of a start: has not always stood
-  double aside = 0.0;  ///< m to the left of the way's middle
-  bool rides = false;  ///< a motorcycle beside the ego in its lane, instead of `aside`
+  bool waits = false;  ///< kStart: drove up and stopped before t0
+  double aside = 0.0;  ///< m, left offset from the path
+  bool rides = false;  ///< motorcycle beside the ego in its lane; replaces `aside`
 };
 
-/// Where a vehicle is along its way, m.
+/// Longitudinal motion of an added vehicle along its path.
 struct AddedDrive {
   static constexpr double kStep = AddedWay::kStep;  ///< s
+  /// s that a standing vehicle stands at least; its motion is estimated over so long.
+  static constexpr double kWait = 2.0;
 
-  double aside = 0.0;        ///< m to the left of the way's middle
-  std::vector<double> back;  ///< now, kStep before, ...; below 0 where the way has not begun
-  double contact = 0.0;      ///< s after now
-  std::vector<double> on;    ///< in equal steps of kStep or a little less from now to the contact
+  double aside = 0.0;        ///< m, left offset from the path
+  std::vector<double> back;  ///< m along at t0, t0 - kStep, ...; below 0: before the path's start
+  double contact = 0.0;      ///< s after t0
+  std::vector<double> on;    ///< m along from t0 to the contact, every step()
 
-  double step() const { return contact / static_cast<double>(on.size()); }  ///< s, of `on`
-  /// At a number of times kStep after now, negative before it; the ends beyond.
+  double step() const { return contact / static_cast<double>(on.size()); }  ///< s, interval of `on`
+  /// Returns m along the path at `steps` times kStep after t0 (negative: before); constant beyond
+  /// both ends.
   double at(int steps) const;
-  /// The middle of its box then, headed along the way.
+  /// Returns the box centre at that time, with the path's heading.
   Pose2 poseAt(const ReferencePath& path, int steps) const;
 };
 
-/// Tells how a vehicle could come to meet the ego.
+/// Generates motions with which an added vehicle could reach a contact with the ego.
 class AddedDrives {
  public:
-  /// All must outlive it.
+  /// `input` and `options` must outlive this object.
   AddedDrives(const AddedVehicleInput& input, const AttackOptions& options);
 
-  /// The manners that the request's type is tried in, in this order.
+  /// Returns the manners to try for the request's type, in this order.
   std::vector<AddedManner> mannersOf(const AddedMeeting& meeting) const;
 
-  /// The drive in a manner of a vehicle of a size that is at the meeting at the contact (a parked
-  /// one a little before it, and farther out), from the first frame on or from where the way
-  /// begins. False where nobody drives so; then `drive` is of no use. Who cruises varies its speed.
+  /// Plans the motion that reaches the meeting at its contact time (a parked vehicle stands a
+  /// little before it and farther out), back to the recording's first frame or the start of the
+  /// path. `variation` applies to kCruise. Returns false if the manner is impossible; `drive` is
+  /// then unspecified.
   bool plan(const AddedMeeting& meeting, const AddedManner& manner, const BoxSize& size,
             AddedDrive& drive, const SpeedVariation& variation = {}) const;
 
@@ -100,7 +104,6 @@ class AddedDrives {
 
   const AddedVehicleInput& input_;
   const AddedVehicleOptions& added_;
-  const RouteDriverOptions& route_;
   const Snapshot& past_;
   std::size_t steps_back_;
 };

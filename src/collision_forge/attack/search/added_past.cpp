@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_forge/attack/search/route_driver.h"
 #include "collision_forge/attack/verify/believability.h"
 #include "collision_forge/attack/verify/drive_check.h"
 
 namespace forge {
 namespace {
 
+constexpr double kClearance = 0.3;    // m to all recorded agents until now
+constexpr double kMinOnLane = 0.97;   // of the past
+constexpr double kMaxOffRoad = 0.01;  // of the box, in the past
 constexpr double kStep = AddedDrive::kStep;
-constexpr int kSteps = 2;           // of a drive, an instant of the traffic
-constexpr int kSmoothing = 3;       // steps to either side that a speed is told from
-constexpr double kUntouched = 0.3;  // s before the contact: until then nobody else is touched
+constexpr int kSteps = 2;           // steps of a drive per instant of the traffic
+constexpr int kSmoothing = 3;       // steps to either side over which a speed is averaged
+constexpr double kUntouched = 0.3;  // s before the contact up to which no other agent is touched
 
 }  // namespace
 
@@ -25,15 +29,15 @@ AddedPast::AddedPast(const AddedVehicleInput& input, const AttackOptions& option
       traffic_(past_, input.future, input.request.tta, kStep * kSteps) {}
 
 const char* AddedPast::drive(const AddedDrive& drive, const ReferencePath& path, Track& track) {
-  if (drive.back.front() < 0.0) return "come from beyond the map";
-  if (touchesAhead(drive, path, track.size)) return "touch somebody else first";
+  if (drive.back.front() < 0.0) return "would start outside the map";
+  if (touchesAhead(drive, path, track.size)) return "would touch another agent first";
   const std::size_t clear = clearSteps(drive, path, track.size);
   const auto first = firstFrame(drive, path, clear);
   if (!first) {
     return clear < static_cast<std::size_t>(added_.least_past / kStep) && clear < steps_back_
-               ? clear + 1 < drive.back.size() ? "would have touched somebody"
-                                               : "come from beyond the map"
-               : "would appear in sight";
+               ? clear + 1 < drive.back.size() ? "would have touched an agent before t0"
+                                               : "would start outside the map"
+               : "would appear in the ego's view";
   }
   return driveFrom(*first, drive, path, track);
 }
@@ -48,16 +52,16 @@ bool AddedPast::touchesAhead(const AddedDrive& drive, const ReferencePath& path,
   return false;
 }
 
-/// So many steps back from now, to an instant of the traffic, it is on its way and touches
-/// nobody.
+/// Returns the number of steps back from t0 during which the vehicle is on its path and touches
+/// nobody, rounded down to an instant of the traffic.
 std::size_t AddedPast::clearSteps(const AddedDrive& drive, const ReferencePath& path,
                                   const BoxSize& size) const {
   for (std::size_t i = 0; i < drive.back.size(); ++i) {
     const bool is_instant = i % kSteps == 0;
     if (drive.back[i] < 0.0 ||
         (is_instant && traffic_.touches(drive.poseAt(path, -static_cast<int>(i)), size,
-                                        -static_cast<int>(i / kSteps), added_.clearance))) {
-      // Nothing is known of the steps between this and the instant before.
+                                        -static_cast<int>(i / kSteps), kClearance))) {
+      // Steps between this and the previous instant are not tested.
       const std::size_t past_instant = is_instant ? kSteps : i % kSteps;
       return i - std::min(i, past_instant);
     }
@@ -65,7 +69,7 @@ std::size_t AddedPast::clearSteps(const AddedDrive& drive, const ReferencePath& 
   return drive.back.size() - 1;
 }
 
-/// The first frame from which on it may have been there.
+/// Returns the first frame from which on the vehicle may exist.
 std::optional<std::size_t> AddedPast::firstFrame(const AddedDrive& drive, const ReferencePath& path,
                                                  std::size_t clear) const {
   const std::vector<AgentState>& frames = past_.ego.states;
@@ -85,20 +89,20 @@ bool AddedPast::isUnseen(const AddedDrive& drive, const ReferencePath& path, dou
   return !distance || *distance > added_.sensing_range || traffic_.hides(place, instant);
 }
 
-/// Drives it from a frame to now; its states at the frames. Why not, if it cannot.
+/// Drives from frame `frame` to t0 and appends the states at the frames to `track`; returns the
+/// reason if that is impossible.
 const char* AddedPast::driveFrom(std::size_t frame, const AddedDrive& drive,
                                  const ReferencePath& path, Track& track) {
   const std::vector<AgentState>& frames = past_.ego.states;
   const double ago = past_.now - frames[frame].time;
   const int steps = static_cast<int>(std::ceil(ago / kStep - 1e-6));
   const double begin = past_.now - kStep * steps;
-  const RouteDriverOptions& route = options_.route;
   const TrackDriver driver(
-      driveLimitsOf(track.agent_class, track.size, options_.verification.drivable),
-      route.limit_share, route.preview, kStep);
+      driveLimitsOf(track.agent_class, track.size, options_.verification.drivable), kLimitShare,
+      kPreview, kStep);
   const DriveLimits& limits = driver.limits();
   planned_.clear();
-  for (int i = -steps; i <= static_cast<int>(std::ceil(route.preview / kStep)); ++i) {
+  for (int i = -steps; i <= static_cast<int>(std::ceil(kPreview / kStep)); ++i) {
     const int from = std::max(i - kSmoothing, -steps);
     const int to = i + kSmoothing;
     const double speed = (drive.at(to) - drive.at(from)) / (kStep * (to - from));
@@ -106,27 +110,28 @@ const char* AddedPast::driveFrom(std::size_t frame, const AddedDrive& drive,
   }
   const ReferencePath::Place place = path.at(drive.at(-steps));
   DriveState start;
-  start.axle = compose(planned_.front().middle, {-limits.axle_to_middle, 0.0, 0.0});
+  start.axle = compose(planned_.front().pose(), {-limits.axle_to_middle, 0.0, 0.0});
   start.speed = std::min(planned_.front().speed, limits.max_speed);
   start.steering = std::clamp(std::atan(limits.wheelbase * place.curvature),
                               -limits.max_steering_angle, limits.max_steering_angle);
   driver.drive(start, begin, planned_, points_);
   points_.resize(static_cast<std::size_t>(steps) + 1);
-  if (findBrokenDrive(points_, start, past_.now, limits)) return "cannot keep their limits";
+  if (findBrokenDrive(points_, start, past_.now, limits))
+    return "would violate their vehicle limits";
   for (int i = steps % kSteps; i <= steps; i += kSteps) {
     if (traffic_.touches(points_[static_cast<std::size_t>(i)].pose, track.size,
-                         (i - steps) / kSteps, added_.clearance)) {
-      return "would have touched somebody";
+                         (i - steps) / kSteps, kClearance)) {
+      return "would have touched an agent before t0";
     }
   }
   const RoadUse road =
       roadUse(points_, track.size, past_.now, input_.driven(), options_.verification.believability);
   const bool is_parked = points_.back().speed == 0.0 && points_.front().speed == 0.0;
   if (is_parked && isInJunction(points_.back().pose)) return "would be parked in a junction";
-  if (is_parked && facesTraffic(points_.back().pose)) return "would be parked against the traffic";
-  if ((!is_parked && road.on_lane < added_.min_on_lane) || road.on_walkway > 0.0 ||
-      road.on_island > 0.0 || road.off_road > added_.max_off_road) {
-    return "leave their lane or the road";
+  if (is_parked && facesTraffic(points_.back().pose)) return "would be parked against traffic";
+  if ((!is_parked && road.on_lane < kMinOnLane) || road.on_walkway > 0.0 || road.on_island > 0.0 ||
+      road.off_road > kMaxOffRoad) {
+    return "would leave their lane or the road";
   }
   for (std::size_t i = frame; i < frames.size(); ++i) {
     const double offset = (frames[i].time - begin) / kStep;
@@ -143,14 +148,13 @@ const char* AddedPast::driveFrom(std::size_t frame, const AddedDrive& drive,
 bool AddedPast::facesTraffic(const Pose2& pose) const {
   const Pose2 turned{pose.x, pose.y, wrapAngle(pose.yaw + M_PI)};
   return !input_.driven()
-              .lanesNear(turned, options_.route.parking_distance,
-                         options_.prediction.on_lane_heading)
+              .lanesNear(turned, kParkingDistance, options_.prediction.on_lane_heading)
               .empty();
 }
 
 bool AddedPast::isInJunction(const Pose2& pose) const {
-  const auto near = input_.driven().lanesNear(pose, options_.route.parking_distance,
-                                              options_.prediction.on_lane_heading);
+  const auto near =
+      input_.driven().lanesNear(pose, kParkingDistance, options_.prediction.on_lane_heading);
   return std::any_of(near.begin(), near.end(), [&](const LaneMatch& match) {
     const Lane& lane = input_.driven().map().lanes[match.lane];
     return lane.is_connector || lane.is_intersection;

@@ -14,17 +14,17 @@
 
 namespace forge {
 
-/// Tells whether somebody could have come along a drive in the scene as it was recorded.
+/// Checks whether an added vehicle could have driven a motion in the recorded scene.
 class AddedPast {
  public:
-  /// All must outlive it.
+  /// `input` and `options` must outlive this object.
   AddedPast(const AddedVehicleInput& input, const AttackOptions& options);
 
-  /// Drives until now as planned, within the limits of the track's class and size. The track gets
-  /// its states at the frames from its first to now, global map frame. It was there at the first
-  /// frame or came out of sight of the ego, touched nobody, and touches nobody until shortly before
-  /// the contact. Null, or why nobody can have come so, in words that go on from "no
-  /// vehicle can be added: 3 "; then the track is of no use.
+  /// Drives the motion up to t0 within the limits of the class and size of `track`, and appends its
+  /// states at the recorded frames (global map frame). Requires that the vehicle exists since the
+  /// first frame or appears outside the ego's view, touches nobody, and stays clear until shortly
+  /// before the contact. Returns null on success, else the reason, worded to follow a count ("no
+  /// vehicle can be added: 3 REASON"). After a failure `track` is unspecified.
   const char* drive(const AddedDrive& drive, const ReferencePath& path, Track& track);
 
  private:

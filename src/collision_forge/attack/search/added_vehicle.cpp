@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -14,19 +13,21 @@
 #include "collision_forge/attack/search/arrival_sampler.h"
 #include "collision_forge/attack/search/judge.h"
 #include "collision_forge/attack/search/placement.h"
+#include "collision_forge/attack/search/route_driver.h"
 #include "collision_forge/attack/verify/believability.h"
 
 namespace forge {
 namespace {
 
-constexpr double kMinContact = 0.3;  // s from now
-constexpr double kAnyWorth = std::numeric_limits<double>::lowest();
+constexpr double kContacts[] = {0.0, -0.3, 0.3, -0.45, 0.45};  // s, added to the requested time
+constexpr double kMinContact = 0.3;                            // s after t0
 
 bool isCar(const AddedVehicle& vehicle) { return isCarLike(vehicle.track.agent_class); }
 
-class Casting {
+/// Finds vehicles that can be added.
+class VehicleInsertion {
  public:
-  Casting(const AddedVehicleInput& input, const AttackOptions& options)
+  VehicleInsertion(const AddedVehicleInput& input, const AttackOptions& options)
       : input_(input),
         options_(options),
         added_(options.added),
@@ -46,7 +47,7 @@ class Casting {
     const double now = past_.now;
     const std::vector<std::size_t> spread = spreadFutures(
         egos_, past_.ego.states.back().pose, now + input_.request.tta, options_.search.ego_poses);
-    for (const double early : added_.contacts) {
+    for (const double early : kContacts) {
       std::vector<AddedMeeting> meetings;
       for (const std::size_t ego : spread) {
         addMeetings(*egos_[ego], std::max(kMinContact, input_.request.tta + early), meetings);
@@ -64,7 +65,7 @@ class Casting {
   }
 
  private:
-  /// Ways that are nearer to the meeting go first; to change into the ego's lane, others than it.
+  /// Ranks paths nearer to the meeting first; for a lane change, the ego's own lane last.
   long rankOf(const AddedMeeting& meeting) const {
     constexpr long kLast = 100;
     const long rank = std::lround(std::abs(meeting.across));
@@ -84,12 +85,12 @@ class Casting {
     });
     const std::string type = toString(input_.request.type);
     if (!allows) {
-      return {StatusCode::kRoadDoesNotAllow,
-              "no lane near the ego at the asked time has a direction of type = " + type};
+      return {StatusCode::kRoadDoesNotAllow, roadRefusal(input_.request.type, input_.request.tta)};
     }
     if (!has_way_) {
-      return {StatusCode::kRoadDoesNotAllow,
-              "no lane leads to the ego at the asked time from where type = " + type + " comes"};
+      return {
+          StatusCode::kRoadDoesNotAllow,
+          "no lane leads to the ego's place at the contact from the direction of type = " + type};
     }
     std::string message = "no vehicle can be added";
     const char* sign = ": ";
@@ -112,7 +113,7 @@ class Casting {
         fittingLanes(ego, input_.request.bands(), input_.request.type, input_.driven(),
                      options_.verification.believability);
     for (const FittingLane& lane : fitting) {
-      // The ways to a lane that follows are the same, and more.
+      // Paths to a following lane include the paths to this one.
       const std::vector<std::size_t>& next = input_.driven().successors(lane.lane);
       if (std::any_of(fitting.begin(), fitting.end(), [&](const FittingLane& other) {
             return std::find(next.begin(), next.end(), other.lane) != next.end();
@@ -129,7 +130,7 @@ class Casting {
     }
   }
 
-  /// At the placement that is nearest to the way; in rear ends the other one, too.
+  /// Adds the placement nearest to the path; for rear ends, both ends.
   void addMeetingsOn(const Pose2& place, AddedMeeting meeting,
                      std::vector<AddedMeeting>& meetings) const {
     const CollisionType type = input_.request.type;
@@ -140,15 +141,14 @@ class Casting {
     std::vector<AddedMeeting> possible;
     for (const HeadedPlacement& placement :
          placementsAlong(direction, type, input_.request.bands(), input_.lanes.map().driving_side,
-                         options_.route.heading_margin, options_.route.max_lean)) {
-      if (!isSideAsked(placement.side)) continue;
+                         kArrivalHeadingMargin, kMaxLean)) {
+      if (!isSideAllowed(placement.side)) continue;
       meeting.side = placement.side;
       meeting.heading = placement.heading;
       meeting.across = meeting.seen(size).across;
-      if (std::abs(meeting.across) < options_.route.max_departure) possible.push_back(meeting);
+      if (std::abs(meeting.across) < kMaxDeparture) possible.push_back(meeting);
     }
-    // In the ego's own lane who follows or leads comes from either end, who is parked from either
-    // side.
+    // In the ego's own lane, a vehicle can follow or lead, or be parked on either side.
     const bool all_count = type == CollisionType::kRearEnd ||
                            (type == CollisionType::kLaneChange && meeting.isEgosOwn());
     if (!all_count && possible.size() > 1) {
@@ -162,8 +162,8 @@ class Casting {
     meetings.insert(meetings.end(), possible.begin(), possible.end());
   }
 
-  /// By the request's side of the ego, or by its manoeuvre.
-  bool isSideAsked(Side side) const {
+  /// Returns true if the request allows this side of the ego, given by side or by manoeuvre.
+  bool isSideAllowed(Side side) const {
     const CollisionRequest& request = input_.request;
     if (request.ego_side && *request.ego_side != side) return false;
     if (request.type != CollisionType::kRearEnd || !request.manoeuvre) return true;
@@ -188,18 +188,18 @@ class Casting {
           continue;
         }
         if (isEnough(found)) return;
-        // Where few are tried, these shall differ.
+        // With few attempts, try different manners.
         if (!input_.isFutureKnown()) break;
       }
     }
   }
 
-  /// With its length drawn, too.
+  /// Draws a kind and its length.
   AddedKind drawKind(const std::optional<AgentClass>& asked) {
     double sum = 0.0;
     const auto shareOf = [&](const AddedKind& kind) {
       if (!asked) return kind.share;
-      // The last of them where none has a share.
+      // If no kind of the class has a share, the last one is used.
       return kind.agent_class == *asked ? std::max(kind.share, 1e-6) : 0.0;
     };
     for (const AddedKind& kind : added_.kinds) sum += shareOf(kind);
@@ -215,7 +215,7 @@ class Casting {
     return drawn;
   }
 
-  /// Adds the vehicle; else why it does not fit.
+  /// Adds the vehicle; returns the reason if it does not fit.
   const char* tryOne(const AddedMeeting& meeting, const AddedManner& manner,
                      std::vector<AddedVehicle>& found) {
     const auto& asked = input_.request.attacker_class;
@@ -226,14 +226,15 @@ class Casting {
     const AddedKind kind = drawKind(manner.rides ? AgentClass::kMotorcycle : asked);
     const BoxSize size{kind.length, kind.width};
     const std::string name = newName(found);
-    const SpeedVariation variation = variationOf(name, input_.request.seed, options_.route);
-    if (!drives_.plan(meeting, manner, size, drive_, variation)) return "cannot drive so";
+    const SpeedVariation variation = variationOf(name, input_.request.seed);
+    if (!drives_.plan(meeting, manner, size, drive_, variation))
+      return "cannot reach the contact in time";
     const ReferencePath& path = meeting.way->path;
     const double ego_yaw = past_.ego.states.back().pose.yaw;
     const double approach = angleBetween(ego_yaw, path.at(drive_.back.front()).pose.yaw);
     if (input_.request.crash.rules == TypeRules::kFull &&
         !approachFits(approach, input_.request.bands())) {
-      return "do not come from where the type wants them";
+      return "do not approach from the direction of the type";
     }
     has_way_ = true;
     Track track{name, kind.agent_class, size, {}};
@@ -295,13 +296,13 @@ class Casting {
   AddedDrives drives_;
   AddedPast added_past_;
   Random random_;
-  std::vector<const Track*> egos_;  // those that are searched
+  std::vector<const Track*> egos_;  // futures available to the search
   std::map<std::string, int> reasons_;
-  bool has_way_ = false;  // that comes from where the type wants it
+  bool has_way_ = false;  // a path leads to the ego from the type's direction
   AddedDrive drive_;
 };
 
-/// What is known of a vehicle in the frames of a snapshot.
+/// Returns the states of a vehicle in the frames of a snapshot.
 Track within(const Track& track, const Snapshot& snapshot) {
   const double first = snapshot.ego.states.front().time;
   Track seen = track;
@@ -312,10 +313,9 @@ Track within(const Track& track, const Snapshot& snapshot) {
   return seen;
 }
 
-/// realize() by all of these vehicles; `enough` as in RealizationTask.
+/// Calls realize() with all these vehicles.
 Realization realizeBy(const std::vector<AddedVehicle>& vehicles, const AddedVehicleInput& input,
-                      const TrajectoryRealizer& realizer, SearchedMotion motion,
-                      const std::optional<double>& enough) {
+                      const TrajectoryRealizer& realizer, SearchedMotion motion) {
   Snapshot snapshot = input.snapshot;
   std::vector<CollisionPattern> patterns;
   AttackerWays ways;
@@ -324,12 +324,8 @@ Realization realizeBy(const std::vector<AddedVehicle>& vehicles, const AddedVehi
     patterns.insert(patterns.end(), vehicle.patterns.begin(), vehicle.patterns.end());
     ways.emplace(vehicle.track.id, vehicle.way);
   }
-  Realization answer = realizer.realize({patterns,
-                                         {snapshot, input.future, input.request, input.lanes},
-                                         false,
-                                         ways,
-                                         motion,
-                                         enough});
+  Realization answer = realizer.realize(
+      {patterns, {snapshot, input.future, input.request, input.lanes}, false, ways, motion});
   if (answer.status.code != StatusCode::kOk) return answer;
   const auto vehicle = std::find_if(
       vehicles.begin(), vehicles.end(),
@@ -341,7 +337,7 @@ Realization realizeBy(const std::vector<AddedVehicle>& vehicles, const AddedVehi
 }  // namespace
 
 AddedVehicles addVehicles(const AddedVehicleInput& input, const AttackOptions& options) {
-  return Casting(input, options).run();
+  return VehicleInsertion(input, options).run();
 }
 
 Realization realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInput& input,
@@ -353,18 +349,12 @@ Realization realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInpu
   const auto first = vehicles.found.begin();
   const auto end = vehicles.found.end();
   const auto motorcycles = std::partition_point(first, end, isCar);
-  // Along routes, where the ego is known, the first one that can is as good as any; else cars, and
-  // motorcycles, are tried together.
-  const bool is_in_turn = input.isFutureKnown() && motion == SearchedMotion::kByRoutes;
   for (const auto& [from, to] : {std::pair(first, motorcycles), std::pair(motorcycles, end)}) {
     if (from == to) continue;
     const bool is_last_resort =
         from == motorcycles && input.request.attacker_class != AgentClass::kMotorcycle;
-    const double cost = is_last_resort ? options.added.riding_cost : 0.0;
-    std::optional<double> enough;
-    if (is_in_turn) enough = options.search.good_share;
-    if (is_in_turn && is_last_resort) enough = is_found ? worthOf(best) + cost : kAnyWorth;
-    Realization answer = realizeBy({from, to}, input, realizer, motion, enough);
+    const double cost = is_last_resort ? kRidingCost : 0.0;
+    Realization answer = realizeBy({from, to}, input, realizer, motion);
     if (answer.status.code != StatusCode::kOk) {
       if (from == first) best.status = answer.status;
       continue;

@@ -12,31 +12,34 @@
 
 namespace forge {
 
-/// A vehicle that nobody recorded, and how it could meet the ego.
+/// Confidence that a motorcycle costs where the request names no class: few are on the roads.
+inline constexpr double kRidingCost = 0.15;
+
+/// A vehicle that is not in the recording, and how it could hit the ego.
 struct AddedVehicle {
-  Track track;                             ///< from its first frame to now, at the frames' times
-  ReferencePath way;                       ///< that it drives along, on through the meeting
-  std::vector<CollisionPattern> patterns;  ///< by its track's id, in the futures that it is for
+  Track track;                             ///< from its first frame to t0, at the frame times
+  ReferencePath way;                       ///< path of its motion, beyond the contact
+  std::vector<CollisionPattern> patterns;  ///< with the track's id as attacker
 };
 
-/// Vehicles that fit into the scene, the ones that drive the most plainly first and motorcycles
-/// last, or why none does.
+/// Vehicles that fit into the scene: the simplest motions first, motorcycles last.
 struct AddedVehicles {
   std::vector<AddedVehicle> found;
-  Status status;  ///< kNoCandidate or kRoadDoesNotAllow without any
+  Status status;  ///< if `found` is empty: kNoCandidate or kRoadDoesNotAllow
 };
 
-/// Looks for vehicles that could have been in the scene all along and drive on into the ego: along
-/// the lanes that lead to it (fittingLanes()), at the time asked for, at speeds of the traffic
-/// there, with the ego or beside it, or out of a standstill. Each keeps the limits of its class and
-/// its lane, touches nobody recorded, and was there before the ego could see it: from the
-/// recording's first frame on, or from beyond AddedVehicleOptions::sensing_range, or from behind
-/// somebody. Live, where what was seen cannot be changed, it is out of sight now. The draws follow
-/// from the request's seed.
+/// Finds vehicles that could have been in the scene all along and then hit the ego with the
+/// requested type and time: along lanes that lead to it (fittingLanes()), at speeds of the
+/// surrounding traffic, together with or beside the ego, or from a standstill. Each keeps the
+/// limits of its class and its lane, touches no recorded agent, and existed before the ego could
+/// observe it: since the recording's first frame, from outside the ego's sensing range, or occluded
+/// by another vehicle. Live, the past cannot be changed, so it must be unobserved at t0. Random
+/// draws depend only on the request's seed.
 AddedVehicles addVehicles(const AddedVehicleInput& input, const AttackOptions& options);
 
-/// The best attack of the vehicles that addVehicles() found for this input, of which the answer's
-/// trajectory tells the past. `input` is without them, its request names no attacker.
+/// Returns the best attack by `vehicles`, the result of addVehicles() for this input, with the
+/// vehicle's past in its trajectory; without an attack, the reason. `input.snapshot` must not
+/// contain them, and the request must not name an attacker.
 Realization realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInput& input,
                            const AttackOptions& options, const TrajectoryRealizer& realizer,
                            SearchedMotion motion);

@@ -7,11 +7,14 @@
 namespace forge {
 namespace {
 
-constexpr double kSameSpeed = 1.0;     // m/s
-constexpr double kHeadsAlong = 0.7;    // rad between the ego and a way that it is on
-constexpr std::size_t kFlows = 3;      // a way
-constexpr double kFlowLength = 15.0;   // m; shorter drives are not followed
-constexpr std::size_t kOwnSpeeds = 2;  // of recorded vehicles, a way
+constexpr int kBranches = 4;            // paths back from a lane that are examined
+constexpr double kWayAhead = 40.0;      // m of the path beyond the contact
+constexpr double kTrainDistance = 8.0;  // m from the path, within which the ego is followed
+constexpr double kSameSpeed = 1.0;      // m/s
+constexpr double kHeadsAlong = 0.7;     // rad between the ego and a path on which it is
+constexpr std::size_t kFlows = 3;       // per path
+constexpr double kFlowLength = 15.0;    // m; shorter recorded motions are not repeated
+constexpr std::size_t kOwnSpeeds = 2;   // speeds of recorded vehicles per path
 
 }  // namespace
 
@@ -64,9 +67,8 @@ const std::vector<std::unique_ptr<AddedWay>>& AddedWays::to(const FittingLane& f
     }
     const double back =
         fastest * (AddedWay::kStep * static_cast<double>(steps_back_) + input_.request.tta);
-    for (const Polyline& line :
-         ways_to_.to(fitting.lane, fitting.arc_length, back, options_.way_ahead,
-                     static_cast<std::size_t>(options_.branches))) {
+    for (const Polyline& line : ways_to_.to(fitting.lane, fitting.arc_length, back, kWayAhead,
+                                            static_cast<std::size_t>(kBranches))) {
       entry->second.push_back(wayOf(line));
     }
   }
@@ -85,9 +87,9 @@ std::unique_ptr<AddedWay> AddedWays::wayOf(const Polyline& line) const {
 void AddedWays::addCaps(AddedWay& way) const {
   constexpr double kSpacing = ReferencePath::kBendSpacing;
   std::vector<double>& caps = way.caps;
-  for (const double bend : way.path.bends()) caps.push_back(std::sqrt(options_.lateral / bend));
+  for (const double bend : way.path.bends()) caps.push_back(std::sqrt(AddedWay::kLateral / bend));
   const auto hold = [&](double& cap, double next) {
-    cap = std::min(cap, std::sqrt(next * next + 2.0 * options_.braking * kSpacing));
+    cap = std::min(cap, std::sqrt(next * next + 2.0 * AddedWay::kBraking * kSpacing));
   };
   for (std::size_t i = caps.size() - 1; i-- > 0;) hold(caps[i], caps[i + 1]);
   for (std::size_t i = 1; i < caps.size(); ++i) hold(caps[i], caps[i - 1]);
@@ -101,7 +103,7 @@ void AddedWays::followEgo(AddedWay& way) const {
     const double along = way.path.project(state->pose.position());
     const Pose2 apart = relativeTo(way.path.at(along).pose, state->pose);
     if (i == 0) way.ego_across = apart.y;
-    if (std::abs(apart.y) > options_.train_distance || std::abs(apart.yaw) > kHeadsAlong) return;
+    if (std::abs(apart.y) > kTrainDistance || std::abs(apart.yaw) > kHeadsAlong) return;
     way.ego.push_back(along);
   }
 }
@@ -124,7 +126,7 @@ void AddedWays::addSpeeds(AddedWay& way) const {
   }
 }
 
-/// The longest that each vehicle drives along the way, of those that are on it now or then.
+/// Adds the longest motion of each vehicle along the path, before and after t0.
 void AddedWays::addFlows(AddedWay& way) const {
   for (const Track& agent : past_.agents) {
     if (way.flows.size() >= kFlows) return;
@@ -144,7 +146,7 @@ void AddedWays::addFlows(AddedWay& way) const {
   }
 }
 
-/// Adds where a track is along the way; false where it leaves the way.
+/// Appends the track's positions along the path; returns false where it leaves the path.
 bool AddedWays::follow(const Track& track, const AddedWay& way, AddedFlow& flow) const {
   for (const AgentState& state : track.states) {
     const double time = state.time - past_.now;

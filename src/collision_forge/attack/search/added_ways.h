@@ -16,7 +16,8 @@
 
 namespace forge {
 
-/// What vehicles are added to.
+/// The scene and request for which vehicles are added. Holds references: the referenced objects
+/// must outlive it.
 struct AddedVehicleInput {
   const Snapshot& snapshot;
   const Snapshot* past;  ///< Moment::past; null live
@@ -24,61 +25,65 @@ struct AddedVehicleInput {
   const CollisionRequest& request;
   const LaneIndex& lanes;
 
-  /// Those that vehicles are added on.
+  /// Returns the lanes on which vehicles are added.
   const LaneIndex& driven() const { return drivenLanes(request, lanes); }
-  /// All that is known up to now.
+  /// Returns the longest known history.
   const Snapshot& known() const { return past ? *past : snapshot; }
-  /// The ego's future is, rather than predicted.
+  /// Returns true in replay mode: the ego's future is recorded, not predicted.
   bool isFutureKnown() const { return future.ego_samples.empty(); }
 };
 
-/// Where somebody is along a way. It has two entries at least.
+/// Recorded motion of one vehicle along a path. Has at least two entries.
 struct AddedFlow {
-  std::vector<double> times;   ///< s from now, rising
-  std::vector<double> alongs;  ///< m, never falling; one a time
+  std::vector<double> times;   ///< s after t0, increasing
+  std::vector<double> alongs;  ///< m along the path, non-decreasing, one per time
 
   bool covers(double time) const { return time >= times.front() && time <= times.back(); }
-  /// m along the way, linear between the entries; the ends beyond them.
+  /// Returns m along the path at `time` (s after t0), linear between entries, constant beyond the
+  /// ends.
   double at(double time) const;
-  /// When it passes a place, s from now; empty where it does not move past it.
+  /// Returns the time (s after t0) at which the vehicle passes `along` (m); empty if it does not.
   std::optional<double> passing(double along) const;
 };
 
-/// A way along lanes to a place beside the ego, and who drove along it.
+/// A path along lanes to a place beside the ego, with the recorded traffic on it.
 struct AddedWay {
-  static constexpr double kStep = 0.1;    ///< s
-  static constexpr double kInLane = 2.0;  ///< m from the middle of a way: in its lane
-  static constexpr double kMoving = 2.0;  ///< m/s; slower vehicles tell no speed of the traffic
+  static constexpr double kStep = 0.1;     ///< s
+  static constexpr double kInLane = 2.0;   ///< m from the path's middle: in its lane
+  static constexpr double kMoving = 2.0;   ///< m/s; slower vehicles do not set traffic speeds
+  static constexpr double kLateral = 2.0;  ///< m/s2 in bends; 99 % of recorded cars stay below
+  /// m/s2 before and after bends; 90 % of recorded cars stay below.
+  static constexpr double kBraking = 1.4;
 
   explicit AddedWay(const Polyline& line) : path(line) {}
 
-  /// m/s that bends allow at a place, m along; beyond the way as at its end.
+  /// Returns the speed (m/s) that bends allow at `along` (m); constant beyond the end.
   double cap(double along) const;
 
   ReferencePath path;
-  std::vector<double> caps;      ///< m/s in bends, an entry every ReferencePath::kBendSpacing
-  std::vector<double> speeds;    ///< m/s, of vehicles that are on it now
-  std::vector<AddedFlow> flows;  ///< of vehicles that drive along it, now or then
-  std::vector<double> ego;  ///< m along it that the ego was now, kStep before, ...; while it was
-  double ego_across = 0.0;  ///< m to the left of its middle that the ego is now
+  std::vector<double> caps;      ///< m/s in bends, one per ReferencePath::kBendSpacing
+  std::vector<double> speeds;    ///< m/s of vehicles on it at t0
+  std::vector<AddedFlow> flows;  ///< of recorded vehicles that drive along it
+  std::vector<double> ego;       ///< m along at which the ego was at t0, t0 - kStep, ...
+  double ego_across = 0.0;       ///< m, left offset of the ego at t0
 };
 
-/// Adds a speed (m/s) to those that differ by 1 m/s or more; nothing if one of them is nearer.
+/// Appends `speed` (m/s) unless an entry differs by less than 1 m/s.
 void addSpeed(double speed, std::vector<double>& speeds);
 
-/// The steps of AddedWay::kStep back from now that reach the first frame of a snapshot.
+/// Returns the number of steps of AddedWay::kStep from t0 back to the first frame of `past`.
 std::size_t stepsBack(const Snapshot& past);
 
-/// Makes the ways that lead to lanes.
+/// Builds the paths along which vehicles are added.
 class AddedWays {
  public:
-  /// All must outlive it.
+  /// `input` and `options` must outlive this object.
   AddedWays(const AddedVehicleInput& input, const AddedVehicleOptions& options);
 
-  /// The ways to a place on a lane, LaneWays::to(), so long that the fastest that is tried was on
-  /// it at the first frame. They are made when the lane is first asked for and stay where they are;
-  /// asked for again, they are those to the first place. Throws std::invalid_argument for a lane
-  /// without a centreline.
+  /// Returns the paths to a place on a lane (LaneWays::to()), long enough for the fastest speed
+  /// tried to be on them at the first frame. Built at the first call for a lane and kept: later
+  /// calls for the same lane return the same paths, even for another place. Throws
+  /// std::invalid_argument for a lane without a centreline.
   const std::vector<std::unique_ptr<AddedWay>>& to(const FittingLane& fitting);
 
  private:

@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-/// The side of the ego from which an attacker comes.
+/// Returns the side of the ego at which an attacker stands at t0.
 Side sideNow(const AttackerTrajectory& attacker, const Snapshot& snapshot) {
   return touchedSide({snapshot.ego.states.back().pose, snapshot.ego.size},
                      {attacker.points.front().pose, attacker.size});
@@ -22,7 +22,7 @@ bool isSameAttacker(const AttackerTrajectory& a, const AttackerTrajectory& b,
   return a.agent_class == b.agent_class && sideNow(a, snapshot) == sideNow(b, snapshot);
 }
 
-/// Ids of the recorded vehicles that may attack, the nearest first.
+/// Returns the ids of the candidate attackers, nearest first.
 std::vector<std::string> candidatesIn(const Snapshot& snapshot, const CollisionRequest& request,
                                       const PredictionOptions& options) {
   const Vector2 ego = snapshot.ego.states.back().pose.position();
@@ -38,7 +38,7 @@ std::vector<std::string> candidatesIn(const Snapshot& snapshot, const CollisionR
   return ids;
 }
 
-/// What is asked for one after the other: the request with one thing more.
+/// Returns the request with one additional constraint each, in the order in which they are tried.
 std::vector<CollisionRequest> furtherRequests(const Realization& first, const Snapshot& snapshot,
                                               const CollisionRequest& request,
                                               const PredictionOptions& options) {
@@ -48,7 +48,7 @@ std::vector<CollisionRequest> furtherRequests(const Realization& first, const Sn
   for (const Manoeuvre manoeuvre : kManoeuvres) {
     if (request.manoeuvre || typeOf(manoeuvre) != request.type) continue;
     if (manoeuvre == first.report.manoeuvre) continue;
-    // Who drives against its lane is believable to those alone who ask for it.
+    // Driving against the lane is plausible only if it is requested.
     if (request.crash.believable && manoeuvre == Manoeuvre::kWrongWay) continue;
     further.push_back(plain);
     further.back().manoeuvre = manoeuvre;
@@ -72,7 +72,8 @@ std::vector<CollisionRequest> furtherRequests(const Realization& first, const Sn
   return further;
 }
 
-/// Ids of added vehicles are of one answer alone: another attacker gets another one.
+/// Gives an added vehicle an id that no other attacker in `others` has: methods number added
+/// vehicles per result.
 void giveOwnId(Realization& answer, const std::vector<Realization>& others,
                const Snapshot& snapshot) {
   AttackerTrajectory& attacker = answer.trajectory;
@@ -125,8 +126,8 @@ Realization attackOf(Realization answer, std::size_t number) {
   if (number == 1) return answer;
   if (number >= 2 && number - 2 < others.size()) return others[number - 2];
   return declined({StatusCode::kNoAttackWithinLimits,
-                   "alternative = " + std::to_string(number) + ": there are " +
-                       std::to_string(others.size() + 1) + " distinct attacks only"});
+                   "alternative = " + std::to_string(number) + ": there are only " +
+                       std::to_string(others.size() + 1) + " distinct attacks"});
 }
 
 }  // namespace forge

@@ -6,25 +6,23 @@
 
 namespace forge {
 
-/// True when two attacks at one moment differ in manoeuvre or attacker. Added vehicles, which have
-/// no identity of their own, are one attacker where they are of one class and come from the same
-/// side of the ego: that of its box at which they stand now (touchedSide()).
+/// Returns true if two attacks at t0 of `snapshot` differ in manoeuvre or attacker. Two added
+/// vehicles count as the same attacker if they have the same class and stand on the same side of
+/// the ego at t0 (touchedSide()).
 bool areDistinct(const Realization& a, const Realization& b, const Snapshot& snapshot);
 
-/// Up to `request.alternatives` - 1 attacks on a request that has been answered by `first`, each
-/// distinct from that and from each other, the surest first. They are asked for by controls that
-/// the request leaves open, one at a time: each manoeuvre of the type, then each other recorded
-/// vehicle, the nearest first, then an added one of each class; so each is as verified as any
-/// answer. Different vehicles that are added have different ids. Looks no further once there are
-/// enough. Of `first` the trajectory and the report's
-/// manoeuvre must be there.
+/// Returns up to request.alternatives - 1 further attacks, distinct from `first` and from each
+/// other, highest confidence first. Requests them from `method` with one additional constraint at a
+/// time: each manoeuvre of the type, each other recorded vehicle (nearest first), an added vehicle
+/// of each class; stops when there are enough. Each is verified like any other attack. Distinct
+/// added vehicles get distinct ids. `first` needs a trajectory and its report's manoeuvre.
 std::vector<Realization> findAlternatives(const Realization& first, const AttackMethod& method,
                                           const Moment& moment, const CollisionRequest& request,
                                           const PredictionOptions& options);
 
-/// Returns attack `number` of an answer, alone: 1 is the method's own, from 2 on follow the
-/// alternatives in their order. Returns kNoAttackWithinLimits where the answer has fewer, and an
-/// answer without an attack as it is.
+/// Returns attack `number` of a result as a result of its own: 1 is the first attack, 2 the first
+/// alternative. Returns kNoAttackWithinLimits if there are fewer, and a result without an attack
+/// unchanged.
 Realization attackOf(Realization answer, std::size_t number);
 
 }  // namespace forge

@@ -9,12 +9,13 @@
 namespace forge {
 namespace {
 
-constexpr double kMinArrival = 0.3;      // s from now
+constexpr double kMinArrival = 0.3;      // s after t0
 constexpr double kMinImpactSpeed = 0.2;  // m/s
 constexpr double kMaxDrawnSpeed = 15.0;  // m/s at the impact
-constexpr double kNear = 6.0;            // m from the ego's middle: boxes may touch
+constexpr double kNear = 6.0;            // m between vehicle centres within which boxes may touch
 
-/// A band around straight on or back holds headings to both sides; else the pattern tells which.
+/// Returns true if the band includes 0 or pi, so that headings of both signs are allowed; otherwise
+/// the pattern gives the sign.
 bool isOneBand(const TypeDefinition& band) {
   return band.min_heading < kBandEnd || band.max_heading > M_PI - kBandEnd;
 }
@@ -57,7 +58,7 @@ Pose2 ArrivalSampler::egoAt(std::size_t ego, double seconds) const {
   return stateAt(track, input_.snapshot.now + seconds).value_or(track.states.back()).pose;
 }
 
-/// Speed at the contact for which a steady change of speed covers the distance.
+/// Returns the speed at the contact for which a constant acceleration covers the distance.
 double ArrivalSampler::steadySpeed(const Contender& contender, const Pose2& target,
                                    double contact) const {
   const Motion& motion = contender.start.motion;
@@ -65,7 +66,7 @@ double ArrivalSampler::steadySpeed(const Contender& contender, const Pose2& targ
   return std::clamp(2.0 * distance / contact - motion.speed, 0.5, limits_.max_speed);
 }
 
-/// The time and pose to arrive at for the contact.
+/// Derives the arrival's time and pose from the contact.
 void ArrivalSampler::settle(AimedArrival& aimed) const {
   aimed.contact = std::clamp(aimed.contact, earliest_, latest_);
   aimed.lead = std::clamp(aimed.lead, 0.0, aimed.contact - kMinArrival);
@@ -103,11 +104,11 @@ AimedArrival ArrivalSampler::wide(const Contender& contender, const Aim& aim, bo
   const BoxSize& ego_size = input_.snapshot.ego.size;
   const BoxSize& size = contender.track->size;
   aimed.offset = attackerOffset(ego_size, size, touchedSide({{}, ego_size}, {aim.touching, size}),
-                                wrapAngle(sign * heading), slide, search.depth);
+                                wrapAngle(sign * heading), slide, kContactDepth);
   aimed.contact = random_.uniform(earliest_, latest_);
   aimed.lead = std::max(0.0, random_.uniform(-search.max_lead, search.max_lead));
   const Pose2 target = compose(egoAt(aimed.ego, aimed.contact), aimed.offset);
-  // Around the steady speed or, as no straight way may lead there, any.
+  // Around the steady speed or, because the path may not be straight, any speed.
   Arrival& arrival = aimed.arrival;
   arrival.speed = steady || random_.uniform(-1.0, 1.0) > 0.0
                       ? steadySpeed(contender, target, aimed.contact) * random_.uniform(0.5, 1.5)

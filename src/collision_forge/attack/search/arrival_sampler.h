@@ -9,52 +9,54 @@
 
 namespace forge {
 
-/// A contact with one of the ego's futures, and the arrival that leads to it.
+/// A contact with one predicted future of the ego, and the arrival that leads to it.
 struct AimedArrival {
-  std::size_t ego = 0;   ///< the future
-  double contact = 0.0;  ///< s from now
-  double lead = 0.0;     ///< s driven straight on before the contact
-  Pose2 offset;          ///< of the attacker from the ego at the contact
-  Arrival arrival;       ///< its time and pose follow from these
+  std::size_t ego = 0;   ///< index of the future
+  double contact = 0.0;  ///< s after t0
+  double lead = 0.0;     ///< s driven straight before the contact
+  Pose2 offset;          ///< attacker's pose in the ego box's frame at the contact
+  Arrival arrival;       ///< derived from the other fields
 };
 
-/// At most `most` of the futures, as indices, spread over all of them along the ego's way: by where
-/// it is at `time` (seconds, the snapshot's clock), seen from its pose now.
+/// Returns the indices of at most `most` futures, stratified by the ego's forward distance from
+/// `now` (its pose at t0) at `time` (s, snapshot clock).
 std::vector<std::size_t> spreadFutures(const std::vector<const Track*>& egos, const Pose2& now,
                                        double time, int most);
 
-/// Draws arrivals for the patterns of contenders. Contacts are kept to the time that the request
-/// allows for.
+/// Samples arrivals for the collision patterns of candidate attackers, with contacts within the
+/// request's time tolerance. Not thread-safe.
 class ArrivalSampler {
  public:
-  /// All must outlive it. `limits` are the attacker's.
+  /// All arguments must outlive this object. `limits` are the attacker's.
   ArrivalSampler(const SearchInput& input, const AttackOptions& options,
                  const VehicleLimits& limits, Random& random);
 
-  /// At the pattern's own box and time; at the pattern's speed or, if `steady`, at that which a
-  /// steady change of speed leads to.
+  /// Returns the arrival at the pattern's own pose and time, at the pattern's speed or, if
+  /// `steady`, at the speed that a constant acceleration leads to.
   AimedArrival own(const Contender& contender, const Aim& aim, bool steady) const;
 
-  /// Anywhere along the side that the pattern touches, at any time and heading that the request
-  /// allows for. `steady`: around the speed that a steady change leads to, else at any, too.
+  /// Samples an arrival anywhere along the ego's side that the pattern touches, at any time and
+  /// heading that the request allows. Speed: around the one that a constant acceleration leads to;
+  /// if not `steady`, half of the draws take any speed.
   AimedArrival wide(const Contender& contender, const Aim& aim, bool steady);
 
-  /// Moves an arrival at random, at scale 1 about as far as a pattern may be wrong.
+  /// Perturbs an arrival at random; scale 1 is about the error of a pattern.
   void move(AimedArrival& aimed, double scale);
 
-  /// Moves where the attacker is to be seen from the ego.
+  /// Adds `by` to the attacker's pose in the ego box's frame (m, rad).
   void shift(AimedArrival& aimed, const Pose2& by) const;
 
-  /// False when no speed within the limits brings the attacker near any of the ego's poses in time.
+  /// Returns true if some speed within the limits brings the attacker near the ego in time, in any
+  /// of egos().
   bool canReach(const Contender& contender) const;
 
-  /// The ego's box middle in a future.
+  /// Returns the ego's box centre in future `ego` at `seconds` after t0, map frame.
   Pose2 egoAt(std::size_t ego, double seconds) const;
 
-  /// Futures that are aimed at, spread along the way.
+  /// Indices of the futures that are targeted, see spreadFutures().
   const std::vector<std::size_t>& egos() const { return egos_; }
-  double earliest() const { return earliest_; }  ///< s from now that a contact may be
-  double latest() const { return latest_; }
+  double earliest() const { return earliest_; }  ///< s after t0, first allowed contact
+  double latest() const { return latest_; }      ///< s after t0, last allowed contact
 
  private:
   double steadySpeed(const Contender& contender, const Pose2& target, double contact) const;
@@ -66,7 +68,7 @@ class ArrivalSampler {
   Random& random_;
   double earliest_;
   double latest_;
-  std::vector<std::size_t> egos_;  // that wide draws aim at, spread along the way
+  std::vector<std::size_t> egos_;
 };
 
 }  // namespace forge

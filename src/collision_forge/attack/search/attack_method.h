@@ -6,24 +6,32 @@
 
 namespace forge {
 
-/// A way of making an attack. Implementations are immutable and may be used from many threads.
+/// Interface of an attack method: finds an attack for a request. Extension point, see
+/// MethodRegistry. Implementations must be immutable: one object is used from many threads at once.
 class AttackMethod {
  public:
   virtual ~AttackMethod() = default;
 
-  /// The request has passed checkRequest() and says what counts as the crash. `moment.recorded` is
-  /// there in replay mode alone. The same input and seed give the same answer. With kOk the report
-  /// is that of verify(), and may tell of a crash that is not as asked.
+  /// Returns an attack, or a status other than kOk with the reason. Called once per request, and
+  /// once per further request of findAlternatives(), on the caller's thread (batch workers call it
+  /// concurrently). `request` has passed checkRequest() and its crash definition is filled in;
+  /// `moment.recorded` is set in replay mode only. Must be deterministic in its arguments,
+  /// including the seed. With kOk, `report` must come from verify(); the attack may still violate
+  /// the request, which the caller checks. Throws InputError for unusable input; any other
+  /// exception ends a batch run, and a live node replies INTERNAL_ERROR. Must not block on ROS
+  /// callbacks or change global state.
   virtual Realization answer(const Moment& moment, const CollisionRequest& request) const = 0;
 };
 
-/// The method's answer, verified or not. In history mode the method is not shown what came.
+/// Returns the method's result, verified or not. Hides `moment.recorded` from the method unless the
+/// request is in replay mode.
 Realization attempt(const AttackMethod& method, const Moment& moment,
                     const CollisionRequest& request);
 
-/// The way from a request to one verified attack, whatever `alternatives` says. Declines without
-/// asking the method what checkRequest() declines, and with kNoRecording a request in replay mode
-/// at a moment without a recorded future; an attack that is not verified is kNoAttackWithinLimits.
+/// Returns one verified attack for a request, ignoring request.alternatives. Rejects without
+/// calling the method if checkRequest() does, and with kNoRecording in replay mode without a
+/// recorded future. An attack that violates the request becomes kNoAttackWithinLimits or
+/// kNotBelievable.
 Realization generateOne(const AttackMethod& method, const Moment& moment,
                         const CollisionRequest& request, const PredictionOptions& options);
 

@@ -19,9 +19,19 @@
 namespace forge {
 namespace {
 
-constexpr double kShrink = 0.6;      // of the perturbations, a round
-constexpr double kRounding = 0.999;  // of a limit, so that a bicycle at the limit is within it
-constexpr double kHome = 0.02;       // m from the pattern: near enough
+constexpr double kEffortWeight = 0.02;  // cost of driving at the limits, share of the futures
+// 1/(m s) of curvature. Slower steering costs nothing, twice as fast steering half of
+// steering_weight. 0.8 rad/s at the wheels of a car with a wheelbase of 2.7 m: twice the limit of
+// CommonRoad's vehicle models (v_delta, 0.4 rad/s).
+constexpr double kQuickSteering = 0.3;
+constexpr int kPatience = 2;       // rounds after which steering an attacker ends that is still ...
+constexpr double kHopeless = 5.0;  // ... so many m short of the target
+// Budget of the bicycle for plausible attackers that follow no route: they are the second try.
+constexpr int kAnyMotionBicycleTargets = 20;
+constexpr int kAnyMotionBicycleRounds = 2;
+constexpr double kShrink = 0.6;      // factor on perturbations per round
+constexpr double kRounding = 0.999;  // of a limit, so that a bicycle at the limit passes
+constexpr double kOnPattern = 0.02;  // m from the pattern: on target
 
 VehicleLimits scaled(VehicleLimits limits, double margin) {
   limits.max_forward_acceleration *= margin;
@@ -34,26 +44,26 @@ VehicleLimits scaled(VehicleLimits limits, double margin) {
   return limits;
 }
 
-/// Of believable attackers the bicycle is tried less: few more of them are found by it.
+/// For plausible attackers the bicycle is tried less, because few of its motions are plausible.
 SearchOptions searchOptionsFor(const SearchInput& input, const AttackOptions& options) {
   SearchOptions search = options.search;
   if (!input.request.crash.believable) return search;
-  search.bicycle_targets = options.any_motion.bicycle_targets;
-  search.bicycle_rounds = options.any_motion.bicycle_rounds;
+  search.bicycle_targets = kAnyMotionBicycleTargets;
+  search.bicycle_rounds = kAnyMotionBicycleRounds;
   return search;
 }
 
 struct Candidate {
   const Contender* contender = nullptr;
   const Aim* aim = nullptr;
-  const TrajectoryFamily* family = nullptr;  // null: the bicycle, by its knots
+  bool is_quintic = false;  // else the bicycle with `knots`
   AimedArrival aimed;
   SteeringKnots knots;
   FutureScore score;
   PatternMiss miss;  // with a share above 0
   double off_road = 0.0;
-  double steering = 0.0;    // fastest, 1/(m s)
-  bool is_as_asked = true;  // how it uses the road, and how it crashes
+  double steering = 0.0;    // greatest rate of curvature, 1/(m s)
+  bool is_as_asked = true;  // plausible road use, and the request's constraints
   double objective = 0.0;
 };
 
@@ -63,8 +73,8 @@ class Search {
       : input_(input),
         options_(options),
         search_(searchOptionsFor(input, options)),
-        limits_(scaled(options.verification.limits, options.search.limit_margin)),
-        bicycle_(scaled(limits_, kRounding), options.bicycle),
+        limits_(scaled(options.verification.limits, kLimitMargin)),
+        bicycle_(scaled(limits_, kRounding)),
         scorer_(input.egos, input.future.agents, input.request, input.snapshot.now,
                 input.lanes.map().driving_side, options),
         ground_(input.lanes,
@@ -77,18 +87,18 @@ class Search {
 
   std::vector<FoundAttack> run() {
     for (const auto& contender : contenders_) drawFor(*contender);
-    homeIn();
+    correctContacts();
     for (int round = 0; round < search_.rounds && !isGood(); ++round) {
       perturb(quintics_, search_.perturbations, std::pow(kShrink, round));
     }
     if (!isGood()) {
       steerToArrivals();
-      if (!input_.request.crash.believable && bestShare() == 0.0) steerAnyhow();
+      if (!input_.request.crash.believable && bestShare() == 0.0) steerToContact();
       for (int round = 0; round < search_.bicycle_rounds && !isGood(); ++round) {
         perturb(bicycles_, search_.bicycle_perturbations, std::pow(kShrink, round));
       }
     }
-    homeIn();
+    correctContacts();
     std::vector<FoundAttack> found;
     for (const Candidate& candidate : best()) {
       if (candidate.score.share > 0.0) found.push_back(finished(candidate));
@@ -97,7 +107,7 @@ class Search {
   }
 
  private:
-  /// The kept candidates of both kinds, best first.
+  /// Returns the kept candidates of both families, best first.
   std::vector<Candidate> best() const {
     std::vector<Candidate> all = quintics_;
     all.insert(all.end(), bicycles_.begin(), bicycles_.end());
@@ -115,18 +125,17 @@ class Search {
   void drawFor(const Contender& contender) {
     if (!sampler_.canReach(contender)) return;
     for (const Aim& aim : contender.aims) {
-      for (const auto& family : contender.quintics) {
-        Candidate candidate = candidateFor(contender, aim);
-        candidate.family = family.get();
-        for (int i = 0; i < search_.draws; ++i) {
-          candidate.aimed = drawn(contender, aim, i, true);
-          consider(candidate);
-        }
+      Candidate candidate = candidateFor(contender, aim);
+      candidate.is_quintic = true;
+      for (int i = 0; i < search_.draws; ++i) {
+        candidate.aimed = drawn(contender, aim, i, true);
+        consider(candidate);
       }
     }
   }
 
-  /// The pattern's own arrival at two speeds, then in turns near it and anywhere.
+  /// Draws the pattern's own arrival at two speeds, then alternates between arrivals near it and
+  /// anywhere.
   AimedArrival drawn(const Contender& contender, const Aim& aim, int draw, bool steady) {
     if (draw >= 2 && draw % 2 == 1) return sampler_.wide(contender, aim, steady);
     AimedArrival aimed = sampler_.own(contender, aim, draw != 1);
@@ -134,18 +143,17 @@ class Search {
     return aimed;
   }
 
-  bool drive(const Candidate& candidate, const DriveStart& start,
+  void drive(const Candidate& candidate, const DriveStart& start,
              std::vector<TrajectoryPoint>& points) const {
-    if (candidate.family) {
-      if (!candidate.family->drive(start, candidate.aimed.arrival, points)) return false;
+    if (candidate.is_quintic) {
+      driveQuintic(start, candidate.aimed.arrival, points);
     } else {
       bicycle_.roll(start, candidate.knots, candidate.aimed.arrival.time, points);
     }
     if (candidate.contender->driver) follow(*candidate.contender, points);
-    return true;
   }
 
-  /// Drives as the class of the vehicle allows to where the points lead.
+  /// Drives along the points within the limits of the vehicle's class.
   static void follow(const Contender& contender, std::vector<TrajectoryPoint>& points) {
     std::vector<PlannedStep> plan;
     plan.reserve(points.size());
@@ -160,18 +168,17 @@ class Search {
     return !findBrokenDrive(points_, contender.drive_start, until, contender.limits);
   }
 
-  /// Drives the candidate, scores it, and keeps it if it is among the best of its kind.
+  /// Drives and scores the candidate, and keeps it if it is among the best of its family.
   void consider(Candidate& candidate) {
     const DriveStart& start = candidate.contender->start;
     candidate.score = {};
-    if (!drive(candidate, start, points_)) return;
+    drive(candidate, start, points_);
     const double until = start.now + input_.request.tta + input_.request.crash.time_tolerance;
     if (!keepsItsLimits(*candidate.contender, until)) return;
     candidate.score = scorer_.score(*candidate.contender->track, points_, candidate.aim->ego);
-    candidate.objective = candidate.score.share +
-                          search_.closeness_weight * candidate.score.closeness -
-                          (input_.exact ? 1.0 : search_.pattern_weight) * missCost(candidate);
-    std::vector<Candidate>& kept = candidate.family ? quintics_ : bicycles_;
+    candidate.objective = candidate.score.share + kClosenessWeight * candidate.score.closeness -
+                          (input_.exact ? 1.0 : kPatternWeight) * missCost(candidate);
+    std::vector<Candidate>& kept = candidate.is_quintic ? quintics_ : bicycles_;
     const bool full = static_cast<int>(kept.size()) >= search_.kept;
     if (full && candidate.objective < kept.back().objective) return;
     const BoxSize& size = candidate.contender->track->size;
@@ -180,15 +187,15 @@ class Search {
     candidate.off_road = ground_.offRoadShare(points_, arrival, size);
     candidate.steering = fastestSteering(points_, arrival, limits_);
     candidate.objective -= search_.off_road_weight * candidate.off_road +
-                           search_.effort_weight * effort(points_, arrival, limits_) +
+                           kEffortWeight * effort(points_, arrival, limits_) +
                            search_.steering_weight * beyond(candidate.steering);
-    if (input_.request.crash.believable) candidate.objective -= beyondBelief(candidate);
+    if (input_.request.crash.believable) candidate.objective -= roadUsePenalty(candidate);
     kept.insert(std::upper_bound(kept.begin(), kept.end(), candidate, better), candidate);
     if (static_cast<int>(kept.size()) > search_.kept) kept.pop_back();
   }
 
-  /// What the use of the road costs; says, too, whether it is a driver's, and the crash as named.
-  double beyondBelief(Candidate& candidate) {
+  /// Returns the penalty for the candidate's road use; sets is_as_asked.
+  double roadUsePenalty(Candidate& candidate) {
     const BelievabilityOptions& believability = options_.verification.believability;
     const Track& track = *candidate.contender->track;
     const LaneIndex& lanes = drivenLanes(input_.request, input_.lanes);
@@ -197,27 +204,26 @@ class Search {
     candidate.is_as_asked =
         whyUnbelievable(road, points_, track.size, lanes, believability).empty() &&
         (candidate.score.share == 0.0 || how_asked_.holds(track, points_, candidate.score.met));
-    return options_.route.off_lane_weight * (1.0 - road.on_lane) +
-           options_.route.wrong_way_weight * road.wrong_way +
-           (candidate.is_as_asked ? 0.0 : kNotAsAsked);
+    return kOffLaneWeight * (1.0 - road.on_lane) + kWrongWayWeight * road.wrong_way +
+           (candidate.is_as_asked ? 0.0 : kConstraintPenalty);
   }
 
-  /// Compares the contact with the aim. What that counts: nothing within the pattern's tolerance, 1
-  /// by far, or without a contact.
+  /// Compares the contact with the pattern. Returns 0 within the pattern's tolerance, towards 1 far
+  /// away, 1 without a contact.
   double missCost(Candidate& candidate) const {
     if (candidate.score.share == 0.0) return 1.0;
     candidate.miss = missBetween(candidate.aim->pattern->attacker_offset, candidate.score.contact);
     const double miss = beyondTolerance(candidate);
-    return miss / (miss + search_.near_pattern);
+    return miss / (miss + kNearPattern);
   }
 
   double beyondTolerance(const Candidate& candidate) const {
     return candidate.aim->missedBy(candidate.miss, candidate.contender->track->size, input_.exact);
   }
 
-  /// What steering counts: nothing while quick_steering is not exceeded, 1 when it is by far.
+  /// Returns the penalty for steering: 0 up to the configured rate, towards 1 far above it.
   double beyond(double steering) const {
-    return 1.0 - search_.quick_steering / std::max(search_.quick_steering, steering);
+    return 1.0 - kQuickSteering / std::max(kQuickSteering, steering);
   }
 
   static bool better(const Candidate& a, const Candidate& b) { return a.objective > b.objective; }
@@ -235,13 +241,13 @@ class Search {
       return !kept.empty() && kept.front().score.share >= search_.good_share &&
              kept.front().off_road <= search_.good_off_road &&
              kept.front().steering <= search_.good_steering && kept.front().is_as_asked &&
-             (input_.exact ? isExact(kept.front().miss, search_)
-                           : beyondTolerance(kept.front()) <= search_.exact_distance);
+             (input_.exact ? isExact(kept.front().miss)
+                           : beyondTolerance(kept.front()) <= kExactDistance);
     };
     return good(quintics_) || good(bicycles_);
   }
 
-  /// Moves away from the kept candidates, better ones more often.
+  /// Perturbs the kept candidates, better ones more often.
   void perturb(const std::vector<Candidate>& kept, int count, double scale) {
     const std::vector<Candidate> parents = kept;
     if (parents.empty()) return;
@@ -249,7 +255,7 @@ class Search {
       const std::size_t rank =
           std::min(random_.index(parents.size()), random_.index(parents.size()));
       Candidate candidate = parents[rank];
-      if (candidate.family) {
+      if (candidate.is_quintic) {
         sampler_.move(candidate.aimed, scale);
       } else {
         moveKnots(candidate.knots, scale);
@@ -263,18 +269,19 @@ class Search {
     for (double& knot : knots.curvature) knot += random_.bell(0.02 * scale);
   }
 
-  /// Moves the aims of the best candidates by what their contacts miss the patterns by.
-  void homeIn() {
+  /// Shifts the aims of the best candidates by the error of their contacts.
+  void correctContacts() {
     std::vector<Candidate> parents = best();
     parents.resize(std::min(parents.size(), static_cast<std::size_t>(search_.homed)));
     for (Candidate& candidate : parents) {
       for (int i = 0; i < search_.corrections && candidate.score.share > 0.0; ++i) {
         const Pose2& wanted = candidate.aim->touching;
         const Pose2& met = candidate.score.contact;
-        if (cornerMiss(missBetween(wanted, met), candidate.contender->track->size) < kHome) break;
+        if (cornerMiss(missBetween(wanted, met), candidate.contender->track->size) < kOnPattern)
+          break;
         sampler_.shift(candidate.aimed,
                        {wanted.x - met.x, wanted.y - met.y, angleBetween(met.yaw, wanted.yaw)});
-        if (candidate.family || solve(candidate)) consider(candidate);
+        if (candidate.is_quintic || solve(candidate)) consider(candidate);
       }
     }
   }
@@ -286,7 +293,7 @@ class Search {
     return knots.has_value();
   }
 
-  /// Steers the bicycle to arrivals of every attacker in turn.
+  /// Steers the bicycle to arrivals, cycling through the attackers.
   void steerToArrivals() {
     std::vector<const Contender*> reachable;
     for (const auto& contender : contenders_) {
@@ -305,18 +312,17 @@ class Search {
     }
   }
 
-  /// Steers every attacker's bicycle to the future of its best pattern, wherever and however it may
-  /// touch.
-  void steerAnyhow() {
+  /// Steers each attacker's bicycle to the ego in the future of its best pattern, with any contact
+  /// of the type.
+  void steerToContact() {
     const double end = sampler_.latest();
-    const SteeringOptions& steering = options_.steering;
     SteeringAim aim;
     aim.ego_size = input_.snapshot.ego.size;
     aim.band = input_.request.bands();
     aim.first_in_time = sampler_.earliest();
     aim.last_in_time = end;
-    aim.depth = search_.depth;
-    const int steps = static_cast<int>(std::ceil(end / steering.step));
+    aim.depth = kContactDepth;
+    const int steps = static_cast<int>(std::ceil(end / SteeringSearch::kStep));
     std::vector<std::pair<const Contender*, SteeringSearch>> searches;
     for (const auto& contender : contenders_) {
       if (!sampler_.canReach(*contender)) continue;
@@ -325,12 +331,11 @@ class Search {
         aim.ego.push_back(sampler_.egoAt(contender->aims.front().ego, end * i / steps));
       }
       aim.attacker_size = contender->track->size;
-      searches.emplace_back(contender.get(),
-                            SteeringSearch(contender->start, aim, limits_, steering));
+      searches.emplace_back(contender.get(), SteeringSearch(contender->start, aim, limits_));
     }
-    for (int round = 0; round < steering.rounds && !isGood(); ++round) {
+    for (int round = 0; round < search_.steering_rounds && !isGood(); ++round) {
       for (auto& [contender, search] : searches) {
-        if (round >= steering.patience && search.shortfall() > steering.hopeless) continue;
+        if (round >= kPatience && search.shortfall() > kHopeless) continue;
         Candidate candidate = candidateFor(*contender, contender->aims.front());
         candidate.aimed.ego = candidate.aim->ego;
         candidate.aimed.arrival.time = candidate.aimed.contact = end;

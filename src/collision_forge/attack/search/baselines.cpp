@@ -13,7 +13,7 @@
 namespace forge {
 namespace {
 
-/// Where the set puts an attacker of the type, in the frame of the ego's box.
+/// Returns where COLLIDE places an attacker of the type, in the ego box's frame.
 Pose2 nominalOffset(CollisionType type, bool from_left, const NominalOptions& options) {
   const double side = from_left ? 1.0 : -1.0;
   const double turn = options.lane_change_heading;
@@ -32,7 +32,7 @@ Pose2 nominalOffset(CollisionType type, bool from_left, const NominalOptions& op
   return {0.0, side * options.side_distance, -side * M_PI_2};
 }
 
-/// The ego's pose at the time asked for.
+/// Returns the ego's pose at the requested time.
 Pose2 egoAtImpact(const Snapshot& snapshot, const Future* recorded, const CollisionRequest& request,
                   const AttackOptions& options) {
   if (recorded) {
@@ -48,7 +48,7 @@ const Future* recordedOf(const Moment& moment) {
   return moment.recorded ? &*moment.recorded : nullptr;
 }
 
-/// One quintic on each axis, then straight on.
+/// Drives one quintic per axis to `pose`, then straight on.
 AttackerTrajectory drivenTo(const Pose2& pose, const EndMotion& end, double tta,
                             const Track& attacker, const Motion& motion, double now,
                             const SearchOptions& search) {
@@ -60,7 +60,7 @@ AttackerTrajectory drivenTo(const Pose2& pose, const EndMotion& end, double tta,
   arrival.end_acceleration = end.acceleration;
   const int steps = static_cast<int>(std::lround((tta + search.tail) / search.step));
   AttackerTrajectory trajectory{attacker.id, attacker.agent_class, attacker.size, {}};
-  QuinticFamily().drive({motion, now, search.step, steps + 1}, arrival, trajectory.points);
+  driveQuintic({motion, now, search.step, steps + 1}, arrival, trajectory.points);
   return trajectory;
 }
 

@@ -8,10 +8,20 @@
 namespace forge {
 namespace {
 
-constexpr int kKnots = SteeringKnots::kCount;  // of acceleration, and as many of curvature
+constexpr int kIterations = 12;        // of damped least squares, at most
+constexpr double kConvergence = 0.02;  // share of the cost; smaller gains end the iterations
+constexpr double kTurnHeading = 0.8;   // rad to the arrival's heading: a tight turn is tried, too
+// Deviations that have the same weight in least squares:
+constexpr double kPositionScale = 0.1;       // m
+constexpr double kHeadingScale = 0.03;       // rad
+constexpr double kSpeedScale = 3.0;          // m/s
+constexpr double kAccelerationScale = 40.0;  // m/s2 at a knot
+constexpr double kCurvatureScale = 1.0;      // 1/m at a knot
+
+constexpr int kKnots = SteeringKnots::kCount;  // of acceleration, and the same number of curvature
 constexpr int kUnknowns = 2 * kKnots;
 using Knots = Eigen::Matrix<double, kUnknowns, 1>;
-/// A number with its derivatives by all knots.
+/// A number with its derivatives with respect to all knots.
 using Sensitive = Eigen::AutoDiffScalar<Knots>;
 
 /// The bicycle's state, with derivatives or without.
@@ -25,7 +35,7 @@ Scalar bounded(const Scalar& value, const Scalar& low, const Scalar& high) {
   return value < low ? low : value > high ? high : value;
 }
 
-/// The bicycle's motion for some knots, held to the limits.
+/// The bicycle's motion for given knots, clamped to the limits.
 template <typename Scalar>
 class Rollout {
  public:
@@ -43,7 +53,8 @@ class Rollout {
               Scalar(0.0)};
   }
 
-  /// The state after `i` steps, with what it is steered by from then on. In the order of `i`.
+  /// Returns the state after `i` steps with its controls from then on. Must be called with
+  /// ascending `i`.
   const State<Scalar>& steered(int i) {
     control(i * step_);
     return state_;
@@ -62,7 +73,7 @@ class Rollout {
                                    Scalar(limits_.max_speed));
   }
 
-  /// The state when the steering ends.
+  /// Returns the state at the end of the steering.
   State<Scalar> end() {
     const int steps = static_cast<int>(std::ceil(duration_ / step_));
     for (int i = 0; i < steps; ++i) {
@@ -74,7 +85,7 @@ class Rollout {
   }
 
  private:
-  /// Value of the knots from `first` on, evenly spread over the steering.
+  /// Interpolates the knots from index `first` on, evenly spaced over the steering.
   Scalar between(int first, double ratio) const {
     const double place = std::clamp(ratio, 0.0, 1.0) * (kKnots - 1);
     const int i = std::min(static_cast<int>(place), kKnots - 2);
@@ -95,7 +106,7 @@ class Rollout {
     const double total = limits_.max_total_acceleration * limits_.max_total_acceleration;
     const Scalar spare = total - state_.acceleration * state_.acceleration;
     const Scalar across = spare > Scalar(kTiny) ? Scalar(sqrt(spare)) : Scalar(0.0);
-    // The friction circle has to hold at the end of the step, too.
+    // The friction circle must also hold at the end of the step.
     const Scalar faster = state_.speed + state_.acceleration * step_;
     const Scalar speed = faster > state_.speed ? faster : state_.speed;
     Scalar bound(limits_.max_curvature);
@@ -103,7 +114,7 @@ class Rollout {
     state_.curvature = bounded<Scalar>(between(kKnots, ratio), -bound, bound);
   }
 
-  static constexpr double kTiny = 1e-9;  // square roots of less have no derivative
+  static constexpr double kTiny = 1e-9;  // square roots below have no finite derivative
 
   double duration_;
   double step_;
@@ -112,7 +123,8 @@ class Rollout {
   State<Scalar> state_;
 };
 
-/// Knots of a constant acceleration that covers the straight distance, bent to the arc there.
+/// Initial guess: constant acceleration over the straight distance, and the curvature of an arc to
+/// the arrival.
 Knots alongAnArc(const DriveStart& start, const Arrival& arrival, const VehicleLimits& limits) {
   const Pose2 local = relativeTo(start.motion.pose, arrival.pose);
   const double reach = local.position().norm();
@@ -126,10 +138,10 @@ Knots alongAnArc(const DriveStart& start, const Arrival& arrival, const VehicleL
   return knots;
 }
 
-/// Knots of a change to the speed at which a tight turn can be driven, then that turn.
+/// Initial guess: change to a speed at which a tight turn is possible, then turn.
 Knots aroundATurn(const DriveStart& start, const Arrival& arrival, const VehicleLimits& limits,
                   double side) {
-  constexpr double kShare = 0.8;  // of the tightest turn and its speed
+  constexpr double kShare = 0.8;  // share of the maximum curvature and of its speed
   const double speed = kShare * std::sqrt(limits.max_total_acceleration / limits.max_curvature);
   const double change = (speed - start.motion.speed) / (0.4 * arrival.time);
   Knots knots = Knots::Zero();
@@ -139,44 +151,42 @@ Knots aroundATurn(const DriveStart& start, const Arrival& arrival, const Vehicle
   return knots;
 }
 
-/// Least squares for one arrival.
+/// Least-squares problem for one arrival.
 class Problem {
  public:
-  Problem(const DriveStart& start, const Arrival& arrival, const VehicleLimits& limits,
-          const BicycleOptions& options)
-      : start_(start), arrival_(arrival), limits_(limits), options_(options) {}
+  Problem(const DriveStart& start, const Arrival& arrival, const VehicleLimits& limits)
+      : start_(start), arrival_(arrival), limits_(limits) {}
 
-  /// From a first guess; empty when the arrival stays too far away.
+  /// Solves from an initial guess; empty if the arrival stays too far away.
   std::optional<Knots> solve(Knots knots) const {
     Residuals residuals = residualsAt(knots);
     double cost = residuals.squaredNorm();
     double damping = kFirstDamping;
     bool going_on = true;
-    for (int i = 0; i < options_.iterations && going_on; ++i) {
+    for (int i = 0; i < kIterations && going_on; ++i) {
       const double before = cost;
-      going_on =
-          step(knots, residuals, cost, damping) && before - cost >= options_.convergence * before;
+      going_on = step(knots, residuals, cost, damping) && before - cost >= kConvergence * before;
     }
-    const double miss = residuals.head<2>().norm() * options_.position_scale;
-    return miss <= options_.max_miss ? std::make_optional(knots) : std::nullopt;
+    const double miss = residuals.head<2>().norm() * kPositionScale;
+    return miss <= BicycleFamily::kMaxMiss ? std::make_optional(knots) : std::nullopt;
   }
 
  private:
-  static constexpr int kReached = 4;  // residuals of where the steering ends; then one a knot
+  static constexpr int kReached = 4;  // residuals of the end state, followed by one per knot
   using Residuals = Eigen::Matrix<double, kReached + kUnknowns, 1>;
   using Jacobian = Eigen::Matrix<double, kReached + kUnknowns, kUnknowns>;
   static constexpr double kFirstDamping = 1e-2;
-  static constexpr int kDampings = 3;  // tried a step
+  static constexpr int kDampings = 3;  // tried per step
 
   Residuals residualsAt(const Knots& knots) const {
     const auto end = Rollout<double>(start_, arrival_.time, limits_, knots).end();
     Residuals residuals;
-    residuals[0] = (end.x - arrival_.pose.x) / options_.position_scale;
-    residuals[1] = (end.y - arrival_.pose.y) / options_.position_scale;
-    residuals[2] = angleBetween(arrival_.pose.yaw, end.yaw) / options_.heading_scale;
-    residuals[3] = (end.speed - arrival_.speed) / options_.speed_scale;
-    residuals.segment<kKnots>(kReached) = knots.head<kKnots>() / options_.acceleration_scale;
-    residuals.tail<kKnots>() = knots.tail<kKnots>() / options_.curvature_scale;
+    residuals[0] = (end.x - arrival_.pose.x) / kPositionScale;
+    residuals[1] = (end.y - arrival_.pose.y) / kPositionScale;
+    residuals[2] = angleBetween(arrival_.pose.yaw, end.yaw) / kHeadingScale;
+    residuals[3] = (end.speed - arrival_.speed) / kSpeedScale;
+    residuals.segment<kKnots>(kReached) = knots.head<kKnots>() / kAccelerationScale;
+    residuals.tail<kKnots>() = knots.tail<kKnots>() / kCurvatureScale;
     return residuals;
   }
 
@@ -185,17 +195,17 @@ class Problem {
     for (int i = 0; i < kUnknowns; ++i) sensitive[i] = Sensitive(knots[i], kUnknowns, i);
     const auto end = Rollout<Sensitive>(start_, arrival_.time, limits_, sensitive).end();
     Jacobian jacobian = Jacobian::Zero();
-    jacobian.row(0) = end.x.derivatives() / options_.position_scale;
-    jacobian.row(1) = end.y.derivatives() / options_.position_scale;
-    jacobian.row(2) = end.yaw.derivatives() / options_.heading_scale;
-    jacobian.row(3) = end.speed.derivatives() / options_.speed_scale;
+    jacobian.row(0) = end.x.derivatives() / kPositionScale;
+    jacobian.row(1) = end.y.derivatives() / kPositionScale;
+    jacobian.row(2) = end.yaw.derivatives() / kHeadingScale;
+    jacobian.row(3) = end.speed.derivatives() / kSpeedScale;
     auto own = jacobian.bottomRows<kUnknowns>().diagonal();
-    own.head<kKnots>().setConstant(1.0 / options_.acceleration_scale);
-    own.tail<kKnots>().setConstant(1.0 / options_.curvature_scale);
+    own.head<kKnots>().setConstant(1.0 / kAccelerationScale);
+    own.tail<kKnots>().setConstant(1.0 / kCurvatureScale);
     return jacobian;
   }
 
-  /// One damped step; false when none of the dampings gains anything.
+  /// Takes one damped step; returns false if no damping reduces the cost.
   bool step(Knots& knots, Residuals& residuals, double& cost, double& damping) const {
     const Jacobian jacobian = jacobianAt(knots);
     const Eigen::Matrix<double, kUnknowns, kUnknowns> normal = jacobian.transpose() * jacobian;
@@ -221,17 +231,9 @@ class Problem {
   const DriveStart& start_;
   const Arrival& arrival_;
   const VehicleLimits& limits_;
-  const BicycleOptions& options_;
 };
 
 }  // namespace
-
-bool BicycleFamily::drive(const DriveStart& start, const Arrival& arrival,
-                          std::vector<TrajectoryPoint>& points) const {
-  const auto knots = solve(start, arrival);
-  if (knots) roll(start, *knots, arrival.time, points);
-  return knots.has_value();
-}
 
 void BicycleFamily::roll(const DriveStart& start, const SteeringKnots& steering, double duration,
                          std::vector<TrajectoryPoint>& points) const {
@@ -255,14 +257,14 @@ void BicycleFamily::roll(const DriveStart& start, const SteeringKnots& steering,
 
 std::optional<SteeringKnots> BicycleFamily::solve(const DriveStart& start,
                                                   const Arrival& arrival) const {
-  const Problem problem(start, arrival, limits_, options_);
+  const Problem problem(start, arrival, limits_);
   const Pose2 local = relativeTo(start.motion.pose, arrival.pose);
   std::optional<Knots> knots = problem.solve(alongAnArc(start, arrival, limits_));
-  // Least squares finds no way around: where the arc leads nowhere, a tight turn to the side where
-  // the arrival lies is tried, then one to the other.
+  // Least squares finds no way around an obstacle in the cost: if the arc fails, try a tight turn
+  // to the arrival's side, then to the other.
   const double side = local.y >= 0.0 ? 1.0 : -1.0;
   for (const double turn : {side, -side}) {
-    if (knots || std::abs(local.yaw) < options_.turn_heading) break;
+    if (knots || std::abs(local.yaw) < kTurnHeading) break;
     knots = problem.solve(aroundATurn(start, arrival, limits_, turn));
   }
   if (!knots) return std::nullopt;

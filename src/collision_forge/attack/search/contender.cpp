@@ -11,48 +11,46 @@
 namespace forge {
 namespace {
 
-constexpr double kBeyondReach = 10.0;  // m that ways go on beyond what can be driven
+constexpr int kBranches = 8;           // paths ahead of a lane that are examined
+constexpr double kBeyondReach = 10.0;  // m of path beyond the reachable distance
 
-/// The ways along lanes that come near one of the ego's places around the time asked for.
+/// Adds the paths along lanes that come near one of the ego's predicted positions at the contact.
 void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& options) {
-  const RouteDriverOptions& route = options.route;
   const PredictionOptions& prediction = options.prediction;
   const double tta = input.request.tta;
   const DriveState& now = entry.drive_start;
-  SpeedVariation variation = variationOf(entry.track->id, input.request.seed, route);
+  SpeedVariation variation = variationOf(entry.track->id, input.request.seed);
   if (input.underway != nullptr && !input.underway->driven.empty()) {
     const double since = input.snapshot.now - input.underway->driven.front().time;
     variation.phase += variation.frequency() * since;
   }
   if (const auto way = input.ways.find(entry.track->id); way != input.ways.end()) {
-    entry.routes.emplace_back(way->second, now, entry.driver->limits(), route, variation);
+    entry.routes.emplace_back(way->second, now, entry.driver->limits(), variation);
     return;
   }
   if (input.underway != nullptr) {
-    entry.routes.emplace_back(input.underway->way, now, entry.driver->limits(), route, variation);
+    entry.routes.emplace_back(input.underway->way, now, entry.driver->limits(), variation);
   }
-  const double reach = now.speed * tta + 0.5 * route.styles.back().forward * tta * tta;
+  const double reach = now.speed * tta + 0.5 * kDrivingStyles.back().forward * tta * tta;
   const auto nearEgo = [&](const Polyline& way) {
     return std::any_of(input.egos.begin(), input.egos.end(), [&](const Track* ego) {
       const auto state = stateAt(*ego, input.snapshot.now + tta).value_or(ego->states.back());
-      return way.project(state.pose.position()).distance < route.reach;
+      return way.project(state.pose.position()).distance < kRouteReach;
     });
   };
   const Pose2& pose = entry.track->states.back().pose;
   const LaneIndex& lanes = drivenLanes(input.request, input.lanes);
-  // Who stands beside a lane may pull out into it.
-  const double aside = now.speed > 0.0
-                           ? prediction.on_lane_distance
-                           : std::max(prediction.on_lane_distance, route.parking_distance);
+  // A vehicle that stands beside a lane may pull out into it.
+  const double aside = now.speed > 0.0 ? prediction.on_lane_distance
+                                       : std::max(prediction.on_lane_distance, kParkingDistance);
   for (const LaneMatch& match : lanes.lanesNear(pose, aside, prediction.on_lane_heading)) {
     for (const LanePath& path :
          lanes.pathsAhead(match.lane, match.projection.arc_length, reach + kBeyondReach,
-                          static_cast<std::size_t>(route.branches))) {
-      if (static_cast<int>(entry.routes.size()) >= route.ways) return;
+                          static_cast<std::size_t>(kBranches))) {
+      if (static_cast<int>(entry.routes.size()) >= options.route.ways) return;
       const Polyline way(path.points);
       if (nearEgo(way)) {
-        entry.routes.emplace_back(ReferencePath(way), now, entry.driver->limits(), route,
-                                  variation);
+        entry.routes.emplace_back(ReferencePath(way), now, entry.driver->limits(), variation);
       }
     }
   }
@@ -69,33 +67,18 @@ std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& in
   Motion& motion = entry->start.motion;
   motion.speed = std::clamp(motion.speed, 0.0, limits.max_speed);
   if (motion.speed < prediction.standstill_speed) motion.acceleration = 0.0;
-  const double tta = input.request.tta;
-  const double reach =
-      tta * std::min(limits.max_speed, motion.speed + 0.5 * limits.max_forward_acceleration * tta);
   const CrashDefinition& crash = input.request.crash;
   if (crash.limits == LimitSet::kDrivable || crash.believable || input.underway != nullptr) {
     entry->limits = driveLimitsOf(agent, options.verification);
-    entry->driver.emplace(entry->limits, options.route.limit_share, options.route.preview,
-                          options.search.step);
+    entry->driver.emplace(entry->limits, kLimitShare, kPreview, options.search.step);
     entry->drive_start = input.underway != nullptr ? input.underway->state
                                                    : driveStateNow(agent, options.verification);
   }
-  if (input.isByRoutes()) {
-    addRoutes(*entry, input, options);
-    return entry;
-  }
-  entry->paths =
-      pathsAhead(drivenLanes(input.request, input.lanes), agent.states.back().pose,
-                 reach + kBeyondReach, prediction.on_lane_distance, prediction.on_lane_heading,
-                 static_cast<std::size_t>(options.search.lane_paths));
-  entry->quintics.push_back(std::make_unique<QuinticFamily>());
-  for (const ReferencePath& path : entry->paths) {
-    entry->quintics.push_back(std::make_unique<QuinticFamily>(path));
-  }
+  if (input.isByRoutes()) addRoutes(*entry, input, options);
   return entry;
 }
 
-/// The future in which the ego comes nearest to the pattern's box at the pattern's time.
+/// Returns the future in which the ego is nearest to the pattern's box at the pattern's time.
 std::size_t nearestFuture(const std::vector<const Track*>& egos, const CollisionPattern& pattern) {
   const auto apart = [&](const Track* ego) {
     const Pose2 pose = stateAt(*ego, pattern.time).value_or(ego->states.back()).pose;
@@ -137,7 +120,7 @@ std::vector<std::unique_ptr<Contender>> contendersOf(const SearchInput& input,
       contenders.push_back(contenderOf(*agent, input, options, limits, points));
       entry = std::prev(contenders.end());
     }
-    // Most patterns have the same ego.
+    // Most patterns share one ego pose.
     if (!aim.pattern || !haveOneEgo(*aim.pattern, pattern)) {
       aim.ego = nearestFuture(input.egos, pattern);
     }

@@ -9,39 +9,36 @@
 #include "collision_forge/attack/search/search_task.h"
 #include "collision_forge/attack/search/track_driver.h"
 #include "collision_forge/attack/search/trajectory_family.h"
-#include "collision_forge/base/map/reference_path.h"
 
 namespace forge {
 
-/// A pattern that is aimed at.
+/// A target of the search: one collision pattern.
 struct Aim {
   const CollisionPattern* pattern = nullptr;
-  std::size_t ego = 0;  ///< the future whose pose at the pattern's time is nearest to its ego's box
+  std::size_t ego = 0;  ///< index of the future nearest to the pattern's ego pose
   Pose2 touching;       ///< the pattern's offset, moved so that the boxes just touch
 
-  /// How far a corner of the attacker is from the pattern beyond what the pattern allows for, m;
-  /// `exact`: it allows for nothing.
+  /// Returns how far (m) a corner of the attacker is from the pattern beyond the pattern's
+  /// tolerance; with `exact`, without tolerance.
   double missedBy(const PatternMiss& miss, const BoxSize& attacker, bool exact) const {
     return std::max(0.0, cornerMiss(miss, attacker) - (exact ? 0.0 : pattern->tolerance));
   }
 };
 
-/// One vehicle that may attack, and the ways it may drive.
+/// A candidate attacker and the motions that it could drive.
 struct Contender {
   const Track* track = nullptr;
-  std::vector<Aim> aims;  ///< its patterns, the most promising first
+  std::vector<Aim> aims;  ///< its patterns, most promising first
   DriveStart start;
   DriveLimits limits;      ///< of its class
-  DriveState drive_start;  ///< the same as a single track, where it drives by its class
-  /// Within the limits of its class; empty where any motion within the strict limits will do.
+  DriveState drive_start;  ///< single-track state at t0, if it keeps its class's limits
+  /// Keeps the class's limits; empty if only the strict limits apply.
   std::optional<TrackDriver> driver;
-  std::vector<ReferencePath> paths;                         ///< along lanes
-  std::vector<std::unique_ptr<TrajectoryFamily>> quintics;  ///< free, then one a path
-  std::vector<RouteDriver> routes;  ///< in place of paths and quintics, if it is to be believable
+  std::vector<RouteDriver> routes;  ///< paths that it may follow, in a search by routes
 };
 
-/// The vehicles of the patterns, the most promising first and at most SearchOptions::max_attackers.
-/// `points` are asked of their motions. Snapshot and patterns must outlive them.
+/// Returns the attackers of the patterns, most promising first, up to the configured maximum.
+/// `points`: number of points of their motions. `input` and `options` must outlive them.
 std::vector<std::unique_ptr<Contender>> contendersOf(const SearchInput& input,
                                                      const AttackOptions& options,
                                                      const VehicleLimits& limits, int points);

@@ -14,7 +14,8 @@ const Track& trackOf(const Snapshot& snapshot, const std::string& id) {
   const auto& agents = snapshot.agents;
   const auto found = std::find_if(agents.begin(), agents.end(),
                                   [&](const Track& track) { return track.id == id; });
-  if (found == agents.end()) throw std::invalid_argument("no track \"" + id + "\" in the snapshot");
+  if (found == agents.end())
+    throw std::invalid_argument("agent \"" + id + "\" is not in the snapshot");
   return *found;
 }
 
@@ -69,8 +70,9 @@ Realization bestOfCandidates(const Moment& moment, const CollisionRequest& reque
     if (!best || rank(answer) > rank(*best)) best = std::move(answer);
   }
   if (best) return std::move(*best);
-  return declined({StatusCode::kNoCandidate,
-                   "no vehicle within candidate_radius, seen now and in the frame before"});
+  return declined(
+      {StatusCode::kNoCandidate,
+       "no vehicle within candidate_radius was observed at t0 and in the frame before"});
 }
 
 }  // namespace forge

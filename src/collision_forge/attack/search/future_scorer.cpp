@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-constexpr std::size_t kLanes = 8;  // entries of a row come in multiples of this
+constexpr std::size_t kLanes = 8;  // SIMD width: row lengths are multiples of it
 constexpr double kWatched =
     6.0;  // m, centre circles further apart are passed over; boxes close in less a step
 constexpr float kFar = 1e9F;
@@ -16,14 +16,14 @@ constexpr double kCloseGap = 2.0;       // m; a miss by this much is worth 1/e o
 constexpr double kCloseHeading = 0.26;  // rad (15 degrees); the same for the heading
 constexpr double kCloseTime = 0.5;      // s; the same for the time
 
-/// A pose of one box, or of as many as the arrays are long.
+/// A box pose, or arrays of poses.
 template <typename Value>
 struct Placed {
   Value x, y, cosine, sine;
 };
 
-/// How far the boxes are apart along the axis that separates them best, or below zero how deep they
-/// overlap, m; the least is returned. `count` is a multiple of kLanes.
+/// Writes the separation (m) of the boxes along their best separating axis, negative: overlap
+/// depth; returns the smallest. `count` is a multiple of kLanes.
 FORGE_WIDE_VECTORS float boxGaps(const Placed<float>& a, const BoxSize& size,
                                  const BoxSize& ego_size, const Placed<const float*>& egos,
                                  std::size_t count, float* gaps) {
@@ -60,12 +60,12 @@ FORGE_WIDE_VECTORS float boxGaps(const Placed<float>& a, const BoxSize& size,
 
 }  // namespace
 
-/// What happened in one future.
+/// Result in one future.
 struct FutureScorer::Outcome {
-  double contact = -1.0;  // first contact, in steps; below 0: none
-  bool deep = false;      // the boxes came to overlap by more than a touch
-  float gap = 1e9F;       // m, smallest while contact would be on time
-  double heading = 0.0;   // rad, the attacker's seen from the ego, at contact
+  double contact = -1.0;  // first contact, in steps; negative: none
+  bool deep = false;      // the boxes overlap by more than the margin
+  float gap = 1e9F;       // m, smallest during the allowed contact times
+  double heading = 0.0;   // rad, attacker relative to the ego at contact
   bool hit = false;       // all conditions hold
 };
 
@@ -86,9 +86,8 @@ FutureScorer::FutureScorer(const std::vector<const Track*>& egos, const std::vec
   steps_ = static_cast<int>(std::floor((request.tta + tolerance) / search.step)) + 1;
   first_in_time_ = (request.tta - tolerance + search.time_margin) / search.step;
   last_in_time_ = (request.tta + tolerance - search.time_margin) / search.step;
-  band_.min_heading = band_.min_heading > 0.0 ? band_.min_heading + search.heading_margin : 0.0;
-  band_.max_heading =
-      band_.max_heading < M_PI - 1e-3 ? band_.max_heading - search.heading_margin : M_PI;
+  band_.min_heading = band_.min_heading > 0.0 ? band_.min_heading + kHeadingMargin : 0.0;
+  band_.max_heading = band_.max_heading < M_PI - 1e-3 ? band_.max_heading - kHeadingMargin : M_PI;
 
   origin_ = {egos.front()->states.front().pose.x, egos.front()->states.front().pose.y, 0.0};
   const std::size_t size = padded_ * static_cast<std::size_t>(steps_);
@@ -146,7 +145,7 @@ Pose2 FutureScorer::egoAt(std::size_t step, std::size_t future) const {
   return {x_[i], y_[i], yaw_[i]};
 }
 
-/// Both poses, the ego's in one future, between two steps.
+/// Poses of both vehicles at a contact in one future, interpolated between steps.
 struct FutureScorer::Met {
   Pose2 ego;
   Pose2 attacker;
@@ -181,7 +180,7 @@ int FutureScorer::firstOther(const Track& attacker, const std::vector<Trajectory
       const double dx = point.x - origin_.x - pose.x;
       const double dy = point.y - origin_.y - pose.y;
       if (dx * dx + dy * dy > reach * reach) continue;
-      // Whole boxes, and a hand's breadth more: nobody is to be brushed.
+      // Uses the whole boxes plus a margin.
       if (overlaps(shrunk({local(point), attacker.size}, -overlap_margin_), {pose, other.size})) {
         first = step;
         break;
@@ -228,7 +227,7 @@ void FutureScorer::evaluate(const Track& attacker, const std::vector<TrajectoryP
         --open;
       }
       if (outcome.contact >= 0.0) continue;
-      // They met between the step before and this one.
+      // The contact lies between the previous step and this one.
       const float before = gaps_before[i];
       const double ratio = step == 0 ? 0.0 : before / (before - gaps[i]);
       outcome.contact = std::max(0.0, step - 1.0 + ratio);
@@ -248,12 +247,12 @@ void FutureScorer::evaluate(const Track& attacker, const std::vector<TrajectoryP
     if (outcome.hit) last = std::max(last, outcome.contact);
   }
   if (last < 0.0) return;
-  // Somebody else counts who is touched before the last of the hits.
+  // Other agents count if touched before the last of the hits.
   const int other = firstOther(attacker, points, std::min(steps_, static_cast<int>(last) + 1));
   for (Outcome& outcome : outcomes) outcome.hit = outcome.hit && outcome.contact < other;
 }
 
-/// The future whose contact is told; there has to be one that is hit.
+/// Returns the future whose contact is reported; at least one must be hit.
 std::size_t FutureScorer::metIn(const std::vector<Outcome>& outcomes, std::size_t preferred) {
   if (outcomes[preferred].hit) return preferred;
   auto left = std::count_if(outcomes.begin(), outcomes.end(), [](const auto& o) { return o.hit; });

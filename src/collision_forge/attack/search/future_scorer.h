@@ -10,39 +10,40 @@
 
 namespace forge {
 
-/// How one motion of an attacker fares against the sampled futures of the ego.
+/// rad (0.5 degrees) kept to either end of the band of headings of the type.
+inline constexpr double kHeadingMargin = 0.0087;
+
+/// Score of one attacker motion over the sampled ego futures.
 struct FutureScore {
-  double share = 0.0;      ///< of the futures in which all conditions hold, [0, 1]
-  double closeness = 0.0;  ///< of the other futures, how near they came to it, mean, [0, 1]
+  double share = 0.0;      ///< share 0..1 of futures in which all conditions hold
+  double closeness = 0.0;  ///< mean closeness 0..1 of the others, over all futures
   // With a share above 0:
-  std::size_t met = 0;  ///< one of the futures in which all conditions hold, as index
-  Pose2 contact;        ///< the attacker seen from the ego at the contact there
+  std::size_t met = 0;  ///< index of a future in which all conditions hold
+  Pose2 contact;        ///< attacker in the ego box's frame at the contact there
 };
 
-/// Scores thousands of motions of attackers: the poses of all futures are laid out by time step.
-/// Contact is that of the whole boxes, looked for at the steps and told between them linearly; they
-/// have to come to overlap by twice SearchOptions::overlap_margin, and bands and times are narrowed
-/// by the other margins. What is exact is verify(). Limits are not looked at.
-/// Immutable.
+/// Scores thousands of attacker motions against all ego futures, whose poses are stored by time
+/// step. Tests boxes at every step and interpolates the contact time linearly. Stricter than the
+/// request by margins for overlap, heading and time, so that verify(), which is exact, agrees.
+/// Ignores vehicle limits. Immutable; usable from many threads at once.
 class FutureScorer {
  public:
-  /// `egos` are equally likely tracks from now on; where one ends before tta + time tolerance, it
-  /// stays there. `agents` may hold the attackers.
+  /// `egos`: equally likely tracks from `now` (t0, s) on, at least one; a track that ends early
+  /// stands at its end. `agents`: other agents, may include the attackers.
   FutureScorer(const std::vector<const Track*>& egos, const std::vector<Track>& agents,
                const CollisionRequest& request, double now, DrivingSide driving_side,
                const AttackOptions& options);
 
-  /// Motions need not be looked at longer than this: points from now to the end of the tolerance.
+  /// Number of points that a motion needs: from t0 to the end of the time tolerance.
   int steps() const { return steps_; }
 
-  /// `points` every SearchOptions::step from now, at least steps().
-  /// `met` is `preferred` if all conditions hold there, else the middle one of those in which they
-  /// do.
+  /// Scores a motion given as points at the search's time step from t0, at least steps(). `met` is
+  /// `preferred` if all conditions hold there, else the middle one of the hits.
   FutureScore score(const Track& attacker, const std::vector<TrajectoryPoint>& points,
                     std::size_t preferred = 0) const;
 
-  /// The futures in which all conditions hold, as indices into `egos`: `first` first if it is one
-  /// of them, then round from there.
+  /// Returns the indices of the futures in which all conditions hold, in cyclic order starting at
+  /// `first` if it is among them.
   std::vector<std::size_t> hits(const Track& attacker, const std::vector<TrajectoryPoint>& points,
                                 std::size_t first = 0) const;
 
@@ -51,32 +52,32 @@ class FutureScorer {
   static std::size_t metIn(const std::vector<Outcome>& outcomes, std::size_t preferred);
   void evaluate(const Track& attacker, const std::vector<TrajectoryPoint>& points,
                 std::vector<Outcome>& outcomes) const;
-  Pose2 local(const Pose2& pose) const;                     // seen from origin_'s position
-  Pose2 egoAt(std::size_t step, std::size_t future) const;  // local
+  Pose2 local(const Pose2& pose) const;                     // relative to origin_'s position
+  Pose2 egoAt(std::size_t step, std::size_t future) const;  // local frame
   struct Met;
   Met metAt(double contact, std::size_t future, const std::vector<TrajectoryPoint>& points) const;
   bool fitsType(double contact, std::size_t future, const Track& attacker,
                 const std::vector<TrajectoryPoint>& points) const;
-  /// The step before `first` at which somebody else is touched, or else `first`.
+  /// Returns the first step before `first` at which another agent is touched, else `first`.
   int firstOther(const Track& attacker, const std::vector<TrajectoryPoint>& points,
                  int first) const;
 
-  std::size_t count_ = 0;   // futures
-  std::size_t padded_ = 0;  // a row of the arrays below
+  std::size_t count_ = 0;   // number of futures
+  std::size_t padded_ = 0;  // row length of the arrays below
   int steps_ = 0;
   double step_ = 0.0;           // s
-  double first_in_time_ = 0.0;  // steps between which contact is on time
+  double first_in_time_ = 0.0;  // steps between which a contact is on time
   double last_in_time_ = 0.0;
-  // One row a step, one entry a future.
+  // [step][future]
   std::vector<float> x_, y_, yaw_, cosine_, sine_;
-  // One entry a step: a circle around all futures' positions.
+  // [step]: circle around the ego's positions in all futures
   std::vector<Vector2> middle_;
   std::vector<double> spread_;
-  // One vector of states (one a step) for each other agent that may be met.
+  // Another agent, one pose per step.
   struct Other {
     std::string id;
     BoxSize size;
-    int begin = 0;  // steps at which it is there
+    int begin = 0;  // first step at which it exists
     std::vector<Pose2> poses;
   };
   std::vector<Other> others_;

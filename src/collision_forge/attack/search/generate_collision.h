@@ -4,8 +4,9 @@
 
 namespace forge {
 
-/// The way from a request to its verified attacks: generateOne(), and where the request asks for
-/// more than one, findAlternatives().
+/// Returns the verified attack for a request, and further ones in `alternatives` if the request
+/// wants more than one: generateOne(), then findAlternatives(). Main entry point of the attack
+/// layer; runs on the caller's thread.
 Realization generateCollision(const AttackMethod& method, const Moment& moment,
                               const CollisionRequest& request, const PredictionOptions& options);
 

@@ -5,7 +5,7 @@
 namespace forge {
 namespace {
 
-/// How many of the box's places are where `is_there` says.
+/// Returns the number of placesOf() the box for which `is_there` is true.
 template <typename IsThere>
 int countPlaces(const Pose2& pose, const BoxSize& size, const IsThere& is_there) {
   const auto places = placesOf({pose, size});

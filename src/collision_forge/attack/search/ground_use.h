@@ -7,19 +7,19 @@
 
 namespace forge {
 
-/// What ground a motion uses, told by nine places of the box: quick, for searches. Immutable.
+/// Fast test of the ground under a motion at nine points of the box, for searches. Immutable.
 class GroundUse {
  public:
-  /// `lanes` must outlive it. `stride`: points from one that offRoadShare() looks at to the next.
+  /// `lanes` must outlive this object. offRoadShare() tests every `stride`-th point.
   GroundUse(const LaneIndex& lanes, int stride) : lanes_(lanes), stride_(stride) {}
 
-  /// Mean share of the box off the drivable area at the points up to and including the first at or
-  /// after `until`; 0 when the map has none.
+  /// Returns the mean share 0..1 of the box off the drivable area over the points up to and
+  /// including the first at or after `until` (s); 0 if the map has no drivable area.
   double offRoadShare(const std::vector<TrajectoryPoint>& points, double until,
                       const BoxSize& size) const;
 
-  /// True when more of the box comes to be on a walkway (and on no road) than is at the first
-  /// point.
+  /// Returns true if at some point more of the box is on a walkway (and off the road) than at the
+  /// first point.
   bool crossesKerb(const std::vector<TrajectoryPoint>& points, const BoxSize& size) const;
 
  private:

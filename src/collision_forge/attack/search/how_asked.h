@@ -10,29 +10,29 @@
 
 namespace forge {
 
-/// What an attack that is not as asked costs in a search, as a share of the futures: more than all
-/// else counts, so that the others go first.
-inline constexpr double kNotAsAsked = 2.0;
+/// Penalty in the search objective for an attack that violates the request's constraints, in units
+/// of the share of futures: larger than all other terms.
+inline constexpr double kConstraintPenalty = 2.0;
 
-/// Holds attacks against what a request says of the crash beside type, time and attacker
-/// (namesHow()).
+/// Tests attacks against the request's optional constraints: manoeuvre, side, impact speed, overlap
+/// (namesHow()). Not thread-safe.
 class HowAsked {
  public:
-  /// Both must outlive it.
+  /// `input` and `options` must outlive this object.
   HowAsked(const SearchInput& input, const AttackOptions& options);
 
-  /// The request says something.
+  /// Returns true if the request has such a constraint.
   bool isNamed() const { return is_named_; }
 
-  /// isAsAsked() in the future `ego` of SearchInput::egos; true where nothing is named. `points`:
-  /// of an attacker that is underway since it set out.
+  /// Returns isAsAsked() for the attack in the future with index `ego` of SearchInput::egos; always
+  /// true without constraints. For an attacker underway, `points` start at its first point.
   bool holds(const Track& attacker, const std::vector<TrajectoryPoint>& points, std::size_t ego);
 
  private:
   const SearchInput& input_;
   const VerificationOptions& options_;
   bool is_named_;
-  Future judged_;  // with one of the egos; of the others what they do
+  Future judged_;  // its ego is replaced by one of the futures
 };
 
 }  // namespace forge

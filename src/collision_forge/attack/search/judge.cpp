@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-/// Every second sample, from `first` on; the known ego without samples.
+/// Returns every second sample from `first` on; without samples, the known ego.
 std::vector<const Track*> everySecond(const Future& future, std::size_t first) {
   std::vector<const Track*> egos;
   for (std::size_t i = first; i < future.ego_samples.size(); i += 2) {
@@ -19,16 +19,19 @@ std::vector<const Track*> everySecond(const Future& future, std::size_t first) {
   return egos;
 }
 
-/// Why the vehicle is not the one that was asked for, for people; empty where it is.
+/// Returns why the attacker is not of the requested kind, worded to follow the attack; empty if it
+/// is.
 std::string wrongAttacker(const AttackerTrajectory& attacker, const CollisionRequest& request) {
   if (request.attacker && attacker.attacker_id != *request.attacker) {
-    return "is by " + attacker.attacker_id;
+    return "is by attacker " + attacker.attacker_id;
   }
   if (request.attacker_class && attacker.agent_class != *request.attacker_class) {
     return std::string("is by a ") + toString(attacker.agent_class);
   }
-  if (attacker.isAdded() && request.choice == AttackerChoice::kExisting) return "is by a new one";
-  if (!attacker.isAdded() && request.choice == AttackerChoice::kNew) return "is by a recorded one";
+  if (attacker.isAdded() && request.choice == AttackerChoice::kExisting)
+    return "is by an added vehicle";
+  if (!attacker.isAdded() && request.choice == AttackerChoice::kNew)
+    return "is by a recorded vehicle";
   return "";
 }
 
@@ -36,26 +39,26 @@ std::string wrongAttacker(const AttackerTrajectory& attacker, const CollisionReq
 
 std::string shortcomingOf(const CollisionReport& report, const CollisionRequest& request) {
   if (!report.contact) return "missed the ego";
-  if (!report.first_other_id.empty()) return "touched someone else first";
+  if (!report.first_other_id.empty()) return "touched another agent first";
   if (!report.on_time) return "made contact at the wrong time";
-  if (!report.type_kept) return "made contact in another way";
-  if (!report.limits_kept) return "broke " + report.broken_limit;
+  if (!report.type_kept) return "made contact of another type";
+  if (!report.limits_kept) return "violates " + report.broken_limit;
   if (request.crash.believable && !report.believable()) {
-    return "is not believable: it " + report.unbelievable;
+    return "is implausible: it " + report.unbelievable;
   }
   if (request.manoeuvre && report.manoeuvre != *request.manoeuvre) {
-    return std::string("is of manoeuvre ") + toString(report.manoeuvre);
+    return std::string("has manoeuvre ") + toString(report.manoeuvre);
   }
   if (request.ego_side && report.ego_side != *request.ego_side) {
-    return std::string("touched the ego's side ") + toString(report.ego_side);
+    return std::string("touched the wrong side of the ego: ") + toString(report.ego_side);
   }
   if (request.impact_speed) {
     if (report.impact_speed < request.impact_speed->min) return "hit the ego too slowly";
     if (report.impact_speed > request.impact_speed->max) return "hit the ego too fast";
   }
   if (request.overlap) {
-    if (report.overlap < request.overlap->min) return "covered too little of the ego's side";
-    if (report.overlap > request.overlap->max) return "covered too much of the ego's side";
+    if (report.overlap < request.overlap->min) return "overlapped too little of the ego's side";
+    if (report.overlap > request.overlap->max) return "overlapped too much of the ego's side";
   }
   return "";
 }
@@ -102,7 +105,7 @@ bool AttackJudge::accepts(Realization& attack, const Track& attacker,
                    [&](const Track* ego) { return isVerifiedIn(attack, *ego); })) {
     return false;
   }
-  if (exact_ && !isExact(attack.miss, options_.search)) {
+  if (exact_ && !isExact(attack.miss)) {
     ++rejections_["missed the pattern"];
     if (!nearest_ || attack.miss.distance < nearest_->distance) nearest_ = attack.miss;
     return false;
@@ -130,7 +133,7 @@ bool AttackJudge::isVerifiedIn(Realization& attack, const Track& ego) {
 
 void AttackJudge::reject(const CollisionReport& report) {
   std::string kind = shortcomingOf(report, input_.request);
-  kind.erase(std::min(kind.find_first_of("0123456789"), kind.size()));  // by how much
+  kind.erase(std::min(kind.find_first_of("0123456789"), kind.size()));  // strips the value
   while (!kind.empty() && kind.back() == ' ') kind.pop_back();
   ++rejections_[kind];
   if (report.verified() && input_.request.crash.believable && !report.believable()) {
@@ -157,18 +160,17 @@ Status AttackJudge::refusal(const std::vector<CollisionPattern>& patterns) const
   if (!unbelievable_.empty()) {
     return {StatusCode::kNotBelievable, "the best attacker " + unbelievable_};
   }
-  return {StatusCode::kNoAttackWithinLimits, whatFailed(patterns)};
+  return {StatusCode::kNoAttackWithinLimits, failureText(patterns)};
 }
 
-std::string AttackJudge::whatFailed(const std::vector<CollisionPattern>& patterns) const {
+std::string AttackJudge::failureText(const std::vector<CollisionPattern>& patterns) const {
   std::set<std::string> attackers;
   for (const CollisionPattern& pattern : patterns) attackers.insert(pattern.attacker_id);
-  const std::string tried = "tried " + counted(patterns.size(), "collision pattern") + " of " +
-                            counted(attackers.size(), "vehicle") + ": ";
+  const std::string tried = "tried " + counted(patterns.size(), "candidate") + " (" +
+                            counted(attackers.size(), "vehicle") + "): ";
   if (rejections_.empty()) {
-    return tried + "no motion within the limits hits the ego as asked, " +
-           numberText(input_.request.tta) + " +- " +
-           numberText(input_.request.crash.time_tolerance) + " s from now";
+    return tried + "none hits the ego at " + numberText(input_.request.tta) + " +- " +
+           numberText(input_.request.crash.time_tolerance) + " s within its limits";
   }
   std::string text;
   for (const auto& [reason, count] : rejections_) {
@@ -178,7 +180,7 @@ std::string AttackJudge::whatFailed(const std::vector<CollisionPattern>& pattern
     text += ", the nearest by " + numberText(nearest_->distance) + " m and " +
             numberText(nearest_->heading) + " rad";
   }
-  return tried + "the best motions within the limits fail the verification: " + text;
+  return tried + "the best motions within the limits fail verification: " + text;
 }
 
 }  // namespace forge

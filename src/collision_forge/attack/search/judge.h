@@ -11,67 +11,67 @@
 #include "collision_forge/attack/verify/verification.h"
 #include "collision_forge/base/scene/attack.h"
 
-/// The one place that says what is wrong with an attack.
+/// The only place that decides whether an attack meets its request.
 namespace forge {
 
-/// Why an attack with this report is not what was asked for, for people: "missed the ego", ...;
-/// empty where it is.
+/// Returns why an attack with this report violates the request, worded to follow the attack
+/// ("missed the ego"); empty if it meets the request.
 std::string shortcomingOf(const CollisionReport& report, const CollisionRequest& request);
 
-/// Verified, believable if the request wants that, and of the manoeuvre, the ego's side, the
-/// impact speed and the overlap that it names.
+/// Returns true if the attack is verified, plausible (if required), and has the requested
+/// manoeuvre, side of the ego, impact speed and overlap.
 bool isAsAsked(const CollisionReport& report, const CollisionRequest& request);
 
-/// Returns kOk for an attack with status kOk that is as asked and by an attacker of the requested
-/// kind, else the status that declines it. An attack with another status keeps that status.
+/// Returns kOk if an attack with status kOk meets the request and its attacker is of the requested
+/// kind, else the status that rejects it. Another status is returned unchanged.
 Status verdictOn(const Realization& answer, const CollisionRequest& request);
 
-/// What speaks for an answer: its confidence less its effort.
+/// Returns the score by which attacks are compared: confidence minus effort.
 double worthOf(const Realization& answer);
 
-/// The request names more than a type, a time and an attacker: how the crash shall be.
+/// Returns true if the request constrains manoeuvre, side of the ego, impact speed or overlap.
 bool namesHow(const CollisionRequest& request);
 
-/// What a share of the futures is worth as confidence: linear between the points of `curve`, which
-/// are evenly spread over shares from 0 to 1.
+/// Returns the confidence 0..1 for a share 0..1 of futures: piecewise linear through the points of
+/// `curve` (at least two), evenly spaced over the shares.
 double confidenceOf(double share, const std::vector<double>& curve);
 
-/// Judges attacks on one request, whoever found them, in the futures of the ego: every second one
-/// may be searched, the share of the others tells the confidence. An ego without samples is known,
-/// and the confidence is 1. Counts why attacks were declined. Not thread-safe.
+/// Accepts or rejects attacks on one request, from any realiser, and counts the reasons. Every
+/// second sampled ego future is available to the search; the others give the confidence. If the
+/// ego's future is known, the confidence is 1. Not thread-safe.
 class AttackJudge {
  public:
-  /// `input` and `options` must outlive the judge. `exact`: a contact that is not at its aim
-  /// (isExact()) is declined.
+  /// `input` and `options` must outlive this object. `exact`: reject contacts that are not at the
+  /// pattern (isExact()).
   AttackJudge(const VerificationInput& input, const AttackOptions& options, bool exact);
 
-  /// The futures of the ego that may be searched, at least one.
+  /// Returns the ego futures available to the search, at least one.
   const std::vector<const Track*>& searched() const { return searched_; }
 
-  /// Verifies the attack in the first four of these futures, until one bears it out as asked, and
-  /// fills in report, miss and confidence from that one. `attack` has an aim and a trajectory,
-  /// `attacker` is its track in the snapshot. Returns whether the attack is an answer.
+  /// Verifies `attack` in the first four futures of `egos` until it meets the request in one, and
+  /// sets report, miss and confidence from that one. `attack` needs aim and trajectory; `attacker`
+  /// is its track in the snapshot. Returns true if the attack is accepted.
   bool accepts(Realization& attack, const Track& attacker, const std::vector<const Track*>& egos);
 
-  /// Why none of the attacks that came from these patterns was accepted.
+  /// Returns the status that explains why no attack from these patterns was accepted.
   Status refusal(const std::vector<CollisionPattern>& patterns) const;
 
  private:
   void reject(const CollisionReport& report);
   bool isVerifiedIn(Realization& attack, const Track& ego);
   double confidenceIn(const Track& attacker, const std::vector<TrajectoryPoint>& points);
-  std::string whatFailed(const std::vector<CollisionPattern>& patterns) const;
+  std::string failureText(const std::vector<CollisionPattern>& patterns) const;
 
   const VerificationInput& input_;
   const AttackOptions& options_;
   bool exact_;
   std::vector<const Track*> searched_;
-  Future tried_;                           // the one whose ego is being tried
-  std::optional<FutureScorer> held_out_;   // made when the first confidence is asked for
-  std::map<std::string, int> rejections_;  // by shortcoming
-  std::string unbelievable_;  // why no driver would drive the last attack that is else as asked
-  std::optional<PatternMiss> nearest_;  // of the attacks that hold and miss their aim
-  std::optional<double> surest_;        // confidence of those that promise too little
+  Future tried_;                           // with the ego future under test
+  std::optional<FutureScorer> held_out_;   // created at the first use
+  std::map<std::string, int> rejections_;  // count per reason
+  std::string unbelievable_;  // why the last attack that only fails plausibility is implausible
+  std::optional<PatternMiss> nearest_;  // of verified attacks that miss their pattern
+  std::optional<double> surest_;        // highest confidence below the minimum
 };
 
 }  // namespace forge

@@ -6,10 +6,10 @@
 namespace forge {
 namespace {
 
-constexpr double kJointGap = 0.2;          // m, closer points of two lanes are one
-constexpr std::size_t kMaxLanesBack = 50;  // stops a ring of very short lanes
+constexpr double kJointGap = 0.2;          // m; closer points of two lanes are merged
+constexpr std::size_t kMaxLanesBack = 50;  // bounds rings of very short lanes
 
-/// Lanes in reverse, from the place back.
+/// Lanes from the place backwards.
 struct Chain {
   std::vector<std::size_t> lanes;
   double length = 0.0;
@@ -19,7 +19,7 @@ void append(const Vector2& point, std::vector<Vector2>& points) {
   if (points.empty() || (point - points.back()).norm() > kJointGap) points.push_back(point);
 }
 
-/// What lies between two arc lengths of a line, without its last point.
+/// Appends the line between two arc lengths, without its last point.
 void appendStretch(const Polyline& line, double from, double to, std::vector<Vector2>& points) {
   append(line.poseAt(from).position(), points);
   for (std::size_t i = 0; i < line.points().size(); ++i) {
@@ -42,7 +42,7 @@ LaneWays::LaneWays(const LaneIndex& lanes)
   }
 }
 
-/// The lanes that lead to one, the straightest first.
+/// Returns the predecessors of a lane, straightest first.
 std::vector<std::size_t> LaneWays::before(std::size_t lane) const {
   std::vector<std::size_t> found = predecessors_[lane];
   std::stable_sort(found.begin(), found.end(), [&](std::size_t a, std::size_t b) {

@@ -23,8 +23,18 @@
 namespace forge {
 namespace {
 
+// Drafts of every attacker. The values were chosen on recorded scenes (docs/results.md): s before
+// the contact unless stated otherwise.
+constexpr double kContacts[] = {0.0, -0.25, 0.25};           // s, added to the requested time
+constexpr double kDepartures[] = {1.0, 1.4, 0.8, 2.2, 3.0};  // the attacker leaves its lane
+constexpr double kLeads[] = {0.0, 0.5};                      // it has the offset of the contact
+constexpr double kLateBraking[] = {0.0, 3.0, 5.0};           // m/s2 of a leader before the contact
+constexpr double kStarts[] = {1.6, 2.3, 3.2};                // a standing attacker moves off
+constexpr double kDepartureWeight = 0.2;  // cost of each second off the lane before before_contact
+                                          // (config/believability.yaml), share of the futures
+constexpr double kOffRoadWeight = 1.0;    // cost of a wholly off-road drive, share of the futures
 constexpr double kSlides[] = {-0.7, 0.0, 0.7};
-constexpr double kShrink = 0.7;  // of the moves, a round
+constexpr double kShrink = 0.7;  // factor on perturbations per round
 
 struct Candidate {
   const Contender* contender = nullptr;
@@ -34,10 +44,10 @@ struct Candidate {
   FutureScore score;
   PatternMiss miss;
   RoadUse road;
-  bool is_believable = true;  // as far as the use of the road tells
+  bool is_believable = true;  // judged by the road use
   std::size_t style = 0;
   double objective = 0.0;
-  bool is_underway = false;  // not a draft, but what the attacker means to do
+  bool is_underway = false;  // the attacker's current plan, not a draft
 };
 
 class ManoeuvreSearch {
@@ -60,7 +70,7 @@ class ManoeuvreSearch {
   }
 
   std::vector<FoundAttack> run() {
-    if (input_.underway != nullptr && !contenders_.empty()) goOn();
+    if (input_.underway != nullptr && !contenders_.empty()) scoreCurrentPlan();
     if (!isGood()) draft();
     for (int round = 0; round < route_.rounds && !isGood(); ++round) {
       perturb(std::pow(kShrink, round));
@@ -68,15 +78,15 @@ class ManoeuvreSearch {
     std::vector<FoundAttack> found;
     for (const Candidate& candidate : kept_) {
       if (candidate.is_underway) continue;
-      if (candidate.score.share > 0.0 || present_) found.push_back(finished(candidate));
+      if (candidate.score.share > 0.0 || current_plan_) found.push_back(finished(candidate));
     }
-    if (present_) found.push_back(finished(*present_));
+    if (current_plan_) found.push_back(finished(*current_plan_));
     return found;
   }
 
  private:
-  /// What the attacker means to do, and the same at each of the ego's places.
-  void goOn() {
+  /// Scores the current plan, and the same draft at each of the ego's positions.
+  void scoreCurrentPlan() {
     Candidate candidate;
     candidate.contender = contenders_.front().get();
     candidate.route = &contenders_.front()->routes.front();
@@ -86,11 +96,11 @@ class ManoeuvreSearch {
     if (!input_.underway->draft) candidate.draft.contact = input_.request.tta;
     points_ = input_.underway->planned;
     judge(candidate);
-    present_ = candidate;
+    current_plan_ = candidate;
     if (!input_.underway->draft || isGood()) return;
     candidate.is_underway = false;
     for (const std::size_t ego : sampler_.egos()) {
-      for (const double early : route_.contacts) {
+      for (const double early : kContacts) {
         candidate.draft = *input_.underway->draft;
         candidate.draft.ego = ego;
         candidate.draft.contact =
@@ -100,9 +110,9 @@ class ManoeuvreSearch {
     }
   }
 
-  /// Where there are many contenders, one draft of each, and more of those that come nearest.
+  /// With many contenders: one draft each, then all drafts of the best ones.
   void draft() {
-    const auto most = static_cast<std::size_t>(route_.drafted);
+    const auto most = static_cast<std::size_t>(kDrafted);
     std::vector<std::pair<double, const Contender*>> ranked;
     sketches_ = contenders_.size() > most;
     for (const auto& contender : contenders_) {
@@ -118,17 +128,19 @@ class ManoeuvreSearch {
     for (const auto& [best, contender] : ranked) draftFor(*contender);
   }
 
-  /// The drafts that a contender's routes lead to, of those that are due.
+  /// Scores the drafts to which a contender's routes lead, in this pass.
   void draftFor(const Contender& contender) {
     const double meant = contender.aims.front().pattern->time - input_.snapshot.now;
     const bool has_way = input_.ways.count(contender.track->id) > 0;
     for (const RouteDriver& route : contender.routes) {
       for (const std::size_t ego : sampler_.egos()) {
-        for (const double early : route_.contacts) {
+        for (const double early : kContacts) {
+          if (isGood()) return;
           const double contact = std::clamp(meant + early, sampler_.earliest(), sampler_.latest());
           draftAt(contender, route, ego, contact);
-          // Who has a way of its own comes along it at the right time.
-          if (has_way) break;
+          // Other contact times are tried against the first of the ego's futures alone, and not by
+          // a vehicle that was added for this contact time.
+          if (has_way || ego != sampler_.egos().front()) break;
         }
       }
     }
@@ -140,8 +152,8 @@ class ManoeuvreSearch {
     const PathPose seen = route.path().seen(pose);
     const double reach =
         circumradius(input_.snapshot.ego.size) + circumradius(contender.track->size);
-    if (std::abs(seen.across) > route_.reach || seen.along < route.start().along - reach) return;
-    // Along a bend the ways to the ego and to where the attacker shall be differ.
+    if (std::abs(seen.across) > kRouteReach || seen.along < route.start().along - reach) return;
+    // In a bend, the paths to the ego and to the attacker's pose differ.
     const Pose2 meant = compose(pose, contender.aims.front().pattern->attacker_offset);
     const bool has_way = input_.ways.count(contender.track->id) > 0;
     const double there = has_way ? route.path().project(meant.position()) : seen.along;
@@ -153,14 +165,14 @@ class ManoeuvreSearch {
     candidate.draft.contact = contact;
     for (const HeadedPlacement& placement :
          placementsAlong(direction, input_.request.type, input_.request.bands(),
-                         input_.lanes.map().driving_side, route_.heading_margin, route_.max_lean)) {
+                         input_.lanes.map().driving_side, kArrivalHeadingMargin, kMaxLean)) {
       if (input_.request.ego_side.value_or(placement.side) != placement.side) continue;
       candidate.draft.side = placement.side;
       candidate.draft.heading = placement.heading;
       const std::vector<RouteDraft> drafts = mannersOf(candidate);
       for (const double slide : kSlides) {
         for (std::size_t i = 0; i < drafts.size(); ++i) {
-          if (!isDue(slide, i)) continue;
+          if (!isInThisPass(slide, i)) continue;
           candidate.draft = drafts[i];
           candidate.draft.slide = slide;
           consider(candidate);
@@ -169,16 +181,16 @@ class ManoeuvreSearch {
     }
   }
 
-  /// First one draft of every vehicle, then those that differ from it in one thing. Few vehicles
-  /// have all drafts at once.
-  bool isDue(double slide, std::size_t manner) const {
+  /// Returns true if the draft belongs to this pass: first one draft per vehicle, then variations
+  /// in one parameter. Few vehicles get all drafts at once.
+  bool isInThisPass(double slide, std::size_t manner) const {
     const bool is_first = slide == 0.0 && manner == 0;
     if (sketches_) return is_first;
     if (input_.underway != nullptr) return slide == 0.0 || manner == 0;
     return !has_sketches_ || (!is_first && (slide == 0.0 || manner == 0));
   }
 
-  /// Different departures, and late changes of speed where the ego runs into the attacker.
+  /// Returns drafts with different departures and, if the ego runs into the attacker, late braking.
   std::vector<RouteDraft> mannersOf(const Candidate& candidate) const {
     std::vector<RouteDraft> drafts;
     RouteDraft draft;
@@ -187,25 +199,25 @@ class ManoeuvreSearch {
     draft.side = candidate.draft.side;
     draft.heading = candidate.draft.heading;
     const bool leads = input_.request.type == CollisionType::kRearEnd && draft.side == Side::kFront;
-    for (const double start : route_.starts) {
+    for (const double start : kStarts) {
       draft.wait = draft.contact - start;
       if (candidate.contender->drive_start.speed > 0.0 || draft.wait <= 0.0) break;
       draft.departure = start;
       drafts.push_back(draft);
     }
     draft.wait = 0.0;
-    for (const double departure : route_.departures) {
+    for (const double departure : kDepartures) {
       draft.departure = departure;
       if (!leads) {
-        for (const double lead : route_.leads) {
+        for (const double lead : kLeads) {
           draft.lead = lead;
           drafts.push_back(draft);
-          // A lean of a few degrees is part of all other types.
+          // For all other types, a heading difference of a few degrees is part of the contact.
           if (input_.request.type != CollisionType::kOppositeDirection) break;
         }
         continue;
       }
-      for (const double braking : route_.late_braking) {
+      for (const double braking : kLateBraking) {
         draft.late = braking > 0.0 ? departure : 0.0;
         draft.late_acceleration = -braking;
         drafts.push_back(draft);
@@ -214,12 +226,12 @@ class ManoeuvreSearch {
     return drafts;
   }
 
-  /// The plan of a draft; false where the route does not lead there.
+  /// Plans and drives the draft; returns false if the route does not lead there.
   bool planOf(const Candidate& candidate, std::size_t count, std::size_t& style) {
     const RouteDraft& draft = candidate.draft;
     const Contender& contender = *candidate.contender;
     const Pose2 offset = attackerOffset(input_.snapshot.ego.size, contender.track->size, draft.side,
-                                        draft.heading, draft.slide, search_.depth);
+                                        draft.heading, draft.slide, kContactDepth);
     const Pose2 target = compose(sampler_.egoAt(draft.ego, draft.contact), offset);
     RoutePlan plan;
     plan.arrival = draft.contact;
@@ -229,9 +241,8 @@ class ManoeuvreSearch {
     plan.late = draft.late;
     plan.late_acceleration = draft.late_acceleration;
     plan.wait = draft.wait;
-    if (plan.at.along < candidate.route->start().along - route_.precision ||
-        std::abs(plan.at.lean) > route_.max_lean ||
-        std::abs(plan.at.across) > route_.max_departure) {
+    if (plan.at.along < candidate.route->start().along - kArrivalPrecision ||
+        std::abs(plan.at.lean) > kMaxLean || std::abs(plan.at.across) > kMaxDeparture) {
       return false;
     }
     const auto& speed = driveAlong(*candidate.route, plan);
@@ -242,8 +253,8 @@ class ManoeuvreSearch {
     return true;
   }
 
-  /// The speed of the plan; course_ is its drive along the route. Drafts that differ across the
-  /// route alone come one after the other.
+  /// Returns the plan's speed and sets course_. Caches the last result: consecutive drafts often
+  /// differ only across the route.
   const std::optional<RouteSpeed>& driveAlong(const RouteDriver& route, const RoutePlan& plan) {
     const bool is_same = last_route_ == &route && last_plan_.arrival == plan.arrival &&
                          last_plan_.at.along == plan.at.along && last_plan_.late == plan.late &&
@@ -264,31 +275,30 @@ class ManoeuvreSearch {
     if (planOf(candidate, steps, candidate.style)) judge(candidate);
   }
 
-  /// Keeps the candidate, whose points are there, if it is one of the best.
+  /// Scores the candidate, whose motion is in points_, and keeps it if it is one of the best.
   void judge(Candidate& candidate) {
     candidate.score = {};
     const Contender& contender = *candidate.contender;
     candidate.aim = nearestAim(candidate);
     candidate.score = scorer_.score(*contender.track, points_, candidate.draft.ego);
-    candidate.objective = candidate.score.share +
-                          search_.closeness_weight * candidate.score.closeness -
-                          search_.pattern_weight * missCost(candidate) - effortOf(candidate);
+    candidate.objective = candidate.score.share + kClosenessWeight * candidate.score.closeness -
+                          kPatternWeight * missCost(candidate) - effortOf(candidate);
     best_ = std::max(best_, candidate.objective);
     const bool full = static_cast<int>(kept_.size()) >= search_.kept;
     if (full && candidate.objective < kept_.back().objective) return;
     const double now = input_.snapshot.now;
     const double until = now + input_.request.tta + input_.request.crash.time_tolerance;
-    // What an attacker means to do is held against the others, whatever it is.
+    // The current plan is kept for comparison whatever its limits.
     const bool may_be_any = candidate.is_underway;
     const auto broken = findBrokenDrive(points_, contender.drive_start, until, contender.limits);
     if (broken && !may_be_any) return;
     judgeRoad(candidate);
-    candidate.objective -= route_.off_lane_weight * (1.0 - candidate.road.on_lane) +
-                           route_.off_road_weight * candidate.road.off_road +
-                           route_.wrong_way_weight * candidate.road.wrong_way;
+    candidate.objective -= kOffLaneWeight * (1.0 - candidate.road.on_lane) +
+                           kOffRoadWeight * candidate.road.off_road +
+                           kWrongWayWeight * candidate.road.wrong_way;
     if (candidate.road.on_walkway > 0.0 && !may_be_any) return;
     if ((!candidate.is_believable && !may_be_any) || !isAsAsked(candidate)) {
-      candidate.objective -= kNotAsAsked;
+      candidate.objective -= kConstraintPenalty;
     }
     kept_.insert(std::upper_bound(kept_.begin(), kept_.end(), candidate, better), candidate);
     if (static_cast<int>(kept_.size()) > search_.kept) kept_.pop_back();
@@ -305,14 +315,14 @@ class ManoeuvreSearch {
         whyUnbelievable(candidate.road, points, size, driven_, believability).empty();
   }
 
-  /// Who is underway is not to change to a plan that meets nobody where something is named.
+  /// With constraints, an attacker underway must not change to a plan without a hit.
   bool isAsAsked(const Candidate& candidate) {
     if (!how_asked_.isNamed()) return true;
     if (candidate.score.share == 0.0) return input_.underway == nullptr;
     return how_asked_.holds(*candidate.contender->track, whole(), candidate.score.met);
   }
 
-  /// The points with what was driven before.
+  /// Returns points_ preceded by the motion driven before.
   const std::vector<TrajectoryPoint>& whole() {
     if (input_.underway == nullptr) return points_;
     whole_ = input_.underway->driven;
@@ -320,7 +330,7 @@ class ManoeuvreSearch {
     return whole_;
   }
 
-  /// Of the contender's patterns the one that the draft's contact is nearest to.
+  /// Returns the contender's pattern nearest to the draft's contact.
   const Aim* nearestAim(const Candidate& candidate) const {
     const Contender& contender = *candidate.contender;
     const Pose2 offset =
@@ -338,23 +348,23 @@ class ManoeuvreSearch {
     candidate.miss = missBetween(candidate.aim->pattern->attacker_offset, candidate.score.contact);
     const double miss =
         candidate.aim->missedBy(candidate.miss, candidate.contender->track->size, input_.exact);
-    return miss / (miss + search_.near_pattern);
+    return miss / (miss + kNearPattern);
   }
 
-  /// Of a lane that is left `departure` seconds before the contact.
+  /// Returns the cost of leaving the lane `departure` seconds before the contact.
   double departureCost(double departure) const {
     const double early = departure - options_.verification.believability.before_contact;
-    return route_.departure_weight * std::max(0.0, early);
+    return kDepartureWeight * std::max(0.0, early);
   }
 
-  /// Of a plan underway without a draft the effort that it was made with is known as a sum alone:
-  /// it counts for at most what leaving the lane now costs.
+  /// For a plan underway without a draft only the total effort is known; it counts for at most the
+  /// cost of leaving the lane now.
   double effortOf(const Candidate& candidate) const {
     const double contact = candidate.draft.contact;
     if (candidate.is_underway && !input_.underway->draft) {
       return std::min(input_.underway->effort, departureCost(contact));
     }
-    return route_.styles[candidate.style].cost +
+    return kDrivingStyles[candidate.style].cost +
            departureCost(std::min(candidate.draft.departure, contact));
   }
 
@@ -366,12 +376,12 @@ class ManoeuvreSearch {
            (!how_asked_.isNamed() || kept_.front().objective > 0.0) &&
            kept_.front().is_believable && kept_.front().road.on_lane >= 1.0 &&
            kept_.front().road.off_road <= search_.good_off_road &&
-           (!input_.exact || isExact(kept_.front().miss, search_));
+           (!input_.exact || isExact(kept_.front().miss));
   }
 
-  /// Moves away from the kept candidates, better ones more often.
+  /// Perturbs the kept candidates, better ones more often.
   void perturb(double scale) {
-    // A plan that came from elsewhere is none that can be moved.
+    // A plan without a draft cannot be perturbed.
     const bool may_move = input_.underway == nullptr || input_.underway->draft.has_value();
     std::vector<Candidate> parents;
     std::copy_if(kept_.begin(), kept_.end(), std::back_inserter(parents),
@@ -436,16 +446,16 @@ class ManoeuvreSearch {
   Random random_;
   ArrivalSampler sampler_;
   std::size_t all_points_ = 0;
-  bool sketches_ = false;             // one draft a contender ...
-  bool has_sketches_ = false;         // ... which was done
-  double best_ = 0.0;                 // objective of the contender's drafts so far
-  std::vector<Candidate> kept_;       // best first
-  std::optional<Candidate> present_;  // what the attacker means to do
+  bool sketches_ = false;                  // this pass: one draft per contender
+  bool has_sketches_ = false;              // that pass was done
+  double best_ = 0.0;                      // best objective of the contender's drafts so far
+  std::vector<Candidate> kept_;            // best first
+  std::optional<Candidate> current_plan_;  // the attacker's current plan
   const RouteDriver* last_route_ = nullptr;
   RoutePlan last_plan_;
   std::optional<RouteSpeed> last_speed_;
   RouteCourse course_;
-  // By the route, and by what RouteDriver::speedFor() says.
+  // By route and the inputs of RouteDriver::speedFor().
   std::map<std::tuple<const RouteDriver*, double, double, double, double>, RouteReach> reaches_;
   std::vector<PlannedStep> planned_;
   std::vector<TrajectoryPoint> points_;

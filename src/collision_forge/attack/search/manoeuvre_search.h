@@ -6,12 +6,14 @@
 
 namespace forge {
 
-/// Searches for attacks by vehicles that drive as drivers do: along a route of lanes, at a speed
-/// that they choose once, until they leave their lane, brake or fail to brake, or cross, for the
-/// contact. Begins where the routes themselves lead to the ego, at the headings of the type, and
-/// moves from the best ones. Best first; only attacks with a share above 0. Of an attacker that is
-/// underway all that were kept, whatever their share, and last what it means to do. The draws
-/// follow from the request's seed.
+inline constexpr int kDrafted = 6;  ///< vehicles that are searched further: best first drafts
+
+/// Searches for attacks by vehicles that drive like drivers: along a route of lanes at one chosen
+/// speed until their manoeuvre (leaving the lane, braking, crossing) leads to the contact. Starts
+/// where routes lead to the ego at the type's headings, then perturbs the best. Returns attacks
+/// with a share above 0, best first. If `input.underway` is set, returns all kept candidates, even
+/// with share 0; the last element is the current plan. Random draws depend only on the request's
+/// seed.
 std::vector<FoundAttack> searchManoeuvres(const SearchInput& input, const AttackOptions& options);
 
 }  // namespace forge

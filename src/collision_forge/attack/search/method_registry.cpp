@@ -28,7 +28,7 @@ void addMethodsOf(const std::string& library, MethodRegistry& registry) {
 
 void MethodRegistry::add(Entry entry) {
   if (entry.name.empty() || has(entry.name)) {
-    throw std::invalid_argument("method \"" + entry.name + "\" has no name or one that is taken");
+    throw std::invalid_argument("method \"" + entry.name + "\": the name is empty or already used");
   }
   entries_.push_back(std::move(entry));
 }
@@ -73,7 +73,7 @@ MethodRegistry builtInMethods() {
                   return std::make_unique<ConstantVelocityMethod>(setup.options);
                 }});
   registry.add(
-      {"nominal", "baseline: one quintic to where COLLIDE puts attackers of the type", false,
+      {"nominal", "baseline: one quintic to COLLIDE's nominal pose of the type", false,
        [](const MethodSetup& setup) { return std::make_unique<NominalMethod>(setup.options); }});
   return registry;
 }
@@ -92,8 +92,8 @@ std::string withoutNetworks(const std::string& method) {
 const MethodForesight& networksOf(const MethodSetup& setup) {
   if (!setup.networks) {
     throw std::invalid_argument(
-        "pattern_network in models.yaml names no file, or "
-        "models.non_commercial_weights there is false");
+        "no pattern network: models.yaml names no file for pattern_network, or "
+        "models.non_commercial_weights is false");
   }
   return *setup.networks;
 }

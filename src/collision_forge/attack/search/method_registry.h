@@ -12,27 +12,31 @@
 
 namespace forge {
 
-/// What a method foresees by.
+/// Predictors that a method may use.
 struct MethodForesight {
   std::shared_ptr<const EgoFutureSampler> ego_futures;
   std::shared_ptr<const PatternPredictor> patterns;
 };
 
-/// What methods are made of.
+/// Input of a method's factory.
 struct MethodSetup {
   AttackOptions options;
-  MethodForesight kinematic;                ///< without learning
-  std::optional<MethodForesight> networks;  ///< by trained networks, where there are any
-  std::string unseen_scene;  ///< that nothing may have been learned from; empty: none
+  MethodForesight kinematic;                ///< without learned models
+  std::optional<MethodForesight> networks;  ///< with trained networks, if there are any
+  std::string unseen_scene;  ///< scene that models must not have been trained on; empty: none
 };
 
-/// The methods that there are, by name.
+/// The available methods by name. Extension point: a shared library adds methods, see
+/// methodsWith(). Not thread-safe while methods are added.
 class MethodRegistry {
  public:
-  /// May throw std::invalid_argument for a setup that lacks what the method needs.
+  /// Makes a method. Called on the caller's thread once per method and scene under test, and by
+  /// MethodMaker once to check the setup. Throws std::invalid_argument if `setup` lacks a required
+  /// input; must not keep references to `setup`.
   using Make = std::function<std::unique_ptr<const AttackMethod>(const MethodSetup&)>;
 
-  /// One line about the method, for people, and whether its answers depend on the request's seed.
+  /// A method: `description` is one line for people; `is_seeded` is true if results depend on the
+  /// request's seed.
   struct Entry {
     std::string name;
     std::string description;
@@ -40,38 +44,40 @@ class MethodRegistry {
     Make make;
   };
 
-  /// Throws std::invalid_argument for a name that is empty or taken.
+  /// Throws std::invalid_argument if the name is empty or already used.
   void add(Entry entry);
 
-  /// In the order in which they were added.
+  /// In the order of add().
   const std::vector<Entry>& entries() const { return entries_; }
   std::vector<std::string> names() const;
   bool has(const std::string& name) const;
 
-  /// Throws std::invalid_argument for an unknown name, naming the known ones.
+  /// Throws std::invalid_argument for an unknown name, listing the known ones.
   const Entry& at(const std::string& name) const;
 
  private:
   std::vector<Entry> entries_;
 };
 
-/// "search" and "network+search" (SearchMethod), "network" (PatternQuinticMethod),
+/// Returns "search" and "network+search" (SearchMethod), "network" (PatternQuinticMethod),
 /// "constant_velocity" and "nominal".
 MethodRegistry builtInMethods();
 
-/// The name of the suite's own method: with networks where there are any.
+/// Returns the default method's name: "network+search" with networks, else "search".
 std::string defaultMethod(bool has_networks);
 
-/// "network+METHOD": the name of the same method with trained networks, and back.
+/// Returns "network+METHOD", the name of the method with trained networks; withoutNetworks()
+/// removes the prefix.
 std::string withNetworks(const std::string& method);
 std::string withoutNetworks(const std::string& method);
 
-/// The setup's networks; throws std::invalid_argument where there are none.
+/// Returns the setup's networks; throws std::invalid_argument if there are none.
 const MethodForesight& networksOf(const MethodSetup& setup);
 
-/// The built-in methods and those of shared libraries, which each export
-/// `extern "C" void addCollisionForgeMethods(forge::MethodRegistry&)`. The libraries stay loaded.
-/// Throws std::runtime_error, naming the library, for one that cannot be loaded.
+/// Returns the built-in methods and the ones of shared libraries. Each library exports `extern "C"
+/// void addCollisionForgeMethods(forge::MethodRegistry&)`, called once after loading; libraries
+/// stay loaded. Throws std::runtime_error, naming the library, if one cannot be loaded or lacks the
+/// function.
 MethodRegistry methodsWith(const std::vector<std::string>& libraries);
 
 }  // namespace forge

@@ -14,82 +14,12 @@ namespace forge {
 class ConfigFolder;
 class Section;
 
-/// config/search.yaml, section bicycle_family
-struct BicycleOptions {
-  int iterations = 0;
-  double convergence = 0.0;
-  double max_miss = 0.0;
-  double turn_heading = 0.0;
-  double position_scale = 0.0;
-  double heading_scale = 0.0;
-  double speed_scale = 0.0;
-  double acceleration_scale = 0.0;
-  double curvature_scale = 0.0;
-};
-
-/// config/search.yaml, section steering
-struct SteeringOptions {
-  double step = 0.0;
-  int first_population = 0;
-  int population = 0;
-  int elites = 0;
-  int rounds = 0;
-  int considered = 0;
-  int patience = 0;
-  double hopeless = 0.0;
-  double acceleration_deviation = 0.0;
-  double curvature_deviation = 0.0;
-  double least_acceleration_deviation = 0.0;
-  double least_curvature_deviation = 0.0;
-  double heading_weight = 0.0;
-  double clearance = 0.0;
-  double near = 0.0;
-};
-
-/// How hard somebody drives until its manoeuvre.
-struct DrivingStyle {
-  double forward = 0.0;  ///< m/s2
-  double braking = 0.0;  ///< m/s2
-  double lateral = 0.0;  ///< m/s2, in bends
-  double jerk = 0.0;     ///< m/s3
-  double cost = 0.0;     ///< as a share of the futures
-};
-
-/// config/search.yaml, section any_motion
-struct AnyMotionOptions {
-  int bicycle_targets = 0;
-  int bicycle_rounds = 0;
-};
-
-/// config/search.yaml, section routes
+/// Budget of the search along routes. Adaptive attackers use less, as they search every update
+/// step.
 struct RouteDriverOptions {
-  std::vector<DrivingStyle> styles;  ///< the tamest first
-  double variation = 0.0;
-  std::vector<double> variation_periods;
-  double limit_share = 0.0;
-  double settling = 0.0;
-  double return_distance = 0.0;
-  double precision = 0.0;
-  double preview = 0.0;
-  int branches = 0;
-  int ways = 0;
-  double reach = 0.0;
-  double max_departure = 0.0;
-  double max_lean = 0.0;
-  double heading_margin = 0.0;
-  int drafted = 0;
-  std::vector<double> contacts;
-  std::vector<double> departures;
-  std::vector<double> leads;
-  std::vector<double> late_braking;
-  double parking_distance = 0.0;
-  std::vector<double> starts;
-  int rounds = 0;
-  int perturbations = 0;
-  double departure_weight = 0.0;
-  double off_lane_weight = 0.0;
-  double off_road_weight = 0.0;
-  double wrong_way_weight = 0.0;
+  int ways = 6;            ///< routes near the ego that an attacker may take
+  int rounds = 3;          ///< of perturbation of the best candidates
+  int perturbations = 40;  ///< per round
 };
 
 /// A kind of vehicle that may be added.
@@ -109,62 +39,40 @@ struct AddedVehicleOptions {
   double preference = 0.0;
   double sensing_range = 0.0;
   double least_past = 0.0;
-  double clearance = 0.0;
-  double min_on_lane = 0.0;
-  double max_off_road = 0.0;
-  int branches = 0;
-  double way_ahead = 0.0;
-  double lateral = 0.0;
-  double braking = 0.0;
-  std::vector<double> contacts;
   std::vector<double> speeds;
-  std::vector<double> closings;
-  double least_gap = 0.0;
-  double train_distance = 0.0;
-  std::vector<double> starts;
-  std::vector<double> parked;
-  double riding_gap = 0.0;
-  double riding_cost = 0.0;
-  double aside = 0.0;
-  double wait = 0.0;
-  double least_crossing_speed = 0.0;
 };
 
-/// config/search.yaml, section search
+/// config/search.yaml, section search; fields with a default are not in the file. The study and
+/// tests change them for searches with another objective or a smaller budget.
 struct SearchOptions {
   double step = 0.0;
   double tail = 0.0;
-  double depth = 0.0;
-  double limit_margin = 0.0;
-  double heading_margin = 0.0;
   double time_margin = 0.0;
-  double overlap_margin = 0.0;
   int max_attackers = 0;
-  int lane_paths = 0;
-  int ego_poses = 0;
-  int draws = 0;
-  int homed = 0;
-  int corrections = 0;
-  double max_lead = 0.0;
-  int kept = 0;
-  int rounds = 0;
-  int perturbations = 0;
-  int bicycle_targets = 0;
-  int bicycle_rounds = 0;
-  int bicycle_perturbations = 0;
   double good_share = 0.0;
-  double good_off_road = 0.0;
-  double good_steering = 0.0;
-  double off_road_weight = 0.0;
-  double effort_weight = 0.0;
-  double steering_weight = 0.0;
-  double quick_steering = 0.0;
-  double closeness_weight = 0.0;
-  double pattern_weight = 0.0;
-  double near_pattern = 0.0;
-  double exact_distance = 0.0;
-  double exact_heading = 0.0;
   std::vector<double> confidence_curve;  ///< at shares evenly spread over [0, 1]
+
+  /// m; attacker and ego overlap by at least twice this, other agents are passed with it to spare.
+  double overlap_margin = 0.04;
+  // Costs, as shares of the sampled futures:
+  double off_road_weight = 0.4;  ///< of a wholly off-road attack
+  double steering_weight = 0.3;  ///< of steering faster than any driver
+  // A candidate that is better than good_share ends the search unless ...
+  double good_off_road = 0.05;  ///< ... a greater share of its box is off the drivable area
+  double good_steering = 0.6;   ///< ... or its curvature changes faster, 1/(m s)
+  double max_lead = 0.6;        ///< s straight on before the contact at most, in half of the draws
+  // Budget:
+  int ego_poses = 3;  ///< poses of the ego at impact that are aimed at, spread along its path
+  int draws = 16;     ///< arrivals per pattern, the pattern's own first
+  int homed = 3;      ///< best candidates whose arrival is corrected by the distance to the pattern
+  int corrections = 3;              ///< per candidate
+  int kept = 10;                    ///< best candidates that are perturbed
+  int rounds = 4;                   ///< of perturbation
+  int perturbations = 60;           ///< per round
+  int bicycle_targets = 40;         ///< arrivals of the bicycle, if no quintic is good enough
+  int bicycle_rounds = 6;           ///< of perturbation
+  int bicycle_perturbations = 100;  ///< per round
+  int steering_rounds = 9;          ///< of SteeringSearch
 };
 
 /// Where the attackers of COLLIDE end, as seen from the ego: recovered from the files of the set.
@@ -181,10 +89,7 @@ struct AttackOptions {
   PredictionOptions prediction;
   SearchOptions search;
   RouteDriverOptions route;
-  AnyMotionOptions any_motion;
   AddedVehicleOptions added;
-  BicycleOptions bicycle;
-  SteeringOptions steering;
   VerificationOptions verification;
   EgoFutureOptions ego_futures;
   NominalOptions nominal;

@@ -13,29 +13,31 @@
 namespace forge {
 namespace {
 
-constexpr double kStraight = 1e-3;  // sine of a heading straight on or back, as files round it
+constexpr double kStraight = 1e-3;  // sine of a heading rounded from 0 or pi
 
 struct RankedPattern {
   CollisionPattern pattern;
   double cost = 0.0;
 };
 
-/// How far the attacker's mean speed to the impact is from the mean of its speeds at both ends.
+/// Returns the difference between the mean speed needed to reach the impact and the mean of start
+/// and impact speed.
 double speedMismatch(const CollisionPattern& pattern, const Motion& motion, double tta) {
   const Pose2 impact = compose(pattern.ego.center, pattern.attacker_offset);
   const double distance = (impact.position() - motion.pose.position()).norm();
   return std::abs(distance / tta - 0.5 * (motion.speed + pattern.attacker_speed));
 }
 
-/// True when the agent comes from where the type wants it.
-bool comesFromThere(const Track& agent, const Snapshot& snapshot, const CollisionRequest& request) {
+/// Returns true if the agent's approach fits the type.
+bool approachFitsType(const Track& agent, const Snapshot& snapshot,
+                      const CollisionRequest& request) {
   if (request.crash.rules == TypeRules::kAngle) return true;
   const double approach =
       angleBetween(snapshot.ego.states.back().pose.yaw, agent.states.back().pose.yaw);
   return approachFits(approach, request.bands());
 }
 
-/// The candidate at the ego's pose at impact, heading so, pushed in from `side`.
+/// Places the agent at the ego's pose at impact, with this heading, pushed in from `side`.
 RankedPattern placedPattern(const Track& agent, Side side, double heading, const AgentState& ego,
                             const Snapshot& snapshot, const CollisionRequest& request,
                             const PredictionOptions& prediction) {
@@ -53,14 +55,14 @@ RankedPattern placedPattern(const Track& agent, Side side, double heading, const
   return {pattern, speedMismatch(pattern, motion, request.tta)};
 }
 
-/// The type's nominal heading at a placement, or both where it may be either.
+/// Returns the type's nominal heading at a placement, with both signs if either is allowed.
 std::vector<double> headingsAt(const Placement& placement, double nominal) {
   if (placement.sign != 0.0) return {wrapAngle(placement.sign * nominal)};
   if (std::abs(std::sin(nominal)) < kStraight) return {wrapAngle(nominal)};
   return {nominal, -nominal};
 }
 
-/// The track whose place at `time` is nearest to the mean of all.
+/// Returns the track whose position at `time` is nearest to the mean position.
 const Track& mostCentral(const std::vector<Track>& tracks, double time) {
   const auto placeOf = [time](const Track& track) {
     return stateAt(track, time).value_or(track.states.back()).pose.position();
@@ -103,15 +105,13 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
   const auto ego = stateAt(prediction.future.ego, snapshot.now + request.tta);
   if (!ego) {
     prediction.status = {StatusCode::kBeyondRecording,
-                         "the ego's recording ends before the impact, tta = " +
-                             numberText(request.tta) + " s from now"};
+                         "the ego's recording ends before the contact, tta = " +
+                             numberText(request.tta) + " s after t0"};
     return prediction;
   }
   if (request.crash.believable &&
       !roadAllows(prediction.future, snapshot.now, request, lanes, believability_)) {
-    prediction.status = {StatusCode::kRoadDoesNotAllow,
-                         std::string("no lane near the ego at the asked time has a direction of ") +
-                             toString(request.type)};
+    prediction.status = {StatusCode::kRoadDoesNotAllow, roadRefusal(request.type, request.tta)};
     return prediction;
   }
   const double nominal = request.bands().nominal_heading;
@@ -119,9 +119,9 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
   for (const Track& agent : snapshot.agents) {
     if (request.attacker && agent.id != *request.attacker) continue;
     if (request.attacker_class && agent.agent_class != *request.attacker_class) continue;
-    // One that was asked for has been checked, and may be anywhere.
+    // A requested attacker was checked before and may be anywhere.
     if (!request.attacker && !isCandidate(agent, snapshot, options_)) continue;
-    if (!comesFromThere(agent, snapshot, request)) continue;
+    if (!approachFitsType(agent, snapshot, request)) continue;
     for (const Placement& placement : placementsOf(request.type, lanes.map().driving_side)) {
       for (const double heading : headingsAt(placement, nominal)) {
         ranked.push_back(
@@ -136,8 +136,8 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
     prediction.status = {
         StatusCode::kNoCandidate,
         "no vehicle within candidate_radius = " + numberText(options_.candidate_radius) +
-            " m, seen now and in the frame before, comes from where " + toString(request.type) +
-            " wants it"};
+            " m, observed at t0 and in the frame before, approaches from the direction of type = " +
+            toString(request.type)};
   }
   return prediction;
 }

@@ -11,35 +11,42 @@
 
 namespace forge {
 
-/// Where ego and attackers may stand at impact, and the motion that this assumes.
+/// Predicted collision patterns and the future that they assume.
 struct PatternPrediction {
   Status status;                           ///< kOk, or why there are no patterns
   std::vector<CollisionPattern> patterns;  ///< most promising first
-  Future future;                           ///< from now to past the impact
+  Future future;                           ///< from t0 to after the impact
 };
 
-/// Predicts collision patterns. Implementations are immutable and may be used from many threads.
+/// Interface: predicts collision patterns, the first stage of SearchMethod. Extension point (also
+/// as ROS service predict_pattern). Implementations must be immutable: one object is used from many
+/// threads at once.
 class PatternPredictor {
  public:
   virtual ~PatternPredictor() = default;
 
-  /// `recorded` is the recorded future in replay mode and null in history mode. The request has
-  /// been passed checkRequest().
+  /// Returns patterns and future, or a status other than kOk with the reason; SearchMethod stops if
+  /// `future.ego` then has no states. Called once per request, on the caller's thread. `request`
+  /// has passed checkRequest(); `recorded` is the recorded future in replay mode, else null. Must
+  /// be deterministic in its arguments, including request.seed, and must use nothing after t0
+  /// except `recorded`. May throw InputError; patterns must name agents of the snapshot and times
+  /// after t0.
   virtual PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
                                     const CollisionRequest& request,
                                     const Future* recorded) const = 0;
 };
 
-/// From the snapshot's now to `horizon` seconds later: `samples` equally likely futures of the ego,
-/// the most central of them `central` seconds from now as the likeliest, and all others as
-/// predictFuture() says. The same arguments give the same future.
+/// Predicts from t0 to t0 + `horizon` (s): `samples` equally likely ego futures, the most central
+/// of them `central` s after t0 as the likeliest, and other agents by predictFuture().
+/// Deterministic in its arguments.
 Future foreseenFuture(const Snapshot& snapshot, const LaneIndex& lanes,
                       const EgoFutureSampler& ego_futures, double horizon, double central,
                       int samples, std::uint64_t seed, const PredictionOptions& options);
 
-/// No learning: the ego moves as the sampler says, all others as predictFuture() says (or everybody
-/// as recorded), and each candidate attacker is placed at the ego's pose at impact with the type's
-/// nominal heading. Declines with kRoadDoesNotAllow where that is asked for (roadAllows()).
+/// Predicts without learning: places each candidate attacker at the ego's predicted (in replay
+/// mode: recorded) pose at impact, with the type's nominal heading. The ego moves as `ego_futures`
+/// samples it, other agents as predictFuture(). Returns kRoadDoesNotAllow if the request requires
+/// plausibility and roadAllows() is false.
 class KinematicPatternPredictor : public PatternPredictor {
  public:
   KinematicPatternPredictor(const AttackOptions& options,

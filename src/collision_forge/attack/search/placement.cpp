@@ -7,8 +7,8 @@
 namespace forge {
 namespace {
 
-constexpr double kParallel = 1e-9;  // cosine; along such an axis nothing parts
-constexpr double kMiddle = 1e-6;    // m from the ego's middle: in no direction from it
+constexpr double kParallel = 1e-9;  // cosine; such an axis never separates
+constexpr double kMiddle = 1e-6;    // m from the ego's centre: no direction defined
 
 Vector2 outward(Side side) {
   switch (side) {
@@ -57,7 +57,7 @@ std::vector<HeadedPlacement> placementsAlong(double direction, CollisionType typ
       if (placement.sign == 0.0 || placement.sign == sign)
         found.push_back({placement.side, heading});
     }
-    // Straight on and straight back have one side.
+    // At 0 and pi both signs are the same heading.
     if (nearest < kBandEnd || nearest > M_PI - kBandEnd) break;
   }
   return found;
@@ -66,7 +66,7 @@ std::vector<HeadedPlacement> placementsAlong(double direction, CollisionType typ
 double partingDistance(const BoxSize& ego, const BoxSize& attacker, const Pose2& from,
                        const Vector2& direction) {
   const OrientedBox ego_box{{}, ego};
-  // They part along the first of the sides' axes on which their shadows do.
+  // The boxes separate along the first axis on which their projections do.
   double parting = std::numeric_limits<double>::infinity();
   for (const AxisGap& side : axisGaps(ego_box, {{0.0, 0.0, from.yaw}, attacker})) {
     const double reach = -side.gap;

@@ -8,54 +8,55 @@
 
 namespace forge {
 
-/// The side of the ego's box that the attacker's is pushed against, and which way the attacker
-/// heads there.
+/// A side of the ego's box that an attacker touches.
 struct Placement {
   Side side = Side::kLeft;
-  double sign = 0.0;  ///< of the attacker's heading relative to the ego's; 0: either
+  double sign = 0.0;  ///< sign of the attacker's relative heading; 0: either
 };
 
-/// Where a type's attackers can stand. An attacker at the left heads to the right (sign -1), one at
-/// the right to the left. rear_end: behind the ego, or ahead with the ego running into it.
-/// opposite_direction: ahead. lane_change: beside. junction_crossing: beside or in front. ltap: the
-/// side that an oncoming vehicle turns across from (the left in right-hand traffic, its mirror in
-/// left-hand traffic), or in front, heading away from there. The first ones are COLLIDE's.
+/// Returns the possible placements of a type, COLLIDE's own first:
+/// - rear_end: behind the ego, or in front with the ego running into the attacker;
+/// - opposite_direction: in front;
+/// - lane_change: beside, heading towards the ego (from the left: sign -1);
+/// - junction_crossing: beside or in front;
+/// - ltap: the side from which an oncoming vehicle turns across the path (left in right-hand
+///   traffic, right in left-hand traffic), or in front with the same sign.
 std::vector<Placement> placementsOf(CollisionType type, DrivingSide driving_side);
 
-/// Of half a side: so far a place of contact may be from the side's middle, either way.
+/// Maximum contact position along a side, as a share of half the side from its middle.
 inline constexpr double kMaxSlide = 0.9;
 
-/// A band of headings that ends so near to straight on or straight back reaches it, rad.
+/// rad; a heading band that ends within this of 0 or pi includes it.
 inline constexpr double kBandEnd = 1e-3;
 
-/// The side of the ego's box that an attacker meets, and its heading relative to the ego's, rad.
+/// A touched side of the ego with the attacker's relative heading, rad.
 struct HeadedPlacement {
   Side side = Side::kLeft;
   double heading = 0.0;
 };
 
-/// How who comes along a lane can meet the ego. `direction`: of the lane, relative to the ego's
-/// heading, rad. The headings are those within the band, by `margin` (rad) but not where it reaches
-/// straight on or back, that are nearest to it, to either side; none is more than `max_lean` (rad)
-/// from it.
+/// Returns how a vehicle on a lane of `direction` (rad, relative to the ego's heading) can hit the
+/// ego: on either side, the heading nearest to `direction` within the band narrowed by `margin`
+/// (rad; not at ends that reach 0 or pi), if it differs from `direction` by at most `max_lean`
+/// (rad).
 std::vector<HeadedPlacement> placementsAlong(double direction, CollisionType type,
                                              const TypeDefinition& band, DrivingSide driving_side,
                                              double margin, double max_lean);
 
-/// How far along `direction` (a unit vector in the ego box's frame) the attacker's box can go from
-/// `from` until the boxes, which overlap there, only just touch; metres.
+/// Returns the distance (m) along the unit vector `direction` (ego box's frame) by which the
+/// attacker's box must move from `from`, where the boxes overlap, until they only touch.
 double partingDistance(const BoxSize& ego, const BoxSize& attacker, const Pose2& from,
                        const Vector2& direction);
 
-/// Box middle and heading of the attacker in the ego box's frame such that, pushed in from `side`,
-/// the boxes overlap by `depth` metres along the push. `slide` in [-1, 1] moves the attacker along
-/// the side that is hit, as a share of half that side (positive is forward, or left for front and
-/// rear).
+/// Returns the attacker's box centre and heading in the ego box's frame when pushed in from `side`
+/// until the boxes overlap by `depth` m along the push. `heading` in rad. `slide` in [-1, 1]:
+/// contact position along the side, as a share of half the side (positive: forward; on front and
+/// rear: left).
 Pose2 attackerOffset(const BoxSize& ego, const BoxSize& attacker, Side side, double heading,
                      double slide, double depth);
 
-/// The offset nearest to an attacker's along the line to the ego's middle at which the boxes only
-/// just touch, at the same heading. An attacker in the very middle is where it comes from.
+/// Returns the pose at the same heading, on the line through the ego's centre and the attacker's,
+/// at which the boxes only touch. An attacker at the ego's centre is moved backwards.
 Pose2 touchingOffset(const BoxSize& ego, const BoxSize& attacker, const Pose2& offset);
 
 }  // namespace forge

@@ -8,7 +8,7 @@ Quintic::Quintic(const AxisState& start, const AxisState& end, double duration) 
   if (!(duration > 0.0)) throw std::invalid_argument("a quintic needs a positive duration");
   const double t = duration;
   const double t2 = t * t;
-  // What the start's parabola leaves to be made up at the end.
+  // Differences at the end from the start's parabola.
   const double dp =
       end.position - start.position - start.velocity * t - 0.5 * start.acceleration * t2;
   const double dv = end.velocity - start.velocity - start.acceleration * t;

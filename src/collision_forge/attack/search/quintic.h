@@ -11,13 +11,13 @@ struct AxisState {
   double acceleration = 0.0;
 };
 
-/// The polynomial of degree five through two axis states (Takahashi et al. 1989).
+/// Polynomial of degree five through two axis states (Takahashi et al. 1989). Units of position, s.
 class Quintic {
  public:
-  /// `duration` in seconds, > 0; throws std::invalid_argument otherwise.
+  /// Throws std::invalid_argument unless `duration` > 0 (s).
   Quintic(const AxisState& start, const AxisState& end, double duration);
 
-  /// State at `time` in [0, duration].
+  /// Returns the state at `time` in [0, duration], s.
   AxisState at(double time) const;
 
  private:

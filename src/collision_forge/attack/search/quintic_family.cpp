@@ -6,12 +6,9 @@
 namespace forge {
 namespace {
 
-constexpr double kStandstill = 0.1;   // m/s; below it the direction of motion is not a heading
-constexpr double kMinProgress = 0.2;  // cosine between path and arrival: no turning back on a path
-constexpr int kProjections = 4;       // of a pose onto a path, each nearer than the one before
-constexpr double kMaxPathLean = 0.8;  // curvature times offset: near 1 the path's normals meet
+constexpr double kStandstill = 0.1;  // m/s; below, the direction of motion is no heading
 
-/// Two axes: x and y of the map, or along and across a path.
+/// The axes x and y of the map.
 struct Axes {
   AxisState first;
   AxisState second;
@@ -31,14 +28,14 @@ void setPose(double time, const Vector2& position, const Vector2& velocity, doub
   point.pose = {position.x(), position.y(), yaw};
 }
 
-/// The turn over the way between two points, 1/m.
+/// Returns the turn per distance between two points, 1/m.
 double curvatureBetween(double step, const TrajectoryPoint& a, const TrajectoryPoint& b) {
   const double way = (b.pose.position() - a.pose.position()).norm();
   return angleBetween(a.pose.yaw, b.pose.yaw) / std::max(way, kStandstill * step);
 }
 
-/// Acceleration from the neighbours' positions, curvature from the sharper of the turns to them: a
-/// reader of the points alone finds no more.
+/// Derives the acceleration from neighbouring positions and the curvature from the sharper of the
+/// two neighbouring turns, so that a reader of the positions finds the same values.
 void deriveFromNeighbours(double step, std::vector<TrajectoryPoint>& points) {
   const std::size_t last = points.size() - 1;
   for (std::size_t i = 0; i <= last; ++i) {
@@ -58,51 +55,15 @@ void deriveFromNeighbours(double step, std::vector<TrajectoryPoint>& points) {
   }
 }
 
-/// The velocity that path coordinates stand for.
-Vector2 velocityOn(const ReferencePath::Place& place, const Axes& state) {
-  const Vector2 heading = place.pose.heading();
-  const Vector2 left(-heading.y(), heading.x());
-  const double along = place.stretch * (1.0 - place.curvature * state.second.position);
-  return state.first.velocity * along * heading + state.second.velocity * left;
-}
-
-/// The path coordinates of a pose and its motion; false where the path has none.
-bool toPath(const ReferencePath& path, const Pose2& pose, double speed, double acceleration,
-            Axes& state) {
-  double arc_length = path.project(pose.position());
-  ReferencePath::Place place;
-  Pose2 local;
-  double lean = 1.0;
-  // In a bend the closest of the path's places tells the arc length only roughly.
-  for (int i = 0; i < kProjections; ++i) {
-    place = path.at(arc_length);
-    local = relativeTo(place.pose, pose);
-    if (std::abs(place.curvature * local.y) > kMaxPathLean) return false;
-    lean = place.stretch * (1.0 - place.curvature * local.y);
-    arc_length += local.x / lean;
-  }
-  const Vector2 heading = Pose2{0.0, 0.0, local.yaw}.heading();
-  if (heading.x() < kMinProgress) return false;
-  state.first = {arc_length, speed * heading.x() / lean, acceleration * heading.x() / lean};
-  state.second = {local.y, speed * heading.y(), acceleration * heading.y()};
-  return true;
-}
-
 }  // namespace
 
-bool QuinticFamily::drive(const DriveStart& start, const Arrival& arrival,
-                          std::vector<TrajectoryPoint>& points) const {
+void driveQuintic(const DriveStart& start, const Arrival& arrival,
+                  std::vector<TrajectoryPoint>& points) {
   const Motion& motion = start.motion;
-  Axes from = alongHeading(motion.pose.position(), motion.pose.heading(), motion.speed,
-                           arrival.start_acceleration);
-  Axes to = alongHeading(arrival.pose.position(), arrival.pose.heading(), arrival.speed,
-                         arrival.end_acceleration);
-  if (path_) {
-    if (!toPath(*path_, motion.pose, motion.speed, arrival.start_acceleration, from) ||
-        !toPath(*path_, arrival.pose, arrival.speed, arrival.end_acceleration, to)) {
-      return false;
-    }
-  }
+  const Axes from = alongHeading(motion.pose.position(), motion.pose.heading(), motion.speed,
+                                 arrival.start_acceleration);
+  const Axes to = alongHeading(arrival.pose.position(), arrival.pose.heading(), arrival.speed,
+                               arrival.end_acceleration);
   const Quintic first(from.first, to.first, arrival.time);
   const Quintic second(from.second, to.second, arrival.time);
   points.resize(static_cast<std::size_t>(start.points));
@@ -115,18 +76,11 @@ bool QuinticFamily::drive(const DriveStart& start, const Arrival& arrival,
       continue;
     }
     const Axes state{first.at(t), second.at(t)};
-    if (path_) {
-      const ReferencePath::Place place = path_->at(state.first.position);
-      const Pose2 pose = compose(place.pose, {0.0, state.second.position, 0.0});
-      setPose(start.now + t, pose.position(), velocityOn(place, state), yaw, points[i]);
-    } else {
-      setPose(start.now + t, {state.first.position, state.second.position},
-              {state.first.velocity, state.second.velocity}, yaw, points[i]);
-    }
+    setPose(start.now + t, {state.first.position, state.second.position},
+            {state.first.velocity, state.second.velocity}, yaw, points[i]);
     yaw = points[i].pose.yaw;
   }
   deriveFromNeighbours(start.step, points);
-  return true;
 }
 
 }  // namespace forge

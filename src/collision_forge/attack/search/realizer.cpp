@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -19,10 +18,10 @@ void checkPatterns(const std::vector<CollisionPattern>& patterns, const Snapshot
   for (const CollisionPattern& pattern : patterns) {
     if (!findTrack(snapshot.agents, pattern.attacker_id)) {
       throw InputError("the pattern's attacker_id \"" + pattern.attacker_id +
-                       "\" is nobody in the scene");
+                       "\" is not in the scene");
     }
     if (!(pattern.time > snapshot.now)) {
-      throw InputError("the pattern's time is not after now");
+      throw InputError("the pattern's time is not after t0");
     }
     if (!pattern.ego.center.isFinite() || !pattern.attacker_offset.isFinite() ||
         !std::isfinite(pattern.attacker_speed)) {
@@ -32,12 +31,15 @@ void checkPatterns(const std::vector<CollisionPattern>& patterns, const Snapshot
     }
     if (!(pattern.tolerance >= 0.0)) {
       throw InputError("the pattern's tolerance = " + numberText(pattern.tolerance) +
-                       " is not 0 m or more");
+                       " m must be at least 0");
     }
   }
 }
 
-Realization realizeTogether(const RealizationTask& task, const AttackOptions& options) {
+}  // namespace
+
+Realization realize(const RealizationTask& task, const AttackOptions& options) {
+  checkPatterns(task.patterns, task.input.snapshot);
   const VerificationInput& input = task.input;
   AttackJudge judge(input, options, task.exact);
   const std::vector<FoundAttack> attacks =
@@ -53,41 +55,6 @@ Realization realizeTogether(const RealizationTask& task, const AttackOptions& op
     if (judge.accepts(found, agent, attack.hits)) return found;
   }
   return declined(judge.refusal(task.patterns));
-}
-
-/// The patterns of each attacker, the attackers in the order of their first patterns.
-std::vector<std::vector<CollisionPattern>> byAttacker(
-    const std::vector<CollisionPattern>& patterns) {
-  std::vector<std::vector<CollisionPattern>> groups;
-  for (const CollisionPattern& pattern : patterns) {
-    auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& other) {
-      return other.front().attacker_id == pattern.attacker_id;
-    });
-    if (group == groups.end()) group = groups.emplace(groups.end());
-    group->push_back(pattern);
-  }
-  return groups;
-}
-
-Realization realizeInTurn(const RealizationTask& task, const AttackOptions& options) {
-  std::optional<Realization> best;
-  for (const std::vector<CollisionPattern>& patterns : byAttacker(task.patterns)) {
-    Realization answer = realizeTogether(
-        {patterns, task.input, task.exact, task.ways, task.motion, std::nullopt}, options);
-    const bool is_found = answer.status.code == StatusCode::kOk;
-    const bool has_attack = best && best->status.code == StatusCode::kOk;
-    if (best && (!is_found || (has_attack && worthOf(answer) <= worthOf(*best)))) continue;
-    best = std::move(answer);
-    if (is_found && worthOf(*best) >= *task.enough) break;
-  }
-  return best ? *best : realizeTogether(task, options);
-}
-
-}  // namespace
-
-Realization realize(const RealizationTask& task, const AttackOptions& options) {
-  checkPatterns(task.patterns, task.input.snapshot);
-  return task.enough ? realizeInTurn(task, options) : realizeTogether(task, options);
 }
 
 }  // namespace forge

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "collision_forge/attack/search/options.h"
@@ -10,36 +9,36 @@
 
 namespace forge {
 
-/// What is to be driven.
+/// Input of a realiser. Holds references: the referenced objects must outlive it.
 struct RealizationTask {
   const std::vector<CollisionPattern>& patterns;  ///< most promising first
   const VerificationInput& input;
-  bool exact = false;                  ///< the contact is at one of the patterns (isExact())
-  const AttackerWays& ways = kNoWays;  ///< of believable attackers, as the next
+  bool exact = false;                  ///< require the contact at one of the patterns (isExact())
+  const AttackerWays& ways = kNoWays;  ///< for plausible attackers, like `motion`
   SearchedMotion motion = SearchedMotion::kByRoutes;
-  /// With a value, the attackers are searched one after the other, in the order of the patterns,
-  /// until the worthOf() of an attack is so much. Without one they are searched together.
-  std::optional<double> enough = std::nullopt;
 };
 
-/// Searches (searchAttacks()) from the patterns, and returns the first attack that AttackJudge
-/// accepts, the best first, with the pattern that it came from. If the attackers are searched one
-/// after the other, it returns the attack of greatest worthOf(), or why the first has none. Same
-/// input and seed, same answer. Throws InputError for a pattern whose attacker is not in the
-/// snapshot, whose time is not after now, or with a number that is not finite or a tolerance below
-/// 0.
+/// Searches from the patterns (searchAttacks()) and returns the first attack, best first, that
+/// AttackJudge accepts. Deterministic in its arguments. Throws InputError if a pattern's
+/// attacker is not in the snapshot, its time is not after t0, a number is not finite, or the
+/// tolerance is negative.
 Realization realize(const RealizationTask& task, const AttackOptions& options);
 
-/// Drives attackers into patterns. Implementations are immutable and may be used from many threads.
+/// Interface: drives attackers into collision patterns, the second stage of SearchMethod. Extension
+/// point (also as ROS service realize_trajectory). Implementations must be immutable: one object is
+/// used from many threads at once.
 class TrajectoryRealizer {
  public:
   virtual ~TrajectoryRealizer() = default;
 
-  /// An attack that AttackJudge accepts, or why there is none.
+  /// Returns an attack that AttackJudge accepts, or a status other than kOk with the reason. Called
+  /// on the caller's thread several times per request: for recorded and added attackers, and for
+  /// each SearchedMotion. Must be deterministic in its arguments. May throw InputError for unusable
+  /// patterns; must not modify or keep the task's references.
   virtual Realization realize(const RealizationTask& task) const = 0;
 };
 
-/// realize(), in this process.
+/// Calls realize() in this process.
 class SearchRealizer : public TrajectoryRealizer {
  public:
   explicit SearchRealizer(const AttackOptions& options) : options_(options) {}

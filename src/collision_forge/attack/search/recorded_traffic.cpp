@@ -6,7 +6,7 @@
 namespace forge {
 namespace {
 
-/// The straight line between two points crosses the box.
+/// Returns true if the line between two points crosses the box.
 bool crosses(const OrientedBox& box, const Vector2& from, const Vector2& to) {
   const Pose2 a = relativeTo(box.center, {from.x(), from.y(), 0.0});
   const Pose2 b = relativeTo(box.center, {to.x(), to.y(), 0.0});

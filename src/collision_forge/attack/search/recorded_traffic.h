@@ -7,33 +7,33 @@
 
 namespace forge {
 
-/// Where everybody is at instants a fixed interval apart, for many questions about one moment.
+/// Boxes of ego and other agents at equally spaced instants around t0, for many queries.
 class RecordedTraffic {
  public:
-  /// Up to now as `past` has it, from its first frame on; after now, up to `end` seconds from now,
-  /// the agents as `future` has them, without the ego.
+  /// Uses `past` from its first frame to t0, then the agents of `future`, without the ego, up to
+  /// `end` s after t0. `interval` in s.
   RecordedTraffic(const Snapshot& past, const Future& future, double end, double interval);
 
-  /// Instants are counted from now, negative before it.
+  /// Instants are numbered from t0: 0 is t0, negative before it.
   int firstInstant() const { return first_; }
   int lastInstant() const { return first_ + static_cast<int>(bodies_.size()) - 1; }
   double interval() const { return interval_; }
 
-  /// A box, grown by `clearance` metres on all sides, overlaps somebody's. Nobody is known to be
-  /// anywhere beyond the first and the last instant.
+  /// Returns true if the box, enlarged by `clearance` (m) on all sides, overlaps an agent or the
+  /// ego. False outside the known instants.
   bool touches(const Pose2& pose, const BoxSize& size, int instant, double clearance) const;
 
-  /// A vehicle other than the ego is between the ego and a place: the line from the middle of the
-  /// ego's box crosses its box. False where the ego is not known.
+  /// Returns true if a vehicle occludes `place` from the ego: the line from the ego's box centre to
+  /// it crosses the vehicle's box. False if the ego is unknown.
   bool hides(const Vector2& place, int instant) const;
 
-  /// m from the middle of the ego's box; empty where it is not known.
+  /// Returns the distance (m) from the ego's box centre; empty if the ego is unknown.
   std::optional<double> distanceToEgo(const Vector2& place, int instant) const;
 
  private:
   struct Body {
     OrientedBox box;
-    double radius;  // of its circumference
+    double radius;  // m, circumscribed circle
     bool is_ego;
     bool hides_others;
   };
@@ -42,7 +42,7 @@ class RecordedTraffic {
 
   double interval_;
   int first_;
-  std::vector<std::vector<Body>> bodies_;  // one list an instant, the ego first
+  std::vector<std::vector<Body>> bodies_;  // [instant], ego first
 };
 
 }  // namespace forge

@@ -22,7 +22,7 @@ bool isFinite(const Track& track) {
                      [](const AgentState& state) { return state.pose.isFinite(); });
 }
 
-/// False when the newest two states are too far apart to tell a motion from.
+/// Returns false if the newest two states are too far apart in time to derive a motion.
 bool hasMotion(const Track& track) {
   const auto& states = track.states;
   return states.size() >= 2 && states.back().time - states[states.size() - 2].time <= kMaxGap;
@@ -34,15 +34,15 @@ Status checkEgo(const Snapshot& snapshot, const PredictionOptions& options) {
     return refuse(StatusCode::kInvalidInput, "the ego's size is ", ego.size.length, " x ",
                   ego.size.width, " m");
   }
-  if (!isFinite(ego)) return refuse(StatusCode::kInvalidInput, "the ego's pose is not a number");
+  if (!isFinite(ego)) return refuse(StatusCode::kInvalidInput, "the ego's pose is not finite");
   if (static_cast<int>(ego.states.size()) < options.min_history_frames ||
       !newestAt(ego, snapshot.now)) {
-    return refuse(StatusCode::kTooLittleHistory, "the ego was seen in ", ego.states.size(),
-                  " frames up to now, ", options.min_history_frames, " are needed");
+    return refuse(StatusCode::kTooLittleHistory, "the ego was observed in ", ego.states.size(),
+                  " frames up to t0, ", options.min_history_frames, " are needed");
   }
   if (!hasMotion(ego)) {
-    return refuse(StatusCode::kTooLittleHistory, "the ego was not seen in the ", kMaxGap,
-                  " s before now");
+    return refuse(StatusCode::kTooLittleHistory, "the ego was not observed in the ", kMaxGap,
+                  " s before t0");
   }
   return {};
 }
@@ -52,10 +52,10 @@ Status checkAttacker(const std::string& id, const std::optional<AgentClass>& wan
   const auto attacker = std::find_if(snapshot.agents.begin(), snapshot.agents.end(),
                                      [&](const Track& agent) { return agent.id == id; });
   if (attacker == snapshot.agents.end()) {
-    return refuse(StatusCode::kUnknownAttacker, "attacker_id \"", id, "\" is nobody in the scene");
+    return refuse(StatusCode::kUnknownAttacker, "attacker_id \"", id, "\" is not in the scene");
   }
   if (!newestAt(*attacker, snapshot.now)) {
-    return refuse(StatusCode::kAbsentAttacker, "attacker \"", id, "\" is not there now");
+    return refuse(StatusCode::kAbsentAttacker, "attacker \"", id, "\" is not present at t0");
   }
   if (!canAttack(attacker->agent_class)) {
     return refuse(StatusCode::kAbsentAttacker, "attacker \"", id, "\" is a ",
@@ -63,17 +63,18 @@ Status checkAttacker(const std::string& id, const std::optional<AgentClass>& wan
   }
   if (wanted && attacker->agent_class != *wanted) {
     return refuse(StatusCode::kInvalidInput, "attacker \"", id, "\" is a ",
-                  toString(attacker->agent_class), ", and attacker_class = ", toString(*wanted));
+                  toString(attacker->agent_class), ", but attacker_class = ", toString(*wanted));
   }
   if (!isFinite(*attacker)) {
-    return refuse(StatusCode::kInvalidInput, "the pose of attacker \"", id, "\" is not a number");
+    return refuse(StatusCode::kInvalidInput, "the pose of attacker \"", id, "\" is not finite");
   }
   if (!(attacker->size.length > 0.0 && attacker->size.width > 0.0)) {
     return refuse(StatusCode::kInvalidInput, "the size of attacker \"", id, "\" is ",
                   attacker->size.length, " x ", attacker->size.width, " m");
   }
   if (!hasMotion(*attacker)) {
-    return refuse(StatusCode::kTooLittleHistory, "attacker \"", id, "\" has just appeared");
+    return refuse(StatusCode::kTooLittleHistory, "attacker \"", id,
+                  "\" was not observed before t0");
   }
   return {};
 }
@@ -112,39 +113,40 @@ Status checkControls(const CollisionRequest& request) {
   }
   if (request.manoeuvre && typeOf(*request.manoeuvre) != request.type) {
     return refuse(StatusCode::kInvalidInput, "manoeuvre = ", toString(*request.manoeuvre),
-                  " is none of type ", toString(request.type), ": ", manoeuvreNames(request.type));
+                  " is not of type = ", toString(request.type), ", which has ",
+                  manoeuvreNames(request.type));
   }
   if (request.impact_speed) {
     const Range& speed = *request.impact_speed;
     if (!(speed.min >= 0.0 && speed.max >= speed.min && std::isfinite(speed.max))) {
       return refuse(StatusCode::kInvalidInput, "impact_speed = ", speed.min, " to ", speed.max,
-                    " m/s is no range from 0 on");
+                    " m/s must be a range with 0 <= min <= max");
     }
   }
   if (request.overlap) {
     const Range& overlap = *request.overlap;
     if (!(overlap.min >= 0.0 && overlap.max >= overlap.min && overlap.max <= 1.0)) {
       return refuse(StatusCode::kInvalidInput, "overlap = ", overlap.min, " to ", overlap.max,
-                    " is no range within 0 to 1");
+                    " must be a range within 0 to 1");
     }
   }
   if (request.alternatives < 1 || request.alternatives > kMaxAlternatives) {
     return refuse(StatusCode::kInvalidInput, "alternatives = ", request.alternatives,
-                  " is outside 1 to ", kMaxAlternatives);
+                  " must be 1 to ", kMaxAlternatives);
   }
   if (request.mode == Mode::kAdaptive && request.crash.limits == LimitSet::kStrict) {
     return refuse(StatusCode::kInvalidInput,
-                  "limits = strict is not for mode = adaptive, whose attackers drive within the "
-                  "limits of their class");
+                  "limits = strict is not supported with mode = adaptive, whose attackers keep the "
+                  "limits of their vehicle class");
   }
   if (request.mode == Mode::kAdaptive && request.alternatives > 1) {
     return refuse(StatusCode::kInvalidInput, "alternatives = ", request.alternatives,
-                  " is not for mode = adaptive, which drives one attacker");
+                  " is not supported with mode = adaptive, which drives one attacker");
   }
   if (request.crash.believable && request.crash.limits == LimitSet::kStrict) {
     return refuse(StatusCode::kInvalidInput,
-                  "limits = strict goes with believable = false alone: a believable attacker "
-                  "drives within the limits of its class");
+                  "limits = strict requires believable = false: a believable attacker keeps "
+                  "the limits of its vehicle class");
   }
   return {};
 }

@@ -6,25 +6,26 @@
 
 namespace forge {
 
-/// A vehicle that is there now, was there in the frame before, and is within candidate_radius.
+/// Returns true if the agent may attack: a vehicle present at t0 and in the frame before, within
+/// options.candidate_radius of the ego.
 bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionOptions& options);
 
-/// As many attacks may be asked for at once.
+/// Maximum number of attacks per request.
 inline constexpr int kMaxAlternatives = 16;
 
-/// The request with its attacker's id in full, where its beginning was given: kShortId letters or
-/// more that name nobody else.
+/// Returns the request with its attacker's full id if it gives a prefix of at least kShortId
+/// characters that is unique in the snapshot, else unchanged.
 CollisionRequest withFullId(CollisionRequest request, const Snapshot& snapshot);
 
-/// What a request says against itself: an attacker's id with the choice of a new one, a class that
-/// cannot attack, a manoeuvre of another type, an impact speed or an overlap that none can
-/// have, less than one attack or more than kMaxAlternatives, believable attacks within the strict
-/// limits (these are those of no vehicle that drives).
+/// Returns kInvalidInput, naming the field, if the request contradicts itself: an attacker id with
+/// choice = new, a class that cannot attack, a manoeuvre of another type, an impossible range of
+/// impact speed or overlap, a number of attacks outside 1 to kMaxAlternatives, plausible or
+/// adaptive attackers with strict limits, or several adaptive attacks. Else kOk.
 Status checkControls(const CollisionRequest& request);
 
-/// What can be said against a request before any search: TTA out of range or not a number,
-/// checkControls(), too little history or a NaN in it, an ego without a size, an unknown, absent or
-/// unfit attacker.
+/// Returns the first reason to reject a request before any search, else kOk: TTA out of range or
+/// NaN, checkControls(), too short or NaN history, an ego without size, an unknown, absent or unfit
+/// attacker.
 Status checkRequest(const CollisionRequest& request, const Snapshot& snapshot,
                     const PredictionOptions& options);
 

@@ -18,7 +18,7 @@ double nearestFrame(const std::vector<double>& frames, double time) {
   return *std::prev(after);
 }
 
-/// The frames nearest to the multiples of `stride`, each once.
+/// Returns the frames nearest to the multiples of `stride`, each once.
 std::vector<double> framesEvery(double stride, const std::vector<double>& frames) {
   std::vector<double> chosen;
   if (frames.empty()) return chosen;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -11,19 +12,22 @@
 namespace forge {
 namespace {
 
+constexpr double kSettling = 1.0;         // s in which the driver reaches a chosen speed
+constexpr double kReturnDistance = 80.0;  // m in which the offset from the lane's middle fades to
+                                          // 74 %, critically damped
 constexpr double kSpacing = ReferencePath::kBendSpacing;
-constexpr double kSpeedPrecision = 0.01;    // m/s, of the speed that is driven at, and ...
-constexpr std::uintmax_t kMostTrials = 20;  // ... of these to find it
-constexpr double kLookahead = 0.4;          // s that a driver sees a bend before
-constexpr double kWandering = 2.0;          // m/s; slower ones wander less
-constexpr double kStandstill = 0.05;        // m/s; nobody moves across without moving along
+constexpr double kSpeedPrecision = 0.01;    // m/s, of the chosen speed
+constexpr std::uintmax_t kMostTrials = 20;  // to find it
+constexpr double kLookahead = 0.4;          // s of anticipation of bends
+constexpr double kWandering = 2.0;          // m/s; slower vehicles vary less
+constexpr double kStandstill = 0.05;        // m/s; below, no lateral motion
 
 }  // namespace
 
-/// One way to drive along the route.
+/// Parameters of a drive along the route.
 struct RouteDriver::Cruise {
   std::size_t style;
-  double speed;  // that is chosen, m/s
+  double speed;  // m/s, chosen speed
   double arrival;
   double late_from;  // s
   double late_acceleration;
@@ -32,15 +36,14 @@ struct RouteDriver::Cruise {
 };
 
 RouteDriver::RouteDriver(ReferencePath path, const DriveState& now, const DriveLimits& limits,
-                         const RouteDriverOptions& options, const SpeedVariation& variation)
-    : path_(std::move(path)), options_(options), limits_(limits), now_(now), variation_(variation) {
+                         const SpeedVariation& variation)
+    : path_(std::move(path)), limits_(limits), now_(now), variation_(variation) {
   start_ = path_.seen(compose(now.axle, {limits.axle_to_middle, 0.0, 0.0}));
   const std::vector<double> bends = path_.bends();
-  for (const DrivingStyle& style : options.styles) {
+  for (const DrivingStyle& style : kDrivingStyles) {
     std::vector<float> caps(bends.size());
-    const double lateral =
-        std::min(style.lateral, options.limit_share * limits.max_lateral_acceleration);
-    const double braking = std::min(style.braking, options.limit_share * limits.max_braking);
+    const double lateral = std::min(style.lateral, kLimitShare * limits.max_lateral_acceleration);
+    const double braking = std::min(style.braking, kLimitShare * limits.max_braking);
     double next = limits.max_speed * limits.max_speed;
     for (std::size_t i = bends.size(); i-- > 0;) {
       next = std::min(next + 2.0 * braking * kSpacing, lateral / bends[i]);
@@ -53,8 +56,8 @@ RouteDriver::RouteDriver(ReferencePath path, const DriveState& now, const DriveL
 double RouteDriver::keptOffset(double along) const {
   // Critically damped, from where and how the driver leans now.
   const double driven = std::max(0.0, along - start_.along);
-  const double fade = options_.return_distance;
-  const double slope = std::tan(std::clamp(start_.lean, -options_.max_lean, options_.max_lean));
+  const double fade = kReturnDistance;
+  const double slope = std::tan(std::clamp(start_.lean, -kMaxLean, kMaxLean));
   return (start_.across + (slope + start_.across / fade) * driven) * std::exp(-driven / fade);
 }
 
@@ -64,16 +67,17 @@ double RouteDriver::cap(std::size_t style, double along) const {
   return caps[static_cast<std::size_t>(place)];
 }
 
-/// Where the driver is at the arrival, along the path; on the way every step to `alongs`.
+/// Returns m along the path at the arrival; appends the position at every step to `alongs`, if not
+/// null.
 double RouteDriver::drive(const Cruise& cruise, std::vector<double>* alongs) const {
-  const DrivingStyle& style = options_.styles[cruise.style];
-  const DrivingStyle& wildest = options_.styles.back();
-  const double share = options_.limit_share;
+  const DrivingStyle& style = kDrivingStyles[cruise.style];
+  const DrivingStyle& wildest = kDrivingStyles.back();
+  const double share = kLimitShare;
   const double wave_jerk = variation_.amplitude * variation_.frequency();
   double along = start_.along;
   double speed = now_.speed;
   double acceleration = now_.acceleration;
-  // The wave, turned on step by step.
+  // The variation's wave, rotated step by step.
   const double turn = variation_.frequency() * cruise.step;
   const Vector2 turned{std::cos(turn), std::sin(turn)};
   Vector2 wave =
@@ -87,7 +91,7 @@ double RouteDriver::drive(const Cruise& cruise, std::vector<double>* alongs) con
     if (time < cruise.wait && speed == 0.0) continue;
     const double target = std::min(cruise.speed, cap(cruise.style, along + kLookahead * speed));
     double wanted =
-        std::clamp((target - speed) / options_.settling, -style.braking, style.forward) + wander;
+        std::clamp((target - speed) / kSettling, -style.braking, style.forward) + wander;
     double jerk = style.jerk + wave_jerk;
     if (time >= cruise.late_from) {
       wanted = cruise.late_acceleration;
@@ -116,28 +120,35 @@ RouteDriver::Cruise RouteDriver::cruiseOf(const RoutePlan& wanted, const RouteSp
 std::optional<RouteSpeed> RouteDriver::speedFor(const RoutePlan& wanted, double step,
                                                 RouteReach& reach) const {
   RouteSpeed found;
+  reach.styles.resize(kDrivingStyles.size());
   const auto beyond = [&](double speed) {
-    return drive(cruiseOf(wanted, {found.style, speed}, step), nullptr) - wanted.at.along;
+    const auto [known, is_new] = reach.styles[found.style].try_emplace(speed, 0.0);
+    if (is_new) known->second = drive(cruiseOf(wanted, {found.style, speed}, step), nullptr);
+    return known->second - wanted.at.along;
   };
-  const double high = options_.limit_share * limits_.max_speed;
+  const double high = kLimitShare * limits_.max_speed;
   const auto isNear = [](double a, double b) { return std::abs(a - b) < kSpeedPrecision; };
-  const auto beyondAt = [&](double speed, std::vector<std::optional<double>>& known) {
-    known.resize(options_.styles.size());
-    std::optional<double>& along = known[found.style];
-    if (!along) along = drive(cruiseOf(wanted, {found.style, speed}, step), nullptr);
-    return *along - wanted.at.along;
-  };
-  for (; found.style < options_.styles.size(); ++found.style) {
-    const double slowest = beyondAt(0.0, reach.slowest);
-    if (slowest > options_.precision) continue;
-    const double fastest = beyondAt(high, reach.fastest);
-    if (fastest < -options_.precision) continue;
+  for (; found.style < kDrivingStyles.size(); ++found.style) {
+    const double slowest = beyond(0.0);
+    if (slowest > kArrivalPrecision) continue;
+    const double fastest = beyond(high);
+    if (fastest < -kArrivalPrecision) continue;
     if (slowest >= 0.0) return RouteSpeed{found.style, 0.0};
     if (fastest <= 0.0) return RouteSpeed{found.style, high};
+    // The faster, the farther: the known speeds on both sides of the wanted place are the bracket.
+    const std::map<double, double>& known = reach.styles[found.style];
+    const auto above = std::find_if(known.begin(), known.end(), [&](const auto& speed) {
+      return speed.second >= wanted.at.along;
+    });
+    const auto below = std::prev(above);
+    const double low_speed = below->first, high_speed = above->first;
+    if (isNear(low_speed, high_speed))
+      return RouteSpeed{found.style, 0.5 * (low_speed + high_speed)};
     std::uintmax_t most = kMostTrials;
-    const auto [below, above] =
-        boost::math::tools::toms748_solve(beyond, 0.0, high, slowest, fastest, isNear, most);
-    return RouteSpeed{found.style, 0.5 * (below + above)};
+    const auto [slower, faster] = boost::math::tools::toms748_solve(
+        beyond, low_speed, high_speed, below->second - wanted.at.along,
+        above->second - wanted.at.along, isNear, most);
+    return RouteSpeed{found.style, 0.5 * (slower + faster)};
   }
   return std::nullopt;
 }
@@ -157,30 +168,31 @@ void RouteDriver::plan(const RoutePlan& wanted, const RouteCourse& course, doubl
   const double end = course.end;
   const double before = wanted.arrival - static_cast<double>(alongs.size() - 1) * step;
   const double last_speed = std::max(0.0, (end - alongs.back()) / std::max(1e-6, before));
-  // Across the path: as kept so far, then in a fifth-order polynomial to the arrival.
+  // Across the path: the kept offset, then a quintic to the arrival.
   const double waits = now_.speed > 0.0 ? 0.0 : std::min(wanted.wait, wanted.arrival - step);
-  // A step at least, and not before now, even if the arrival is less than a step away.
+  // At least one step, and not before t0, even if the arrival is less than a step away.
   const double departure = std::min(std::max(wanted.departure, step), wanted.arrival - waits);
   const double from = wanted.arrival - departure;
   const double moving = std::max(step, departure - wanted.lead);
   const auto from_step = std::min(static_cast<std::size_t>(from / step), alongs.size() - 1);
   const double kept = keptOffset(alongs[from_step]);
   const double drift = last_speed * std::tan(wanted.at.lean);
-  // Who leaves at once goes on as it leans now.
+  // A departure at once continues the present heading.
   const double leaning = from < step ? now_.speed * std::sin(start_.lean) : 0.0;
   const Quintic across({kept, leaning, 0.0}, {wanted.at.across - wanted.lead * drift, drift, 0.0},
                        moving);
   planned.resize(steps);
-  Pose2 arrived;
+  PlannedStep arrived;
   for (std::size_t i = 0; i < steps; ++i) {
     const double time = static_cast<double>(i) * step;
     PlannedStep& at = planned[i];
     if (i >= alongs.size()) {
       if (i == alongs.size()) {
         const Pose2 place = path_.at(end).pose;
-        arrived = compose(place, {0.0, wanted.at.across, wanted.at.lean});
+        arrived = {compose(place, {0.0, wanted.at.across, wanted.at.lean}), last_speed};
       }
-      at = {compose(arrived, {(time - wanted.arrival) * last_speed, 0.0, 0.0}), last_speed};
+      at = arrived;
+      at.middle += (time - wanted.arrival) * last_speed * arrived.heading;
       continue;
     }
     const double next = i + 1 < alongs.size() ? alongs[i + 1] : end;
@@ -198,8 +210,12 @@ void RouteDriver::plan(const RoutePlan& wanted, const RouteCourse& course, doubl
       rate = state.velocity;
     }
     const double stretch = std::max(0.1, 1.0 - place.curvature * offset);
-    const double lean = speed > kStandstill ? std::atan2(rate, speed * stretch) : 0.0;
-    at = {compose(place.pose, {0.0, offset, lean}), std::hypot(speed * stretch, rate)};
+    const Vector2& along = place.heading;
+    const Vector2 across_path{-along.y(), along.x()};
+    const Vector2 velocity = speed * stretch * along + rate * across_path;
+    at.middle = place.pose.position() + offset * across_path;
+    at.speed = velocity.norm();
+    at.heading = speed > kStandstill ? Vector2(velocity / at.speed) : along;
   }
 }
 

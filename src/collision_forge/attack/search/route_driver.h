@@ -1,73 +1,98 @@
 #pragma once
 
+#include <array>
+#include <map>
 #include <optional>
 #include <vector>
 
-#include "collision_forge/attack/search/options.h"
 #include "collision_forge/attack/search/speed_variation.h"
 #include "collision_forge/attack/search/track_driver.h"
 #include "collision_forge/base/map/reference_path.h"
 
 namespace forge {
 
-/// What a driver is to do on its route.
+/// How hard a driver drives until its manoeuvre.
+struct DrivingStyle {
+  double forward = 0.0;  ///< m/s2
+  double braking = 0.0;  ///< m/s2
+  double lateral = 0.0;  ///< m/s2, in bends
+  double jerk = 0.0;     ///< m/s3
+  double cost = 0.0;     ///< share of the futures
+};
+
+/// The calmest first: a driver takes the first style that arrives in time. The first three were
+/// chosen so that a classifier can hardly tell attackers from recorded vehicles (docs/results.md);
+/// the last one is for drivers in trouble.
+inline constexpr std::array<DrivingStyle, 4> kDrivingStyles{{{0.4, 1.0, 2.0, 0.5, 0.0},
+                                                             {1.0, 1.0, 2.0, 1.0, 0.06},
+                                                             {2.0, 2.5, 2.8, 3.0, 0.14},
+                                                             {4.0, 6.0, 4.0, 10.0, 0.3}}};
+
+inline constexpr double kRouteReach = 7.0;        ///< m from a route to the ego, at most
+inline constexpr double kArrivalPrecision = 0.3;  ///< m along the route that an arrival may miss
+inline constexpr double kMaxDeparture = 5.0;      ///< m from the lane's middle in a manoeuvre
+inline constexpr double kMaxLean = 0.6;           ///< rad between vehicle and lane at the contact
+/// rad kept to either end of the band of headings of the type when an arrival is chosen.
+inline constexpr double kArrivalHeadingMargin = 0.03;
+/// m from the lane's middle that a vehicle may stand that pulls out; parked cars are 2 to 4 m away.
+inline constexpr double kParkingDistance = 4.5;
+
+/// Task of a driver on its route. All times in s.
 struct RoutePlan {
-  double arrival = 0.0;            ///< s from now
-  PathPose at;                     ///< at the arrival
-  double departure = 0.0;          ///< s before the arrival that it begins to leave its lane
-  double lead = 0.0;               ///< s before the arrival that it is where it will arrive, across
-  double late = 0.0;               ///< s before the arrival that late_acceleration begins, 0: never
+  double arrival = 0.0;            ///< s after t0
+  PathPose at;                     ///< pose on the route at the arrival
+  double departure = 0.0;          ///< s before arrival: starts to leave its lane
+  double lead = 0.0;               ///< s before arrival: has reached its lateral position
+  double late = 0.0;               ///< s before arrival: late_acceleration begins; 0: never
   double late_acceleration = 0.0;  ///< m/s2
-  double wait = 0.0;               ///< s from now that one who stands now waits
+  double wait = 0.0;               ///< s after t0 for which a standing vehicle waits
 };
 
-/// How a driver comes along its route.
+/// Driving style and speed along a route.
 struct RouteSpeed {
-  std::size_t style = 0;  ///< of RouteDriverOptions::styles
-  double speed = 0.0;     ///< m/s that it chooses
+  std::size_t style = 0;  ///< index into the styles, gentlest first
+  double speed = 0.0;     ///< m/s, chosen speed
 };
 
-/// How far along its route each style leads at the least and at the greatest speed, m; what nobody
-/// has asked for is empty.
+/// Cache of the distance (m along the route) that each style reaches at lowest and highest speed;
+/// empty entries are not computed yet.
 struct RouteReach {
-  std::vector<std::optional<double>> slowest;
-  std::vector<std::optional<double>> fastest;
+  std::vector<std::map<double, double>> styles;
 };
 
-/// A drive along a route, without what happens across it.
+/// Longitudinal motion along a route.
 struct RouteCourse {
-  std::vector<double> alongs;                ///< m, a step each, until the arrival
-  std::vector<ReferencePath::Place> places;  ///< there
-  double end = 0.0;                          ///< m along, at the arrival
+  std::vector<double> alongs;                ///< m along, one per step until the arrival
+  std::vector<ReferencePath::Place> places;  ///< at `alongs`
+  double end = 0.0;                          ///< m along at the arrival
 };
 
-/// A driver who follows a route: keeps its offset from the route's middle, drives at a speed that
-/// it chooses once, slower in bends and wandering a little, and leaves the lane only for what
-/// happens at the arrival.
+/// Model of a driver on a route: keeps its lateral offset, drives at one chosen speed, slower in
+/// bends and with a small variation, and leaves the lane only for the contact. Immutable.
 class RouteDriver {
  public:
-  /// `now`: where the driver is; the limits are its vehicle's.
+  /// `now`: the vehicle's state at t0; `limits`: its vehicle's. `options` must outlive this object.
   RouteDriver(ReferencePath path, const DriveState& now, const DriveLimits& limits,
-              const RouteDriverOptions& options, const SpeedVariation& variation = {});
+              const SpeedVariation& variation = {});
 
   const ReferencePath& path() const { return path_; }
   const PathPose& start() const { return start_; }
-  /// The offset that the driver keeps, at a place along the path: it goes on as it leans now, and
-  /// comes back to the middle.
+  /// Returns the lateral offset (m, left) at `along` (m): decays from the offset and heading at t0
+  /// to 0.
   double keptOffset(double along) const;
 
-  /// How the driver gets to the plan's place along the path in time, by the tamest of
-  /// RouteDriverOptions::styles that does, in steps of `step` seconds. Empty where none does. Tells
-  /// the same for plans with the same times, place along and late acceleration. `reach` is what is
-  /// known so far of plans with the same arrival, late, late_acceleration and wait.
+  /// Returns the gentlest style and its speed that reach wanted.at.along at the arrival, at time
+  /// step `step` (s); empty if none does. Depends only on the plan's times, at.along and
+  /// late_acceleration. `reach` caches results and must be shared only by plans with equal arrival,
+  /// late, late_acceleration and wait.
   std::optional<RouteSpeed> speedFor(const RoutePlan& wanted, double step, RouteReach& reach) const;
 
-  /// The drive at a speed, the same for plans with the same arrival, late, late_acceleration and
+  /// Returns the motion at `speed`; depends only on the plan's arrival, late, late_acceleration and
   /// wait.
   RouteCourse courseAt(const RoutePlan& wanted, const RouteSpeed& speed, double step) const;
 
-  /// A step every `step` seconds from now on along the plan's course, straight on after the
-  /// arrival.
+  /// Overwrites `planned` with `steps` steps every `step` s from t0: along the course with the
+  /// plan's lateral motion, straight on after the arrival.
   void plan(const RoutePlan& wanted, const RouteCourse& course, double step, std::size_t steps,
             std::vector<PlannedStep>& planned) const;
 
@@ -78,12 +103,11 @@ class RouteDriver {
   double cap(std::size_t style, double along) const;
 
   ReferencePath path_;
-  const RouteDriverOptions& options_;
   DriveLimits limits_;
   DriveState now_;
   PathPose start_;
   SpeedVariation variation_;
-  std::vector<std::vector<float>> caps_;  // m/s in bends, one row a style, an entry a metre
+  std::vector<std::vector<float>> caps_;  // m/s in bends, [style][m along]
 };
 
 }  // namespace forge

@@ -9,14 +9,14 @@
 namespace forge {
 namespace {
 
-/// An attack by an added vehicle may take the place of what the recorded ones came to.
+/// Returns true if an added vehicle could improve on the result of the recorded vehicles.
 bool mayBeAdded(const Realization& existing, const Moment& moment, const CollisionRequest& request,
                 const AttackOptions& options) {
   if (request.attacker || request.choice == AttackerChoice::kExisting) return false;
   if (!request.crash.believable || moment.lanes->map().lanes.empty()) return false;
   switch (existing.status.code) {
     case StatusCode::kOk:
-      // As sure as can be, or there are none.
+      // Not if the result already has the greatest possible score.
       return request.choice == AttackerChoice::kNew ||
              worthOf(existing) + options.added.preference < options.search.confidence_curve.back();
     case StatusCode::kNoCandidate:
@@ -73,7 +73,7 @@ Realization SearchMethod::answer(const Moment& moment, const CollisionRequest& r
 
   if (!may_exist && (!request.crash.believable || moment.lanes->map().lanes.empty())) {
     return declined(
-        {StatusCode::kNoCandidate, "vehicles are added to maps with lanes, and believable, alone"});
+        {StatusCode::kNoCandidate, "choice = new requires believable = true and a map with lanes"});
   }
   const Realization answer = answerBy(SearchedMotion::kByRoutes);
   if (answer.status.code == StatusCode::kOk || !request.crash.believable) return answer;

@@ -9,12 +9,12 @@
 
 namespace forge {
 
-/// The suite's own method: predicts patterns, then lets a realiser drive an attacker into one of
-/// them, recorded or added. Either may be another node's: what the two return is judged alike
-/// (AttackJudge). A predictor that declines without a future ends the search.
+/// The default method: predicts patterns, then a realiser drives a recorded or added attacker into
+/// one of them. Both stages may run in other nodes; AttackJudge checks every attack in the same
+/// way. If the predictor fails without a future, its status is returned.
 class SearchMethod : public AttackMethod {
  public:
-  /// With SearchRealizer.
+  /// Uses SearchRealizer.
   SearchMethod(const AttackOptions& options, std::shared_ptr<const PatternPredictor> predictor);
   SearchMethod(const AttackOptions& options, std::shared_ptr<const PatternPredictor> predictor,
                std::shared_ptr<const TrajectoryRealizer> realizer);

@@ -4,8 +4,8 @@
 
 namespace forge {
 
-bool isExact(const PatternMiss& miss, const SearchOptions& options) {
-  return miss.distance <= options.exact_distance && miss.heading <= options.exact_heading;
+bool isExact(const PatternMiss& miss) {
+  return miss.distance <= kExactDistance && miss.heading <= kExactHeading;
 }
 
 }  // namespace forge

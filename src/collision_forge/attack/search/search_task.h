@@ -16,14 +16,30 @@
 
 namespace forge {
 
-/// What is chosen of an attack along a route; the rest follows.
+/// Contact and pattern of a request for an exact contact differ by at most so much. A candidate
+/// also ends the search only if its contact is at most kExactDistance beyond the pattern's
+/// tolerance.
+inline constexpr double kExactDistance = 0.3;  ///< m
+inline constexpr double kExactHeading = 0.09;  ///< rad (5 degrees)
+
+/// Share of every vehicle limit that is used; the rest is for readers that round points.
+inline constexpr double kLimitMargin = 0.998;
+inline constexpr double kContactDepth = 0.25;  ///< m of overlap aimed at: no grazing contacts
+// Costs and values of a candidate, as shares of the sampled futures:
+inline constexpr double kClosenessWeight = 0.2;  ///< value of a near miss
+inline constexpr double kPatternWeight = 0.3;  ///< cost of a contact far from its pattern; half ...
+inline constexpr double kNearPattern = 0.5;    ///< ... this far (m) beyond the pattern's tolerance
+inline constexpr double kOffLaneWeight = 1.0;  ///< cost of driving on no lane until shortly before
+inline constexpr double kWrongWayWeight = 1.0;  ///< cost of driving against all lanes around
+
+/// Free parameters of an attack along a route; the motion follows from them.
 struct RouteDraft {
-  std::size_t ego = 0;      ///< the future that it meets, an index into SearchInput::egos
-  double contact = 0.0;     ///< s from now
-  Side side = Side::kLeft;  ///< of the ego's box
-  double heading = 0.0;     ///< of the attacker from the ego, rad
-  double slide = 0.0;       ///< along the side, as of attackerOffset()
-  // As of RoutePlan:
+  std::size_t ego = 0;      ///< targeted future, an index into SearchInput::egos
+  double contact = 0.0;     ///< s after t0
+  Side side = Side::kLeft;  ///< touched side of the ego's box
+  double heading = 0.0;     ///< rad, attacker's heading relative to the ego's
+  double slide = 0.0;       ///< contact position along the side, see attackerOffset()
+  // See RoutePlan; s, m/s2.
   double departure = 0.0;
   double lead = 0.0;
   double late = 0.0;
@@ -31,75 +47,75 @@ struct RouteDraft {
   double wait = 0.0;
 };
 
-/// A draft with the way that it is along.
+/// A draft with its path.
 struct DraftedWay {
   ReferencePath way;
   RouteDraft draft;
-  std::size_t style = 0;  ///< of RouteDriverOptions::styles, by which it is driven
+  std::size_t style = 0;  ///< RouteSpeed::style
 };
 
-/// One attack that the search found; drivable within the limits.
+/// One attack found by the search; within the vehicle limits.
 struct FoundAttack {
   const Track* attacker = nullptr;      ///< in the snapshot
-  std::vector<TrajectoryPoint> points;  ///< from now to tta + tail
+  std::vector<TrajectoryPoint> points;  ///< from t0 to a little after the requested contact
   FutureScore score;
-  double off_road = 0.0;  ///< mean share of the box off the drivable area, to the arrival
-  /// What the search maximises: share, closeness, use of the road, effort, steering and miss
-  /// weighed.
+  double off_road = 0.0;  ///< mean share 0..1 of the box off the drivable area until the contact
+  /// Maximised by the search: weighted share, closeness, road use, effort, steering and miss.
   double objective = 0.0;
   double effort = 0.0;                    ///< Realization::effort
-  const CollisionPattern* aim = nullptr;  ///< of those given, the one that it came from
-  PatternMiss miss;                       ///< of score.contact from the aim
-  /// The futures in which all conditions hold: score.met first, then round from there. Preferred is
-  /// the one in which the ego comes nearest to the aim's box.
+  const CollisionPattern* aim = nullptr;  ///< the given pattern from which it came
+  PatternMiss miss;                       ///< of score.contact from `aim`
+  /// The futures in which all conditions hold: score.met first, then in cyclic order. The future in
+  /// which the ego comes nearest to the aim's box is preferred as first.
   std::vector<const Track*> hits;
-  std::optional<DraftedWay> drafted;  ///< of attacks along routes
-  bool is_underway = false;           ///< goes on as Underway::planned
+  std::optional<DraftedWay> drafted;  ///< set for attacks along routes
+  bool is_underway = false;           ///< continues Underway::planned
 };
 
-/// The ways that some attackers drive along, by id, in place of those of their lanes.
+/// Paths of some attackers by id, used instead of the paths along their lanes.
 using AttackerWays = std::map<std::string, ReferencePath>;
 
 inline const AttackerWays kNoWays;
 
-/// What motion of attackers that are to be believable is searched.
+/// Motions that are searched for plausible attackers.
 enum class SearchedMotion {
-  kByRoutes,  ///< along a route of lanes until their manoeuvre
-  kAny,       ///< as they can within the limits; what use that makes of the road is judged alone
+  kByRoutes,  ///< along a route of lanes until the manoeuvre
+  kAny,       ///< any motion within the limits; only its road use is checked
 };
 
-/// An attacker that is on its way already, as it is at the snapshot's now.
+/// An attacker that already drives its attack, at the snapshot's time.
 struct Underway {
-  const Snapshot& start;                 ///< known when it set out
-  const std::vector<AgentState>& ego;    ///< what was seen of the ego since, before its futures
-  DriveState state;                      ///< in place of what its track tells
-  std::vector<TrajectoryPoint> driven;   ///< since it set out, to before now
-  std::vector<TrajectoryPoint> planned;  ///< from now on, as it means to; as long as others
-  ReferencePath way;                     ///< beside those of its lanes
-  std::optional<RouteDraft> draft;       ///< of the plan, along the way
-  std::size_t style = 0;                 ///< of the plan, as DraftedWay::style; used with a draft
-  double effort = 0.0;                   ///< of the plan when it was made; used without a draft
+  const Snapshot& start;                 ///< snapshot at the start of the attack
+  const std::vector<AgentState>& ego;    ///< observed ego since then, before its futures
+  DriveState state;                      ///< replaces the state derived from its track
+  std::vector<TrajectoryPoint> driven;   ///< from the attack's start to before the snapshot's time
+  std::vector<TrajectoryPoint> planned;  ///< current plan from the snapshot's time on
+  ReferencePath way;                     ///< its path, in addition to the paths along its lanes
+  std::optional<RouteDraft> draft;       ///< of the plan, along `way`
+  std::size_t style = 0;                 ///< of the plan, used with `draft`
+  double effort = 0.0;                   ///< of the plan when it was made, used without `draft`
 };
 
-/// What the search is given.
+/// Input of a search. Holds references: the referenced objects must outlive it.
 struct SearchInput {
   const Snapshot& snapshot;
-  const Future& future;                   ///< of the others
-  const std::vector<const Track*>& egos;  ///< equally likely futures of the ego, at least one
-  const std::vector<CollisionPattern>& patterns;  ///< to be realised, most promising first
+  const Future& future;                           ///< other agents
+  const std::vector<const Track*>& egos;          ///< equally likely ego futures, at least one
+  const std::vector<CollisionPattern>& patterns;  ///< most promising first
   const CollisionRequest& request;
   const LaneIndex& lanes;
-  bool exact = false;  ///< nothing counts as much as a contact at the pattern
+  bool exact = false;  ///< weights the contact at the pattern as highly as a hit
   const AttackerWays& ways = kNoWays;
   SearchedMotion motion = SearchedMotion::kByRoutes;
-  const Underway* underway = nullptr;  ///< of a search along routes for one attacker
+  const Underway* underway = nullptr;  ///< set: search along routes for this one attacker
 
+  /// Returns true if attackers are searched along routes (searchManoeuvres()).
   bool isByRoutes() const {
     return underway != nullptr || (request.crash.believable && motion == SearchedMotion::kByRoutes);
   }
 };
 
-/// True within SearchOptions::exact_distance and exact_heading.
-bool isExact(const PatternMiss& miss, const SearchOptions& options);
+/// Returns true if `miss` is within kExactDistance and kExactHeading.
+bool isExact(const PatternMiss& miss);
 
 }  // namespace forge

@@ -14,16 +14,14 @@ double SpeedVariation::way(double time) const {
   return amplitude / rate * (std::cos(phase) * time - (std::sin(turned) - std::sin(phase)) / rate);
 }
 
-SpeedVariation variationOf(const std::string& id, std::uint64_t seed,
-                           const RouteDriverOptions& options) {
-  // FNV-1a: the standard's hashes differ between libraries.
+SpeedVariation variationOf(const std::string& id, std::uint64_t seed) {
+  // FNV-1a: std::hash differs between libraries.
   std::uint64_t hash = 0xcbf29ce484222325U ^ seed;
   for (const char letter : id) hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3U;
   Random random(hash);
   SpeedVariation variation;
-  variation.amplitude = random.uniform(0.0, options.variation);
-  variation.period =
-      random.uniform(options.variation_periods.front(), options.variation_periods.back());
+  variation.amplitude = random.uniform(0.0, kMaxVariation);
+  variation.period = random.uniform(kShortestPeriod, kLongestPeriod);
   variation.phase = random.uniform(-M_PI, M_PI);
   return variation;
 }

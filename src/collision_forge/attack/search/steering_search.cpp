@@ -9,12 +9,24 @@
 namespace forge {
 namespace {
 
+// Motions that are drawn in the first round and in each later one, and the nearest ones that the
+// next round is drawn like.
+constexpr int kFirstPopulation = 3008;
+constexpr int kPopulation = 704;
+constexpr int kElites = 30;
+static_assert(kElites < kPopulation && SteeringSearch::kConsidered <= kPopulation);
+constexpr double kAccelerationDeviation = 4.0;        // m/s2, of the knots of the first round
+constexpr double kCurvatureDeviation = 0.3;           // 1/m
+constexpr double kLeastAccelerationDeviation = 0.05;  // m/s2, of any round
+constexpr double kLeastCurvatureDeviation = 0.001;    // 1/m
+constexpr double kHeadingWeight = 8.0;  // m that a radian beyond the type's band of headings costs
+constexpr double kClearance = 0.4;      // m to the ego before the contact may be
 constexpr int kKnots = SteeringKnots::kCount;
 constexpr int kWide = SteeringSearch::kWide;
 constexpr float kFar = 1e6F;    // m
 constexpr float kTiny = 1e-6F;  // m2/s2
 
-// Without a branch, as vectors need it.
+// Branch-free, for vectorisation.
 inline float lower(float a, float b) { return a < b ? a : b; }
 inline float higher(float a, float b) { return a > b ? a : b; }
 inline float bounded(float value, float low, float high) { return lower(higher(value, low), high); }
@@ -23,8 +35,8 @@ inline float bounded(float value, float low, float high) { return lower(higher(v
 struct Band {
   float cos_min, sin_min, cos_max, sin_max;
 
-  /// Square of the chord of the angle beyond the band, for a heading's cosine and its sine without
-  /// sign.
+  /// Returns the squared chord of the angle beyond the band, from a heading's cosine and absolute
+  /// sine.
   float beyond(float cosine, float sine) const {
     const float above = 2.0F - 2.0F * (cosine * cos_max + sine * sin_max);
     const float below = 2.0F - 2.0F * (cosine * cos_min + sine * sin_min);
@@ -41,7 +53,7 @@ Band bandOf(const TypeDefinition& type) {
           static_cast<float>(std::sin(type.max_heading))};
 }
 
-/// Half of a box.
+/// Half the dimensions of a box.
 struct Half {
   float length, width;
 };
@@ -50,15 +62,15 @@ Half halfOf(const BoxSize& size) {
   return {static_cast<float>(0.5 * size.length), static_cast<float>(0.5 * size.width)};
 }
 
-/// Some motions at one instant, seen from where they begin.
+/// kWide motions at one instant, relative to their start.
 struct Motions {
   float x[kWide] = {};
   float y[kWide] = {};
   float cosine[kWide];  // of the heading
   float sine[kWide] = {};
   float speed[kWide];
-  float best[kWide];        // shortfall so far, m
-  float wrong[kWide] = {};  // contacts so far that are not as they should be, m
+  float best[kWide];        // smallest shortfall so far, m
+  float wrong[kWide] = {};  // penalty of wrong contacts so far, m
 
   explicit Motions(float speed_now) {
     std::fill_n(cosine, kWide, 1.0F);
@@ -70,9 +82,8 @@ struct Motions {
 }  // namespace
 
 SteeringSearch::SteeringSearch(const DriveStart& start, const SteeringAim& aim,
-                               const VehicleLimits& limits, const SteeringOptions& options)
+                               const VehicleLimits& limits)
     : limits_(limits),
-      options_(options),
       ego_size_(aim.ego_size),
       size_(aim.attacker_size),
       band_(aim.band),
@@ -86,12 +97,12 @@ SteeringSearch::SteeringSearch(const DriveStart& start, const SteeringAim& aim,
                     static_cast<float>(std::cos(seen.yaw)),
                     static_cast<float>(std::sin(seen.yaw))});
   }
-  std::fill_n(deviation_.begin(), kKnots, options.acceleration_deviation);
-  std::fill_n(deviation_.begin() + kKnots, kKnots, options.curvature_deviation);
+  std::fill_n(deviation_.begin(), kKnots, kAccelerationDeviation);
+  std::fill_n(deviation_.begin() + kKnots, kKnots, kCurvatureDeviation);
 }
 
 std::vector<SteeringKnots> SteeringSearch::next(Random& random) {
-  const int wanted = begun_ ? options_.population : options_.first_population;
+  const int wanted = begun_ ? kPopulation : kFirstPopulation;
   const auto count = static_cast<std::size_t>((wanted + kWide - 1) / kWide * kWide);
   begun_ = true;
   std::vector<Knots> drawn(count);
@@ -104,7 +115,7 @@ std::vector<SteeringKnots> SteeringSearch::next(Random& random) {
   for (std::size_t i = 0; i < count; i += kWide) {
     for (const float shortfall : drive(&drawn[i])) nearest.emplace_back(shortfall, nearest.size());
   }
-  const auto elites = std::min(count, static_cast<std::size_t>(options_.elites));
+  const auto elites = std::min(count, static_cast<std::size_t>(kElites));
   std::partial_sort(nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(elites),
                     nearest.end());
   nearest.resize(elites);
@@ -113,7 +124,7 @@ std::vector<SteeringKnots> SteeringSearch::next(Random& random) {
   std::vector<Knots> best;
   for (const auto& [shortfall, i] : nearest) {
     best.push_back(drawn[i]);
-    if (shortfall > options_.near || static_cast<int>(near.size()) >= options_.considered) continue;
+    if (shortfall > kNear || static_cast<int>(near.size()) >= kConsidered) continue;
     SteeringKnots& steering = near.emplace_back();
     std::copy_n(drawn[i].begin(), kKnots, steering.acceleration.begin());
     std::copy_n(drawn[i].begin() + kKnots, kKnots, steering.curvature.begin());
@@ -132,8 +143,7 @@ void SteeringSearch::drawLike(const std::vector<Knots>& best) {
       squares += static_cast<double>(knots[i]) * knots[i];
     }
     mean_[i] = sum / count;
-    const double least =
-        i < kKnots ? options_.least_acceleration_deviation : options_.least_curvature_deviation;
+    const double least = i < kKnots ? kLeastAccelerationDeviation : kLeastCurvatureDeviation;
     const double variance = squares / count - mean_[i] * mean_[i];
     deviation_[i] = std::max(least, std::sqrt(std::max(0.0, variance)));
   }
@@ -143,8 +153,8 @@ FORGE_WIDE_VECTORS SteeringSearch::Shortfalls SteeringSearch::drive(const Knots*
   const Half ego_half = halfOf(ego_size_);
   const Half half = halfOf(size_);
   const Band band = bandOf(band_);
-  const auto heading_weight = static_cast<float>(options_.heading_weight);
-  const auto clearance = static_cast<float>(options_.clearance);
+  const auto heading_weight = static_cast<float>(kHeadingWeight);
+  const auto clearance = static_cast<float>(kClearance);
   const auto max_forward = static_cast<float>(limits_.max_forward_acceleration);
   const auto max_braking = static_cast<float>(limits_.max_braking);
   const auto max_speed = static_cast<float>(limits_.max_speed);
@@ -154,7 +164,7 @@ FORGE_WIDE_VECTORS SteeringSearch::Shortfalls SteeringSearch::drive(const Knots*
   Motions motions(speed_);
   const int last = static_cast<int>(ego_.size()) - 1;
   for (int i = 0; i <= last; ++i) {
-    // How far each is from the aim.
+    // Distance of each motion to the aim.
     const EgoBox& ego = ego_[static_cast<std::size_t>(i)];
     const bool in_time = i >= first_in_time_;
     const float no_contact_yet = in_time ? 0.0F : kFar;
@@ -197,7 +207,7 @@ FORGE_WIDE_VECTORS SteeringSearch::Shortfalls SteeringSearch::drive(const Knots*
       const float across = std::sqrt(higher(total - change * change, 0.0F));
       const float tightest = lower(max_curvature, across / (fastest * fastest + kTiny));
       const float distance = 0.5F * (speed + next_speed) * step_;
-      // Half the turn by its tangent (Cayley): the heading stays of unit length.
+      // Half the turn by its tangent (Cayley): keeps the heading of unit length.
       const float half_turn = 0.5F * bounded(curvature[lane], -tightest, tightest) * distance;
       const float scale = 1.0F / (1.0F + half_turn * half_turn);
       const float turn_cosine = (1.0F - half_turn * half_turn) * scale;

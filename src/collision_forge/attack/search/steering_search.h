@@ -10,35 +10,38 @@
 
 namespace forge {
 
-/// What a motion should come to: the ego's box is touched on time, at a heading of the type, and
-/// not before.
+/// Target of a steering search: the first contact with the ego's box is on time and at a heading of
+/// the type.
 struct SteeringAim {
-  std::vector<Pose2> ego;  ///< box middles, evenly spread from now to last_in_time, at least two
+  std::vector<Pose2> ego;  ///< box centres, evenly spaced from t0 to last_in_time, at least two
   BoxSize ego_size;
   BoxSize attacker_size;
-  TypeDefinition band;         ///< of the heading at contact
-  double first_in_time = 0.0;  ///< s from now
-  double last_in_time = 0.0;   ///< s from now
+  TypeDefinition band;         ///< heading band at the contact
+  double first_in_time = 0.0;  ///< s after t0
+  double last_in_time = 0.0;   ///< s after t0
   double depth = 0.0;          ///< m of overlap
 };
 
 /// Cross-entropy search over the knots that steer a bicycle (Kobilarov 2012, "Cross-entropy motion
-/// planning"): draws many, looks how far each is from the aim, and draws the next round like the
-/// best. Finds ways that no arrival drawn at random leads to, as turning round. The motions are
-/// as coarse as the aim, and who else is in the way is not looked at.
+/// planning"): samples many, measures their distance to the aim, and samples the next round around
+/// the best. Finds motions that random arrivals miss, such as U-turns. Motions are as coarse as the
+/// aim, and other agents are ignored. Not thread-safe.
 class SteeringSearch {
  public:
-  static constexpr int kWide = 16;  ///< motions are driven so many at a time
+  static constexpr int kWide = 16;        ///< motions driven at a time, for SIMD
+  static constexpr double kStep = 0.1;    ///< s between the states of a motion that are examined
+  static constexpr int kConsidered = 20;  ///< motions that next() returns at most
+  static constexpr double kNear = 0.8;    ///< m short of the target; next() returns no farther ones
 
-  /// Steers until last_in_time. `options` must outlive it.
-  SteeringSearch(const DriveStart& start, const SteeringAim& aim, const VehicleLimits& limits,
-                 const SteeringOptions& options);
+  /// Steers until aim.last_in_time.
+  SteeringSearch(const DriveStart& start, const SteeringAim& aim, const VehicleLimits& limits);
 
-  /// One more round. What comes within `near` of the aim, nearest first, at most `considered`.
+  /// Runs one round. Returns the motions close to the aim, nearest first, up to the configured
+  /// number.
   std::vector<SteeringKnots> next(Random& random);
 
-  /// How far the nearest one of the last round stays from the aim: the gap left in m, and headings
-  /// beyond the band, earlier contact and coming too near as metres.
+  /// Returns the distance (m) of the last round's best motion to the aim: remaining gap, with
+  /// heading error, early contact and too small clearance converted to metres.
   double shortfall() const { return shortfall_; }
 
  private:
@@ -49,20 +52,19 @@ class SteeringSearch {
     float x, y, cosine, sine;
   };
 
-  /// How far the motions of kWide knots stay from the aim, m.
+  /// Returns the distance to the aim of the motions of kWide knots, m.
   Shortfalls drive(const Knots* knots) const;
   void drawLike(const std::vector<Knots>& best);
 
   VehicleLimits limits_;
-  const SteeringOptions& options_;
   BoxSize ego_size_;
   BoxSize size_;
   TypeDefinition band_;
   float depth_;
   float step_;               // s
   int first_in_time_;        // steps
-  float speed_;              // m/s, now
-  std::vector<EgoBox> ego_;  // seen from where the attacker is now
+  float speed_;              // m/s at t0
+  std::vector<EgoBox> ego_;  // relative to the attacker at t0
   std::array<double, kUnknowns> mean_{};
   std::array<double, kUnknowns> deviation_{};
   bool begun_ = false;

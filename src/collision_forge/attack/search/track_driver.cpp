@@ -6,16 +6,22 @@
 namespace forge {
 namespace {
 
-constexpr double kSpeedGain = 2.0;  // 1/s, of a difference in speed
-constexpr double kWayGain = 1.0;  // 1/s2, of a difference in way: critically damped with kSpeedGain
-constexpr double kSteeringTime = 0.3;   // s in which hands follow what the eyes want, and ...
-constexpr double kPedalTime = 0.2;      // s; ... feet
+constexpr double kSpeedGain = 2.0;  // 1/s, gain on speed error
+constexpr double kWayGain = 1.0;  // 1/s2, gain on distance error: critically damped with kSpeedGain
+constexpr double kSteeringTime = 0.3;   // s, time constant of steering
+constexpr double kPedalTime = 0.2;      // s, time constant of pedals
 constexpr double kStanding = 0.02;      // m/s; slower is standing
-constexpr double kStopping = 3.0;       // 1/s; the last of the speed goes so quickly
-constexpr double kStraight = 1e-3;      // 1/m; who bends less is nowhere too fast
-constexpr double kNearestTarget = 1.0;  // m; no steering after nearer targets
+constexpr double kStopping = 3.0;       // 1/s, decay of the last speed before a stop
+constexpr double kStraight = 1e-3;      // 1/m; smaller curvature does not limit speed
+constexpr double kNearestTarget = 1.0;  // m; nearer targets are not steered to
 
-/// From one value towards another by a share of the way.
+/// Returns `direction` turned by the angle of the unit vector `turn`.
+Vector2 turned(const Vector2& direction, const Vector2& turn) {
+  return {direction.x() * turn.x() - direction.y() * turn.y(),
+          direction.x() * turn.y() + direction.y() * turn.x()};
+}
+
+/// Moves `from` towards `wanted` by `share` of the difference.
 double smoothed(double wanted, double from, double share) {
   return from + std::min(1.0, share) * (wanted - from);
 }
@@ -39,11 +45,11 @@ TrackDriver::TrackDriver(const DriveLimits& limits, double margin, double previe
       preview_(static_cast<std::size_t>(std::max(1L, std::lround(preview / step)))),
       step_(step) {}
 
-/// The angle at which the rear axle drives an arc through the target's rear axle.
+/// Returns the steering angle at which the rear axle follows an arc through the target's rear axle.
 double TrackDriver::steeringTo(const DriveState& state, const Vector2& heading,
                                const PlannedStep& target) const {
-  const Vector2 to = target.middle.position() - limits_.axle_to_middle * target.middle.heading() -
-                     state.axle.position();
+  const Vector2 to =
+      target.middle - limits_.axle_to_middle * target.heading - state.axle.position();
   const double distance = to.squaredNorm();
   if (distance < kNearestTarget * kNearestTarget || to.dot(heading) <= 0.0) return state.steering;
   const double curvature = 2.0 * (heading.x() * to.y() - heading.y() * to.x()) / distance;
@@ -62,7 +68,7 @@ double TrackDriver::nextSteering(double wanted, const DriveState& state) const {
                std::sqrt(std::max(0.0, total - state.acceleration * state.acceleration)));
   const double tangent = limits_.wheelbase * across;
   if (tangent < squared * max_tangent_) most = std::atan(tangent / squared);
-  // No hands are faster than that, however fast the vehicle becomes.
+  // The rate limit has priority over the grip limit.
   return std::clamp(std::clamp(towards, -most, most), state.steering - change,
                     state.steering + change);
 }
@@ -71,12 +77,12 @@ double TrackDriver::nextAcceleration(double wanted, double tangent, double next_
                                      const DriveState& state) const {
   const double change = limits_.max_jerk * step_;
   const double tightest = std::max(std::abs(tangent), std::abs(next_tangent));
-  // As fast as it may be then: across the vehicle that counts squared.
+  // At the highest possible next speed, because lateral acceleration grows with its square.
   const double faster = state.speed + std::max(0.0, state.acceleration + change) * step_;
   const double lateral = faster * faster * tightest / limits_.wheelbase;
   const double grip =
       std::sqrt(std::max(0.0, limits_.max_braking * limits_.max_braking - lateral * lateral));
-  // Brakes are let go in time to stand without a jolt.
+  // Releases the brakes in time to stop without a jerk.
   const double softly = std::min(kStopping, limits_.max_jerk / limits_.max_braking) * state.speed;
   const double least = -std::min(grip, softly);
   double most = std::min(grip, limits_.forwardAt(state.speed));
@@ -94,10 +100,10 @@ double TrackDriver::nextAcceleration(double wanted, double tangent, double next_
 void TrackDriver::drive(const DriveState& start, double now, const std::vector<PlannedStep>& plan,
                         std::vector<TrajectoryPoint>& points) const {
   DriveState state = start;
+  Vector2 heading = state.axle.heading();
   double tangent = std::tan(state.steering);
   points.resize(plan.size());
   for (std::size_t i = 0; i < plan.size(); ++i) {
-    const Vector2 heading = state.axle.heading();
     const Vector2 middle = state.axle.position() + limits_.axle_to_middle * heading;
     points[i] = {now + static_cast<double>(i) * step_,
                  {middle.x(), middle.y(), wrapAngle(state.axle.yaw)},
@@ -108,22 +114,25 @@ void TrackDriver::drive(const DriveState& start, double now, const std::vector<P
     PlannedStep target = plan[std::min(i + preview_, plan.size() - 1)];
     if (i + preview_ >= plan.size()) {
       const double beyond = static_cast<double>(i + preview_ + 1 - plan.size()) * step_;
-      target.middle = compose(target.middle, {beyond * std::max(1.0, target.speed), 0.0, 0.0});
+      target.middle += beyond * std::max(1.0, target.speed) * target.heading;
     }
     const double steering = nextSteering(steeringTo(state, heading, target), state);
     const double next_tangent = std::tan(steering);
-    const double behind = (plan[i].middle.position() - middle).dot(heading);
+    const double behind = (plan[i].middle - middle).dot(heading);
     const double wanted = (plan[i + 1].speed - plan[i].speed) / step_ +
                           kSpeedGain * (plan[i].speed - state.speed) + kWayGain * behind;
     const double acceleration = nextAcceleration(wanted, tangent, next_tangent, state);
-    // Steering angle and acceleration change evenly over the step.
+    // Steering angle and acceleration change linearly over the step.
     const double faster =
         std::max(0.0, state.speed + 0.5 * (state.acceleration + acceleration) * step_);
     const double way = std::max(
         0.0, (state.speed + (2.0 * state.acceleration + acceleration) / 6.0 * step_) * step_);
     const double turn = way * std::tan(0.5 * (state.steering + steering)) / limits_.wheelbase;
-    const Vector2 moved = way * Pose2{0.0, 0.0, state.axle.yaw + 0.5 * turn}.heading();
-    state.axle = {state.axle.x + moved.x(), state.axle.y + moved.y(), state.axle.yaw + turn};
+    const Vector2 half_turn = Pose2{0.0, 0.0, 0.5 * turn}.heading();
+    const Vector2 halfway = turned(heading, half_turn);
+    state.axle = {state.axle.x + way * halfway.x(), state.axle.y + way * halfway.y(),
+                  state.axle.yaw + turn};
+    heading = turned(halfway, half_turn);
     state.speed = faster < kStanding && acceleration < 0.0 ? 0.0 : faster;
     state.acceleration = state.speed > 0.0 ? acceleration : 0.0;
     state.steering = steering;

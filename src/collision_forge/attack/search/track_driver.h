@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "collision_forge/attack/verify/drive_limits.h"
@@ -7,27 +8,39 @@
 
 namespace forge {
 
-/// One step of a plan that is to be driven.
+inline constexpr double kPreview = 0.8;  ///< s that the steering looks ahead
+/// Share of every limit of the class that is used; the rest allows for readers that round poses.
+inline constexpr double kLimitShare = 0.93;
+
+/// One step of a planned motion: the state of the box centre.
 struct PlannedStep {
-  Pose2 middle;        ///< where the box's middle should be, global map frame
-  double speed = 0.0;  ///< m/s along the heading
+  PlannedStep() = default;
+  PlannedStep(const Vector2& middle, const Vector2& heading, double speed)
+      : middle(middle), heading(heading), speed(speed) {}
+  PlannedStep(const Pose2& pose, double speed)
+      : PlannedStep(pose.position(), pose.heading(), speed) {}
+
+  Pose2 pose() const { return {middle.x(), middle.y(), std::atan2(heading.y(), heading.x())}; }
+
+  Vector2 middle = Vector2::Zero();    ///< m, map frame
+  Vector2 heading = Vector2::UnitX();  ///< unit vector, map frame
+  double speed = 0.0;                  ///< m/s along the heading
 };
 
-/// Drives a single track along a plan, within the limits of its vehicle: the front wheels are
-/// turned so that the rear axle comes to where the plan has it `preview` seconds later (pure
-/// pursuit; Coulter 1992, CMU-RI-TR-92-01), at most as fast as they can be; the acceleration is the
-/// plan's, with what is missing in speed and way, and changes by at most the greatest jerk. The
-/// motion keeps findBrokenDrive() unless the plan asks for a bend that nobody can take at its
+/// Drives a single-track vehicle along a plan within its limits. Steers the rear axle towards its
+/// planned position `preview` s ahead (pure pursuit; Coulter 1992, CMU-RI-TR-92-01) at a limited
+/// rate; the acceleration follows the plan plus errors in speed and distance, at limited jerk. The
+/// result passes findBrokenDrive() unless the plan demands a bend that cannot be driven at its
 /// speed. Immutable.
 class TrackDriver {
  public:
-  /// `margin`: share of every limit that is used.
+  /// `margin`: share 0..1 of every limit that is used. `preview` and `step` in s.
   TrackDriver(const DriveLimits& limits, double margin, double preview, double step);
 
   const DriveLimits& limits() const { return limits_; }
 
-  /// `points` are overwritten: one a step of the plan, from `now` on; where the plan ends, the last
-  /// points aim straight on.
+  /// Overwrites `points` with one point per step of `plan`, starting at `now` (s). Near its end the
+  /// plan is extended straight.
   void drive(const DriveState& start, double now, const std::vector<PlannedStep>& plan,
              std::vector<TrajectoryPoint>& points) const;
 
@@ -35,7 +48,7 @@ class TrackDriver {
   double steeringTo(const DriveState& state, const Vector2& heading,
                     const PlannedStep& target) const;
   double nextSteering(double wanted, const DriveState& state) const;
-  /// Both tangents are of the steering angle, now and a step later.
+  /// `tangent` and `next_tangent`: tangent of the steering angle at this and the next step.
   double nextAcceleration(double wanted, double tangent, double next_tangent,
                           const DriveState& state) const;
 

@@ -6,83 +6,60 @@
 
 #include "collision_forge/attack/forecast/motion_estimate.h"
 #include "collision_forge/attack/search/options.h"
-#include "collision_forge/base/map/reference_path.h"
 #include "collision_forge/base/scene/attack.h"
 
 namespace forge {
 
-/// Where and how the attacker is to arrive.
+/// Target state of a motion.
 struct Arrival {
-  double time = 0.0;                ///< s from now, > 0
-  Pose2 pose;                       ///< box middle, global map frame
+  double time = 0.0;                ///< s after t0, > 0
+  Pose2 pose;                       ///< box centre, global map frame
   double speed = 0.0;               ///< m/s along the heading
-  double start_acceleration = 0.0;  ///< m/s2 along the heading, now
-  double end_acceleration = 0.0;    ///< m/s2 along the heading, at the arrival
+  double start_acceleration = 0.0;  ///< m/s2 along the heading at t0
+  double end_acceleration = 0.0;    ///< m/s2 along the heading at the arrival
 };
 
-/// What all motions of one attacker in one search share.
+/// Start and sampling, common to all motions of one attacker in one search.
 struct DriveStart {
-  Motion motion;      ///< the attacker's, now
-  double now = 0.0;   ///< s, the snapshot's clock
+  Motion motion;      ///< of the attacker at t0
+  double now = 0.0;   ///< s, t0 on the snapshot's clock
   double step = 0.0;  ///< s between points
-  int points = 0;     ///< how many, the first at now
+  int points = 0;     ///< number of points, the first at t0
 };
 
-/// A way of driving from now to an arrival and straight on from there. Implementations are
-/// immutable. `points` is overwritten. False when the family has no such motion; a motion may still
-/// break the limits.
-class TrajectoryFamily {
- public:
-  virtual ~TrajectoryFamily() = default;
-  virtual bool drive(const DriveStart& start, const Arrival& arrival,
-                     std::vector<TrajectoryPoint>& points) const = 0;
-};
+/// Drives a quintic polynomial on each axis of the map from the start to the arrival, and straight
+/// on from there (Werling et al. 2010, "Optimal trajectory generation for dynamic street scenarios
+/// in a Frenet frame"). Overwrites `points` with DriveStart::points points; the motion may break
+/// the limits.
+void driveQuintic(const DriveStart& start, const Arrival& arrival,
+                  std::vector<TrajectoryPoint>& points);
 
-/// A quintic polynomial on each axis, of the map or, with a reference path, along and across that
-/// path (Werling et al. 2010, "Optimal trajectory generation for dynamic street scenarios in a
-/// Frenet frame"): with it the attacker keeps to its lane as far as the arrival allows.
-class QuinticFamily : public TrajectoryFamily {
- public:
-  QuinticFamily() = default;
-  /// The path must outlive the family.
-  explicit QuinticFamily(const ReferencePath& path) : path_(&path) {}
-  bool drive(const DriveStart& start, const Arrival& arrival,
-             std::vector<TrajectoryPoint>& points) const override;
-
- private:
-  const ReferencePath* path_ = nullptr;
-};
-
-/// What steers the bicycle: values at instants evenly spread from now to the end of the steering,
+/// Input of the bicycle: values at instants evenly spaced from t0 to the end of the steering,
 /// linear in between. Acceleration along the heading in m/s2, curvature in 1/m.
 struct SteeringKnots {
-  static constexpr int kCount = 5;
+  static constexpr int kCount = 5;  ///< knots per control
   std::array<double, kCount> acceleration{};
   std::array<double, kCount> curvature{};
 };
 
-/// A kinematic bicycle steered by knots of acceleration and curvature, held to the limits at every
-/// step. Can turn from rest, brake and turn hard: what a quintic cannot.
-class BicycleFamily : public TrajectoryFamily {
+/// A kinematic bicycle steered by knots of acceleration and curvature, clamped to the limits at
+/// every step. Unlike a quintic it can turn from rest and combine hard braking and turning.
+class BicycleFamily {
  public:
-  BicycleFamily(const VehicleLimits& limits, const BicycleOptions& options)
-      : limits_(limits), options_(options) {}
+  static constexpr double kMaxMiss = 1.0;  ///< m between arrival and reached position
 
-  /// solve(), then roll(). The arrival's start and end acceleration are not used.
-  bool drive(const DriveStart& start, const Arrival& arrival,
-             std::vector<TrajectoryPoint>& points) const override;
+  explicit BicycleFamily(const VehicleLimits& limits) : limits_(limits) {}
 
-  /// Knots that bring the bicycle to the arrival, found by damped least squares (Levenberg 1944,
-  /// Marquardt 1963); empty when it stays further than `max_miss` away.
+  /// Returns knots that bring the bicycle to the arrival, by damped least squares (Levenberg 1944,
+  /// Marquardt 1963); empty if it stays too far away.
   std::optional<SteeringKnots> solve(const DriveStart& start, const Arrival& arrival) const;
 
-  /// Steers for `duration` seconds, then goes straight on.
+  /// Overwrites `points`: steers for `duration` s, then goes straight.
   void roll(const DriveStart& start, const SteeringKnots& knots, double duration,
             std::vector<TrajectoryPoint>& points) const;
 
  private:
   VehicleLimits limits_;
-  BicycleOptions options_;
 };
 
 }  // namespace forge

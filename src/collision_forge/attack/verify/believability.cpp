@@ -4,15 +4,17 @@
 #include <cmath>
 #include <utility>
 
+#include "collision_forge/base/scene/number_words.h"
+
 namespace forge {
 namespace {
 
 constexpr double kStandstill = 0.1;  // m/s
-constexpr double kStep = 0.5;  // m, between the places where road is looked for: a raster's cell
+constexpr double kStep = 0.5;  // m between the points searched for road; the raster's cell size
 
-/// How many of a box's places lie where.
+/// Number of a box's placesOf() on each kind of ground.
 struct Ground {
-  std::size_t off_road = 0;  // 0 where no drivable area is known
+  std::size_t off_road = 0;  // 0 if the map has no drivable area
   std::size_t on_walkway = 0;
 };
 
@@ -27,7 +29,8 @@ Ground groundBelow(const OrientedBox& box, const LaneIndex& lanes) {
   return ground;
 }
 
-/// Some drivable ground lies within `reach` metres in a direction, a unit vector.
+/// Returns true if there is drivable area within `reach` (m) of `from` in the unit vector
+/// `direction`.
 bool findsRoad(const Vector2& from, const Vector2& direction, const AreaRaster& drivable,
                double reach) {
   const int steps = static_cast<int>(reach / kStep);
@@ -37,13 +40,14 @@ bool findsRoad(const Vector2& from, const Vector2& direction, const AreaRaster& 
   return false;
 }
 
-/// Where somebody is held to keep to its lane: from a point on, until a time.
+/// Part of a trajectory in which the vehicle must keep to its lane: from `first` to the time
+/// `until` (s).
 struct LaneStretch {
   std::vector<TrajectoryPoint>::const_iterator first;
   double until;
 };
 
-/// Adds what the use of the ground at a point is to the sums in `use`.
+/// Adds the ground use of one point to the sums in `use`.
 void addGround(const Pose2& pose, const BoxSize& size, const LaneIndex& lanes,
                const BelievabilityOptions& options, RoadUse& use) {
   const Ground ground = groundBelow({pose, size}, lanes);
@@ -52,7 +56,7 @@ void addGround(const Pose2& pose, const BoxSize& size, const LaneIndex& lanes,
   use.on_island += isOnIsland(pose, lanes, options.island_reach);
 }
 
-/// Adds what the use of lanes at a point is to the sums in `use`.
+/// Adds the lane use of one point to the sums in `use`.
 void addLanes(const Pose2& pose, const LaneIndex& lanes, const BelievabilityOptions& options,
               RoadUse& use) {
   const bool on_lane = lanes.grid().isOnLane(pose, options.lane_distance, options.lane_heading);
@@ -60,8 +64,8 @@ void addLanes(const Pose2& pose, const LaneIndex& lanes, const BelievabilityOpti
   use.wrong_way += !on_lane && lanes.grid().isWrongWay(pose, options.lane_distance);
 }
 
-/// The use of the ground to `until`, of the lanes along `on_lanes`; each to the first point at or
-/// after its end.
+/// Returns the ground use until `until` and the lane use along `on_lanes`, each including the first
+/// point at or after its end.
 RoadUse roadUseOf(const std::vector<TrajectoryPoint>& points, const BoxSize& size, double until,
                   const LaneStretch& on_lanes, const LaneIndex& lanes,
                   const BelievabilityOptions& options) {
@@ -87,13 +91,35 @@ RoadUse roadUseOf(const std::vector<TrajectoryPoint>& points, const BoxSize& siz
   return use;
 }
 
-/// The lane's direction is the type's, widened by `slack` radians.
+/// Returns true if a lane direction relative to the ego's (rad) fits the type's band, widened by
+/// `slack` (rad).
 bool directionFits(double relative_heading, const TypeDefinition& band, CollisionType type,
                    DrivingSide driving_side, double slack) {
   const bool turns_left = driving_side == DrivingSide::kRight;
   if (type == CollisionType::kLtap && turns_left == (relative_heading > 0.0)) return false;
   const double size = std::abs(relative_heading);
   return size >= band.min_heading - slack && size <= band.max_heading + slack;
+}
+
+struct RoadRefusal {
+  const char* type;
+  const char* reason;
+};
+
+RoadRefusal roadRefusalOf(CollisionType type) {
+  switch (type) {
+    case CollisionType::kRearEnd:
+      return {"rear-end collision", "no lane at the ego's place has its direction"};
+    case CollisionType::kLaneChange:
+      return {"lane-change collision", "no lane leads beside the ego or into its lane"};
+    case CollisionType::kOppositeDirection:
+      return {"opposite-direction collision", "no lane near the ego has the opposite direction"};
+    case CollisionType::kJunctionCrossing:
+      return {"junction crossing", "no lane crosses the ego's path"};
+    case CollisionType::kLtap:
+      break;
+  }
+  return {"left turn across path", "no lane crosses the ego's path from the opposite direction"};
 }
 
 }  // namespace
@@ -169,17 +195,19 @@ std::string whyUnbelievable(const RoadUse& road, const std::vector<TrajectoryPoi
     return std::to_string(static_cast<int>(std::lround(100.0 * value))) + " %";
   };
   if (lanes.map().lanes.empty()) return "";
-  if (road.on_walkway > 0.0) return "is on a walkway for " + share(road.on_walkway);
-  if (road.on_island > 0.0) return "is on an island for " + share(road.on_island);
+  if (road.on_walkway > 0.0)
+    return "is on a walkway for " + share(road.on_walkway) + " of its motion";
+  if (road.on_island > 0.0)
+    return "is on a traffic island for " + share(road.on_island) + " of its motion";
   const RoadUse now = roadUse(points, size, points.front().time, lanes, options);
   if (road.off_road > now.off_road + options.max_off_road) {
     return "is off the road with " + share(road.off_road) + " of its box";
   }
   if (road.wrong_way > options.max_wrong_way) {
-    return "drives against its lane for " + share(road.wrong_way);
+    return "drives against the lane direction for " + share(road.wrong_way) + " of its motion";
   }
   if (road.on_lane < options.min_on_lane) {
-    return "is on a lane for " + share(road.on_lane) + " only";
+    return "is on a lane for only " + share(road.on_lane) + " of its motion";
   }
   return "";
 }
@@ -205,6 +233,12 @@ bool roadAllows(const Future& future, double now, const CollisionRequest& reques
     if (roadAllows(future.ego_samples[i], now, request, lanes, options)) return true;
   }
   return false;
+}
+
+std::string roadRefusal(CollisionType type, double tta) {
+  const RoadRefusal refusal = roadRefusalOf(type);
+  return std::string(refusal.type) + " is not feasible here: " + refusal.reason + " at t0 + " +
+         numberText(tta) + " s";
 }
 
 }  // namespace forge

@@ -12,63 +12,67 @@
 
 namespace forge {
 
-/// The lanes as an attacker of the request comes along them: against their direction if it asks for
-/// Manoeuvre::kWrongWay.
+/// Returns the lanes in the direction in which the requested attacker drives: `lanes.reversed()`
+/// for Manoeuvre::kWrongWay, else `lanes`. Valid as long as `lanes`.
 const LaneIndex& drivenLanes(const CollisionRequest& request, const LaneIndex& lanes);
 
-/// Of the points up to and including the first at or after `until` (seconds, clock of the points);
-/// all shares are 0 without points. Poses are box middles in the global map frame; the box's places
-/// are those of placesOf(). Nobody is off a drivable area or on an island of it where the map has
-/// none, nor on a lane or on the wrong side where it has no centrelines. About a
-/// microsecond a point.
+/// Returns the shares of RoadUse over the points up to and including the first at or after `until`
+/// (s, clock of the points). Poses are box centres in the global map frame; off_road and on_walkway
+/// test the points placesOf() of the box. Shares that need a map layer are 0 if the map lacks it:
+/// drivable areas for off_road and on_island, centrelines for on_lane and wrong_way. All shares are
+/// 0 if `points` is empty. About 1 us per point.
 RoadUse roadUse(const std::vector<TrajectoryPoint>& points, const BoxSize& size, double until,
                 const LaneIndex& lanes, const BelievabilityOptions& options);
 
-/// The same until `contact`, with on_lane and wrong_way until the manoeuvre alone: until
-/// before_contact seconds before `contact`, or pull_out seconds before it for who stands at the
-/// first point. For an attacker that stands, these two shares begin where it moves off; they are 1
-/// and 0 if it moves off no earlier.
+/// As roadUse() with until = `contact` (s), except that on_lane and wrong_way end before the
+/// manoeuvre: options.before_contact seconds before the contact, or options.pull_out seconds for an
+/// attacker that stands at the first point. For such an attacker these two shares start where it
+/// starts to move; if it starts later than that end, they are 1 and 0.
 RoadUse roadUseOfAttack(const std::vector<TrajectoryPoint>& points, const BoxSize& size,
                         double contact, const LaneIndex& lanes,
                         const BelievabilityOptions& options);
 
-/// Why no driver would use the road as roadUseOfAttack() says of the points, for people; empty
-/// where one could. A map without lanes tells nothing. Nobody is blamed for what of the box is off
-/// the drivable area at the first point.
+/// Returns the reason why a road use from roadUseOfAttack() is implausible, worded to follow the
+/// attacker ("is on a walkway for 12 %"); empty if it is plausible or the map has no lanes. Area
+/// off the road at the first point is not counted: it was recorded. `points` must not be empty.
 std::string whyUnbelievable(const RoadUse& road, const std::vector<TrajectoryPoint>& points,
                             const BoxSize& size, const LaneIndex& lanes,
                             const BelievabilityOptions& options);
 
-/// The place is on ground that road encloses (a traffic island, a median): neither drivable nor a
-/// walkway, with drivable area within `reach` metres to the left and right of the pose, or ahead
-/// and behind it. Told to half a metre.
+/// Returns true if the position is on a traffic island or median: neither drivable area nor
+/// walkway, with drivable area within `reach` (m) on both the left and right of the pose, or both
+/// ahead and behind. Resolution 0.5 m.
 bool isOnIsland(const Pose2& pose, const LaneIndex& lanes, double reach);
 
-/// A lane that somebody could come along to meet the ego.
+/// A lane from whose direction an attacker can hit the ego with the requested type.
 struct FittingLane {
   std::size_t lane = 0;     ///< index into LaneMap::lanes
-  double arc_length = 0.0;  ///< of the pose, metres from the centreline's first point
-  Pose2 pose;               ///< on the centreline: of its fitting samples that nearest to the box
+  double arc_length = 0.0;  ///< m along the centreline to `pose`
+  Pose2 pose;               ///< of the fitting centreline sample nearest to the ego's box
 };
 
-/// The lanes with a sample of the centreline (LaneGrid) at most road_distance from the ego's box,
-/// global map frame, whose direction relative to the ego's fits the type: the absolute value is
-/// within the band's min_heading to max_heading, widened by road_heading on either side. For ltap
-/// it also points to where a vehicle goes that turned across the ego's path: to the ego's right in
-/// right-hand traffic, to its left in left-hand traffic. By lane, each once. Samples inside the box
-/// are told apart by the distance to its middle.
+/// Returns the lanes, each once, in the order of LaneMap::lanes, with a centreline sample within
+/// options.road_distance of the ego's box (global map frame) whose direction fits `type`:
+/// |direction - ego yaw| within [band.min_heading, band.max_heading] widened by
+/// options.road_heading on both sides. kLtap also needs a direction towards the side to which a
+/// turn across the ego's path leads: the ego's right in right-hand traffic, its left in left-hand
+/// traffic. Ties inside the box are broken by the distance to its centre.
 std::vector<FittingLane> fittingLanes(const OrientedBox& ego, const TypeDefinition& band,
                                       CollisionType type, const LaneIndex& lanes,
                                       const BelievabilityOptions& options);
 
-/// A crash of the request's type and time is one that the road allows: the map has no lanes, or
-/// some lane fits (fittingLanes()) the ego's box at the time asked for or up to the tolerance
-/// before or after it; of drivenLanes(). `ego`: from `now` on, its last state beyond its end.
+/// Returns true if the map has no lanes, or if one of drivenLanes() fits (see fittingLanes()) the
+/// ego's box at t0 + tta, tested at five times within the request's time tolerance. `ego` holds the
+/// states from `now` (t0, s); after its end the last state is used. It must not be empty.
 bool roadAllows(const Track& ego, double now, const CollisionRequest& request,
                 const LaneIndex& lanes, const BelievabilityOptions& options);
 
-/// The same in any of the ego's futures (every eighth sample is looked at), or in the known one.
+/// Returns true if roadAllows() holds for any sampled ego future (tests every eighth), or for
+/// `future.ego` if there are no samples.
 bool roadAllows(const Future& future, double now, const CollisionRequest& request,
                 const LaneIndex& lanes, const BelievabilityOptions& options);
+
+/// Returns the message for a request with this type and `tta` (s) that roadAllows() rejects.
+std::string roadRefusal(CollisionType type, double tta);
 
 }  // namespace forge

@@ -63,7 +63,7 @@ Track ContactWatch::between(const AgentState& from, const AgentState& to) const 
   return {ego_.id, ego_.agent_class, ego_.size, {from, to}};
 }
 
-/// The first contact after now with an ego that moves so.
+/// Returns the first contact of the attack with `ego` after the attack's start, s.
 std::optional<double> ContactWatch::contactWith(const Track& ego) const {
   if (trajectory_.points.empty() || ego.states.empty()) return std::nullopt;
   const double end = std::min(ego.states.back().time, trajectory_.points.back().time);
@@ -71,7 +71,7 @@ std::optional<double> ContactWatch::contactWith(const Track& ego) const {
   return time && *time > trajectory_.points.front().time ? time : std::nullopt;
 }
 
-/// Keeps the crash where the poses around the contact are gone, in a replay that went back.
+/// Keeps the earlier crash if the poses around the contact are gone, after a replay went back.
 void ContactWatch::setCrash(double contact_time) {
   const auto crash = motionAfterContact(contact_time, crashed_, ego_, options_.drivable);
   if (crash) crash_ = crash;

@@ -7,33 +7,37 @@
 
 namespace forge {
 
-/// Finds the contact of an attack with a live ego, whose poses arrive one after the other, and
-/// derives the motion after the contact. The contact is found as in verify(). Not thread-safe.
+/// Finds the contact of an attack with a live ego whose poses arrive one by one, with the contact
+/// test of verify(), and derives the post-crash motion. Not thread-safe.
 class ContactWatch {
  public:
-  /// `kept_for`: seconds of the ego's poses that are kept, because an attack may be started later
-  /// than its now.
+  /// `kept_for` (s): how long ego poses are kept, because an attack may start later than its t0.
   ContactWatch(const BoxSize& ego_size, double kept_for, const VerificationOptions& options);
 
-  /// Watches an attack in place of the one before, from the poses that are kept on. `trajectory`
-  /// must have points.
+  /// Replaces the watched attack, forgets an earlier crash and tests the kept ego poses against the
+  /// new attack. `trajectory` must have points.
   void start(AttackerTrajectory trajectory);
-  /// Sets a new plan of the attacker that is watched. A contact that was found remains.
+  /// Replaces the trajectory of the watched attack, for example after a replan; a crash already
+  /// found remains.
   void change(AttackerTrajectory trajectory);
+  /// Ends the watch and forgets the crash.
   void stop();
 
-  /// Middle of the ego's box; the velocity is derived from the poses. A pose that is not later than
-  /// the one before is from a replay that went back; to before the contact, the contact is
-  /// forgotten.
+  /// Sets the size of the ego's box for all later poses, m.
+  void setEgoSize(const BoxSize& size) { ego_.size = size; }
+
+  /// Adds an ego state; its pose is the box centre. Its velocity is ignored and derived from the
+  /// poses. A time not later than the previous one means that a replay went back: the poses are
+  /// cleared, and the crash too if it lies later.
   void addEgo(const AgentState& ego);
 
-  /// The poses that are kept, with their velocities.
+  /// Returns the kept ego poses with derived velocities.
   const Track& ego() const { return ego_; }
-  /// Set from the pose on that is the first after the contact. The next pose completes the ego's
-  /// velocity at the contact.
+  /// Returns the crash, set by the first addEgo() at or after the contact. The next pose completes
+  /// the ego's velocity at the contact, so the motion may change once.
   const std::optional<PostCrashMotion>& crash() const { return crash_; }
-  /// The crash whose contact lies between the last pose and `ego`, a prediction of the next one.
-  /// Empty where a crash was found already.
+  /// Returns the crash whose contact lies between the newest pose and `ego`, a predicted next
+  /// state; empty if there is none or a crash was found already.
   std::optional<PostCrashMotion> crashBefore(const AgentState& ego) const;
 
  private:
@@ -46,9 +50,9 @@ class ContactWatch {
   double kept_for_;  // s
   Track ego_;
   AttackerTrajectory trajectory_;  // without points: no attack
-  AttackerTrajectory crashed_;     // the same as it was at the contact
+  AttackerTrajectory crashed_;     // `trajectory_` at the contact
   std::optional<PostCrashMotion> crash_;
-  bool is_complete_ = false;  // the ego's velocity at the contact does not depend on later poses
+  bool is_complete_ = false;  // later poses do not change the ego's velocity at the contact
 };
 
 }  // namespace forge

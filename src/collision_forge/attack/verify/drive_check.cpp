@@ -6,27 +6,27 @@
 namespace forge {
 namespace {
 
-// What is told from poses a step apart may be off by these, as the state changes within a step.
-constexpr double kSlip = 0.01;       // m across the heading halfway, a step
+// Tolerances for values derived from poses, because the state changes within a step.
+constexpr double kSlip = 0.01;       // m across the mean heading per step
 constexpr double kBackwards = 1e-3;  // m, for rounding at standstill
-constexpr double kSlowWay = 0.05;    // m; on shorter ways a turn tells no steering angle, ...
+constexpr double kSlowWay = 0.05;  // m; a shorter step gives no steering angle, its turn is limited
 constexpr double kSlowTurn =
-    2e-3;  // rad; ... it may be what the greatest angle allows, and so much more
-constexpr double kAngleError = 0.005;        // rad
-constexpr double kRateError = 0.02;          // rad/s
-constexpr double kSpeedError = 0.05;         // m/s
-constexpr double kAccelerationError = 0.05;  // m/s2
-constexpr double kJerkError = 0.5;           // m/s3
-constexpr double kStartDistance = 0.05;  // m between the first pose and the recorded one, and ...
-constexpr double kStartTurn = 0.02;      // rad
-constexpr double kWrittenSpeed = 0.3;    // m/s
-constexpr double kWrittenAcceleration = 0.2;  // m/s2, beside the mean of the jerk within a step
-constexpr double kWrittenCurvature = 0.002;   // 1/m, beside the steering within half a step
+    2e-3;  // rad by which such a turn may exceed the maximum steering angle's
+constexpr double kAngleError = 0.005;         // rad
+constexpr double kRateError = 0.02;           // rad/s
+constexpr double kSpeedError = 0.05;          // m/s
+constexpr double kAccelerationError = 0.05;   // m/s2
+constexpr double kJerkError = 0.5;            // m/s3
+constexpr double kStartDistance = 0.05;       // m between the first pose and the recorded one
+constexpr double kStartTurn = 0.02;           // rad between the first yaw and the recorded one
+constexpr double kWrittenSpeed = 0.3;         // m/s
+constexpr double kWrittenAcceleration = 0.2;  // m/s2, in addition to the jerk within a step
+constexpr double kWrittenCurvature = 0.002;   // 1/m, in addition to the steering within half a step
 
-/// From one point to the next, as the rear axle drives.
+/// Motion of the rear axle between two points.
 struct Step {
   double duration = 0.0;
-  double along = 0.0;  // m, on the heading halfway
+  double along = 0.0;  // m along the mean heading
   double across = 0.0;
   double turn = 0.0;  // rad
   double speed() const { return along / duration; }
@@ -37,7 +37,7 @@ Vector2 axleOf(const TrajectoryPoint& point, double axle_to_middle) {
   return point.pose.position() - axle_to_middle * point.pose.heading();
 }
 
-/// `way`: of the rear axle, m.
+/// `way`: displacement of the rear axle, m.
 Step stepBetween(const TrajectoryPoint& a, const TrajectoryPoint& b, const Vector2& way) {
   Step step;
   step.duration = b.time - a.time;
@@ -53,13 +53,13 @@ bool isFinite(const TrajectoryPoint& point) {
          std::isfinite(point.acceleration) && std::isfinite(point.curvature);
 }
 
-/// How far a value is outside what lies between two others.
+/// Returns the distance of `value` from the interval between `a` and `b`; 0 inside.
 double outside(double value, double a, double b) {
   const auto [low, high] = std::minmax(a, b);
   return std::max({0.0, low - value, value - high});
 }
 
-/// Goes over the steps one after the other.
+/// Checks the steps of a trajectory one after the other.
 class Check {
  public:
   Check(const DriveState& start, const DriveLimits& limits)
@@ -67,7 +67,7 @@ class Check {
     acceleration_ = start.acceleration;
     start_speed_ = start.speed;
     steering_ = start.steering;
-    // Who stands may have turned the wheels to any angle.
+    // A standing vehicle may have turned its wheels to any angle.
     steering_known_ = start.speed > 0.0;
   }
 
@@ -154,14 +154,14 @@ class Check {
   const DriveLimits& limits_;
   double max_tangent_;
   WorstLimit worst_;
-  Vector2 axle_ = Vector2::Zero();  // rear, at the last point
+  Vector2 axle_ = Vector2::Zero();  // rear axle at the last point
   bool is_first_ = true;
   Step before_;
   double start_speed_ = 0.0;
   double acceleration_ = 0.0;
   double steering_ = 0.0;
   bool steering_known_ = false;
-  double since_steering_ = 0.0;  // s since the steering angle was known
+  double since_steering_ = 0.0;  // s since the steering angle was last known
 };
 
 }  // namespace

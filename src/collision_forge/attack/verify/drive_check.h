@@ -9,16 +9,17 @@
 
 namespace forge {
 
-/// The state that a point tells of itself.
+/// Returns the single-track state that a trajectory point describes: rear axle pose, speed,
+/// acceleration, steering angle from the curvature.
 DriveState driveStateOf(const TrajectoryPoint& point, const DriveLimits& limits);
 
-/// Holds what the poses alone say of the points up to the first at or after `until` against the
-/// limits of a vehicle that drives as a single track: for each step the way of the rear axle along
-/// and across the heading halfway, and the turn; from these speed, steering angle, lateral
-/// acceleration, and from step to step acceleration, steering rate and jerk. The motion continues
-/// `start`, by the same rates. What is written (speed, acceleration, curvature of the rear axle's
-/// path) is held against the poses. Returns the worst broken limit, by ratio: a key of
-/// config/vehicle_limits.yaml, or "finite", "no_reversing", "no_slip", "total_acceleration",
+/// Checks the poses of the points, up to and including the first at or after `until` (s), against
+/// the limits of a kinematic single-track vehicle that continues from `start`. Each step's
+/// rear-axle displacement along and across the mean heading, and its turn, give speed, steering
+/// angle and lateral acceleration; differences between steps give acceleration, steering rate and
+/// jerk. The stored speed, acceleration and curvature must agree with the poses. Returns the
+/// violation with the greatest ratio of value to limit, empty if there is none. Its name is a key
+/// of config/vehicle_limits.yaml or "finite", "no_reversing", "no_slip", "total_acceleration",
 /// "continues_pose", "continues_speed", "written_speed", "written_acceleration",
 /// "written_curvature".
 std::optional<BrokenLimit> findBrokenDrive(const std::vector<TrajectoryPoint>& points,

@@ -9,28 +9,28 @@ namespace forge {
 
 class Section;
 
-/// What one vehicle can do, as a kinematic single track: the rear axle rolls without slip (Althoff,
+/// Limits of one vehicle as a kinematic single track whose rear axle rolls without slip (Althoff,
 /// Koschi, Manzinger 2017, "CommonRoad: Composable benchmarks", vehicle model KS).
 struct DriveLimits {
   double wheelbase = 0.0;                 ///< m
-  double axle_to_middle = 0.0;            ///< m from the rear axle ahead to the box's middle
+  double axle_to_middle = 0.0;            ///< m from the rear axle forward to the box centre
   double max_steering_angle = 0.0;        ///< rad, of the front wheel
   double max_steering_rate = 0.0;         ///< rad/s
   double max_lateral_acceleration = 0.0;  ///< m/s2, speed times yaw rate
   double max_forward_acceleration = 0.0;  ///< m/s2, up to switching_speed
-  double switching_speed = 0.0;           ///< m/s, above it the engine's power is the limit
-  double max_braking = 0.0;               ///< m/s2, and the greatest total acceleration
+  double switching_speed = 0.0;           ///< m/s; above it the engine power limits
+  double max_braking = 0.0;               ///< m/s2; also limits the total acceleration
   double max_jerk = 0.0;                  ///< m/s3 along the heading
   double max_speed = 0.0;                 ///< m/s
 
-  /// The greatest forward acceleration at a speed, m/s2.
+  /// Returns the maximum forward acceleration at `speed` (m/s), m/s2.
   double forwardAt(double speed) const {
     return speed <= switching_speed ? max_forward_acceleration
                                     : max_forward_acceleration * switching_speed / speed;
   }
 };
 
-/// The rows of config/vehicle_limits.yaml.
+/// The vehicle classes of config/vehicle_limits.yaml.
 enum class VehicleClass {
   kCar,
   kVan,
@@ -46,38 +46,39 @@ inline constexpr std::array<VehicleClass, 8> kVehicleClasses = {
     VehicleClass::kTruck,        VehicleClass::kBus,       VehicleClass::kArticulated,
     VehicleClass::kConstruction, VehicleClass::kMotorcycle};
 
-/// "car", "van", ..., as in config/vehicle_limits.yaml.
+/// Returns the class's key in config/vehicle_limits.yaml: "car", "van", ...
 const char* toString(VehicleClass vehicle_class);
 
-/// config/vehicle_limits.yaml, drivable and lengths; units and sources stand there.
+/// Keys `drivable` and `lengths` of config/vehicle_limits.yaml, which has the sources.
 struct DriveLimitOptions {
-  /// One row a class, in the order of kVehicleClasses; wheelbase as a share of the length.
+  /// In the order of kVehicleClasses; here wheelbase is a share 0..1 of the box length and
+  /// axle_to_middle is unused.
   std::array<DriveLimits, kVehicleClasses.size()> rows;
-  double car_length = 0.0;    ///< m; a longer car is a van
-  double van_length = 0.0;    ///< m; a shorter truck is a van, as pick-ups are
-  double truck_length = 0.0;  ///< m; a longer truck pulls a trailer within its box
+  double car_length = 0.0;    ///< m; a longer car counts as a van
+  double van_length = 0.0;    ///< m; a shorter truck counts as a van (pick-ups)
+  double truck_length = 0.0;  ///< m; a longer truck counts as articulated
 };
 
-/// The class whose limits a vehicle keeps.
+/// Returns the class whose limits apply to an agent of this class and box size.
 VehicleClass vehicleClassOf(AgentClass agent_class, const BoxSize& size,
                             const DriveLimitOptions& options);
 
-/// The limits of a vehicle; the overhangs ahead of the front axle and behind the rear axle are
-/// taken to be equal.
+/// Returns the limits of a vehicle. Assumes equal overhangs in front of the front axle and behind
+/// the rear axle.
 DriveLimits driveLimitsOf(AgentClass agent_class, const BoxSize& size,
                           const DriveLimitOptions& options);
 
-/// A state of the single track.
+/// State of the kinematic single track.
 struct DriveState {
-  Pose2 axle;                 ///< of the rear axle's middle, global map frame
-  double speed = 0.0;         ///< m/s along the heading, of the rear axle
+  Pose2 axle;                 ///< centre of the rear axle, global map frame
+  double speed = 0.0;         ///< m/s of the rear axle along the heading
   double acceleration = 0.0;  ///< m/s2 along the heading
-  double steering = 0.0;      ///< rad, of the front wheel, positive to the left
+  double steering = 0.0;      ///< rad, front wheel, positive to the left
 };
 
-/// The state that a recorded motion is in: speed and acceleration along the heading and the
-/// steering angle that its yaw rate needs, each held to the limits. Below `standstill_speed` (m/s)
-/// it stands, with the wheels straight.
+/// Converts a recorded motion to a single-track state: speed and acceleration along the heading,
+/// and the steering angle that gives the yaw rate, each clamped to the limits. Below
+/// `standstill_speed` (m/s) the vehicle stands with straight wheels.
 DriveState driveStateOf(const Motion& motion, const DriveLimits& limits, double standstill_speed);
 
 void readOptions(Section& section, DriveLimitOptions& options);

@@ -13,7 +13,7 @@ void append(Track& track, const AgentState& state) {
   if (track.states.empty() || state.time > track.states.back().time) track.states.push_back(state);
 }
 
-/// What was seen of a track up to `now`, with velocities that its poses tell.
+/// Returns the states of a track up to `now`, with velocities derived from its poses.
 Track upTo(double now, Track track) {
   auto& states = track.states;
   const auto later = std::find_if(states.begin(), states.end(), [&](const AgentState& state) {
@@ -24,8 +24,8 @@ Track upTo(double now, Track track) {
   return track;
 }
 
-/// Whether states that are still to come leave the velocity at that time as it is: the one after it
-/// has its velocity from the next.
+/// Returns true if later states cannot change the velocity at `time`: the state after `time` has a
+/// successor, from which its velocity is derived.
 bool isVelocityKnown(const Track& track, double time) {
   const auto& states = track.states;
   return states.size() >= 2 && states[states.size() - 2].time >= time;

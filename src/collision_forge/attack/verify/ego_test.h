@@ -7,30 +7,31 @@
 
 namespace forge {
 
-/// Tests one attacker's trajectory against an ego that is driven (or replayed) now, as it comes.
-/// States that are not after the ones before are left out. Not thread-safe.
+/// Verifies one attacker trajectory against an ego that is driven or replayed live, state by state.
+/// Ignores states that are not later than the previous one. Not thread-safe.
 class EgoTest {
  public:
-  /// The trajectory must have points; throws std::invalid_argument otherwise.
+  /// Throws std::invalid_argument if `trajectory` has no points.
   EgoTest(AttackerTrajectory trajectory, const CollisionRequest& request, const EgoVehicle& ego);
 
-  /// What it drives now: the attacker reacts to the ego. All that was seen is kept. Throws as the
-  /// constructor.
+  /// Replaces the trajectory of an attacker that reacts to the ego; all states added so far are
+  /// kept. Throws std::invalid_argument if `trajectory` has no points.
   void changeTrajectory(AttackerTrajectory trajectory);
 
-  /// What counts as the crash, where that is told later than the trajectory.
+  /// Replaces the request, for a crash definition that arrives later than the trajectory.
   void changeRequest(const CollisionRequest& request) { request_ = request; }
 
-  /// Middle of the ego's box; its poses tell its velocity. States from before the trajectory's
-  /// start may be given.
+  /// Adds an ego state; its pose is the box centre. Its velocity is derived from the poses. The
+  /// first state must not be later than the trajectory's first point, else outcome() stays empty.
   void addEgo(const AgentState& state);
-  /// Everybody else at one time, one state each; who is not usable (isUsable()) is left out.
+  /// Adds the other agents at one time, one state each. Agents that are not usable (isUsable()) are
+  /// ignored.
   void addAgents(const std::vector<Track>& agents);
 
-  /// The verification against what was driven: as soon as the attacker has touched the ego, the
-  /// others are known up to then and two states of the ego tell its speed then, or when the
-  /// trajectory has ended; empty before, and for an ego whose first state is later than the
-  /// trajectory's start. What comes after that would not change it.
+  /// Returns the report of verify() on the driven states once later states cannot change it: the
+  /// trajectory has ended, or the attacker touched the ego, the other agents are known up to the
+  /// contact, and two ego states fix its velocity there. Empty before, and if the first ego state
+  /// is later than the trajectory's start.
   std::optional<CollisionReport> outcome(const LaneIndex& lanes,
                                          const VerificationOptions& options) const;
 
@@ -39,7 +40,7 @@ class EgoTest {
   CollisionRequest request_;
   Track ego_;
   std::map<std::string, Track> agents_;
-  double agents_until_ = 0.0;  // time of their newest state
+  double agents_until_ = 0.0;  // s, time of the newest agent state
 };
 
 }  // namespace forge

@@ -9,7 +9,7 @@ namespace forge {
 namespace {
 
 constexpr double kBackwardSlack = 1e-3;      // m between two points, for rounding at standstill
-constexpr double kDifferenceError = 0.05;    // m/s2 that a second difference may be off
+constexpr double kDifferenceError = 0.05;    // m/s2, error of a second difference of positions
 constexpr double kMaxSpeedDifference = 0.3;  // m/s; a change from full braking to full throttle
 
 double totalAcceleration(const TrajectoryPoint& point) {
@@ -43,7 +43,7 @@ std::optional<BrokenLimit> findBroken(const std::vector<TrajectoryPoint>& points
                                       double until, const VehicleLimits& limits, Wanted wanted) {
   WorstLimit worst;
   double slow_yaw = start_yaw;  // heading where the current slow stretch began
-  double slow_distance = 0.0;   // metres driven since
+  double slow_distance = 0.0;   // m driven since
   const TrajectoryPoint* previous = nullptr;
   for (const TrajectoryPoint& point : points) {
     if (!isFinite(point)) return BrokenLimit{"finite", 0.0, 0.0};

@@ -9,17 +9,19 @@
 
 namespace forge {
 
-/// A limit that a trajectory breaks, and by how much.
+/// A limit that a trajectory violates; value and limit have the unit of the key `name`.
 struct BrokenLimit {
-  /// Key in config/vehicle_limits.yaml, or "no_reversing", "finite", "speed_of_positions".
+  /// Key in config/vehicle_limits.yaml, or "finite", "no_reversing", "speed_of_positions", or a
+  /// name of findBrokenDrive().
   const char* name = "";
   double value = 0.0;
   double limit = 0.0;
 };
 
-/// Keeps the broken limit with the greatest ratio of value to limit.
+/// Keeps the violated limit with the greatest ratio of value to limit.
 class WorstLimit {
  public:
+  /// Records `value` if it exceeds `limit`.
   void check(const char* name, double value, double limit) {
     if (value <= limit) return;
     const double ratio = limit > 0.0 ? value / limit : 1.0 + value;
@@ -34,40 +36,38 @@ class WorstLimit {
   std::optional<BrokenLimit> found_;
 };
 
-/// Checks every point up to and including the first at or after `until`: acceleration forward,
-/// braking and in total (speed^2 * curvature across), speed, no reversing, and curvature. Below
-/// `curvature_min_speed` curvature is not defined well; there the heading may change, from where
-/// the slow stretch began, by heading_slack + heading_per_metre * distance. The same holds between
-/// `start_yaw` (the recorded yaw now) and the first point. Returns the worst broken limit, by
-/// ratio.
+/// Checks the stored values of each point up to and including the first at or after `until` (s):
+/// forward, braking and total acceleration (lateral part speed^2 * curvature), speed, no reversing,
+/// curvature. Below limits.curvature_min_speed curvature is ill-defined; there the heading may
+/// change by heading_slack + heading_per_metre * distance since the slow stretch began. The same
+/// limit holds between `start_yaw` (rad, recorded yaw at t0) and the first point. Returns the
+/// violation with the greatest ratio of value to limit, empty if there is none.
 std::optional<BrokenLimit> findBrokenLimit(const std::vector<TrajectoryPoint>& points,
                                            double start_yaw, double until,
                                            const VehicleLimits& limits);
 
-/// Holds what the positions alone say of the points before `until` against what is written and
-/// allowed: the total acceleration as a second difference of positions, and forwards and backwards
-/// its part along the heading (a reader of the points finds no more than 0.05 m/s2 above the
-/// limits), and the written speeds, without sign, as those of
-/// the steps before and after each point ("speed_of_positions": within 0.3 m/s of either or between
-/// the two). Returns the worst, by ratio. Points are finite (findBrokenLimit() tells) and their
-/// times increase.
+/// Checks the positions of the points before `until` (s): total acceleration as second difference
+/// of positions and its part along the heading, at most 0.05 m/s2 above the limits; and the stored
+/// |speed| within 0.3 m/s of the speeds of the steps before and after the point, or between them
+/// ("speed_of_positions"). Returns the violation with the greatest ratio of value to limit, empty
+/// if there is none. Values must be finite and times must increase.
 std::optional<BrokenLimit> findBrokenPositions(const std::vector<TrajectoryPoint>& points,
                                                double until, const VehicleLimits& limits);
 
-/// Neither findBrokenLimit() nor findBrokenPositions() finds anything; quicker than both.
+/// Returns true if findBrokenLimit() and findBrokenPositions() find no violation; faster than both.
 bool keepsLimits(const std::vector<TrajectoryPoint>& points, double start_yaw, double until,
                  const VehicleLimits& limits);
 
-/// "name value > limit", for people.
+/// Returns "name value > limit", for example "max_braking 8.512 > 8.000".
 std::string describe(const BrokenLimit& broken);
 
-/// Mean square over the points until then of the total acceleration over its limit: 0 for a
-/// constant velocity, 1 for driving at the limit throughout.
+/// Returns the mean over the points up to and including the first at or after `until` (s) of (total
+/// acceleration / limit)^2: 0 for constant velocity, 1 for driving at the limit throughout.
 double effort(const std::vector<TrajectoryPoint>& points, double until,
               const VehicleLimits& limits);
 
-/// Fastest change of curvature, 1/(m s), between neighbours that both drive at curvature_min_speed
-/// or faster, of the points up to and including the first at or after `until`.
+/// Returns the greatest |rate of curvature|, 1/(m s), between neighbouring points that both move at
+/// limits.curvature_min_speed or faster, up to the first point at or after `until` (s).
 double fastestSteering(const std::vector<TrajectoryPoint>& points, double until,
                        const VehicleLimits& limits);
 

@@ -7,21 +7,21 @@ namespace forge {
 namespace {
 
 constexpr double kStanding = 0.5;  // m/s
-constexpr double kBraking = 1.0;   // m/s2; who brakes less only slows down
+constexpr double kBraking = 1.0;   // m/s2; a smaller deceleration is not braking
 constexpr double kClosing = 0.5;   // m/s
-constexpr double kOffset = 0.3;    // m from the offset that was kept
-constexpr double kOwnWay = 0.7;    // m; who is so near to where its lane leads has not left it
+constexpr double kOffset = 0.3;    // m from the original lane offset
+constexpr double kOwnWay = 0.7;    // m of offset change up to which the attacker stays in its lane
 constexpr double kParked =
-    1.0;  // m from the middle of a lane; who stands nearer to it is in traffic
-constexpr double kTurning = 0.5;         // rad; who turns less goes straight on
-constexpr double kBend = 0.02;           // 1/m, where a turn begins
-constexpr double kAhead = 40.0;          // m; somebody so near ahead is overtaken
-constexpr double kBeside = 1.5;          // m from a way; who is nearer is on it
-constexpr double kWay = 200.0;           // m of the lane that it was on
+    1.0;  // m from the lane's middle; a vehicle that stands nearer is in traffic, not parked
+constexpr double kTurning = 0.5;         // rad; a smaller turn is straight on
+constexpr double kBend = 0.02;           // 1/m; the turn starts above this curvature
+constexpr double kAhead = 40.0;          // m within which a vehicle ahead counts as overtaken
+constexpr double kBeside = 1.5;          // m from a path within which a vehicle is on it
+constexpr double kWay = 200.0;           // m of the attacker's lane ahead
 constexpr double kLaneDistance = 2.5;    // m from its middle
 constexpr double kLaneHeading = 0.7854;  // rad
 
-/// The points from the beginning of the window to the contact.
+/// The trajectory points in the last kManoeuvreWindow seconds before the contact.
 class Window {
  public:
   Window(const AttackerTrajectory& trajectory, double contact) {
@@ -36,7 +36,8 @@ class Window {
   const TrajectoryPoint& first() const { return *points_.front(); }
   const TrajectoryPoint& last() const { return *points_.back(); }
 
-  /// Time from which on, up to the contact, `is_so` holds; the last point's if it does not there.
+  /// Returns the start time of the interval up to the contact in which `is_so` holds; the last
+  /// point's time if it does not hold there.
   template <typename IsSo>
   double since(const IsSo& is_so) const {
     std::size_t i = points_.size();
@@ -44,7 +45,7 @@ class Window {
     return points_[std::min(i, points_.size() - 1)]->time;
   }
 
-  /// Time of the first point for which it holds, else the first one's.
+  /// Returns the time of the first point for which `is_so` holds, else of the first point.
   template <typename IsSo>
   double first(const IsSo& is_so) const {
     const auto found = std::find_if(points_.begin(), points_.end(),
@@ -78,7 +79,8 @@ DetectedManoeuvre detectRearEnd(const Window& window, const CollisionReport& rep
   return {Manoeuvre::kLeadSlow, since};
 }
 
-/// The way ahead along the lane that the attacker is on at the window's beginning.
+/// Returns the path ahead along the attacker's lane at the start of the window; empty if it is on
+/// no lane.
 std::optional<Polyline> wayOf(const Window& window, const LaneIndex& lanes) {
   const auto matches = lanes.lanesNear(window.first().pose, kLaneDistance, kLaneHeading);
   if (matches.empty()) return std::nullopt;
@@ -126,7 +128,7 @@ DetectedManoeuvre detectDeparture(const Window& window, const AttackerTrajectory
   if (is_lane_change) {
     if (std::abs(offset(window.last()) - kept) > kOwnWay) return {Manoeuvre::kCutIn, begin};
     const auto ego = stateAt(input.future.ego, window.first().time);
-    // The way begins where the attacker is; the ego may be behind that.
+    // The path starts at the attacker; the ego may be behind its start.
     const bool is_beside = ego && std::abs(way->project(ego->pose.position()).lateral) < kBeside;
     return {is_beside ? Manoeuvre::kDrift : Manoeuvre::kMerge, begin};
   }

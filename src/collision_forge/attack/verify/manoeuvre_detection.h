@@ -6,25 +6,27 @@
 
 namespace forge {
 
-/// What an attacker did, and from when on it did what ordinary driving along its lane is not.
+/// An attacker's manoeuvre and the time at which it departs from normal lane following.
 struct DetectedManoeuvre {
   Manoeuvre manoeuvre = Manoeuvre::kFollowerCloses;
   double begin =
-      0.0;  ///< s, the snapshot's clock, from the trajectory's first point to the contact
+      0.0;  ///< s, the snapshot's clock, between the trajectory's first point and the contact
 };
 
-/// Tells the manoeuvre of a trajectory that touches the ego as the report says, whatever made it,
-/// from the last kManoeuvreWindow seconds before the contact:
-/// - rear_end: who is in front (ego_side); a leader by its speed at the contact and its braking; it
-///   begins with that braking, or with the speeds beginning to differ.
-/// - lane_change, opposite_direction: by the lane that it was on; it begins where the attacker is
-///   last within 0.3 m of the offset that it had from that lane.
-/// - junction_crossing, ltap: by how far it turns; it begins at the junction (the first lane marked
-///   so) or, where the map has none, with the turn.
+/// Classifies the manoeuvre of a trajectory that touches the ego, from the last kManoeuvreWindow
+/// seconds before the contact:
+/// - rear_end: by the touched side of the ego the attacker leads or follows; a leader is stopped,
+///   braking or slow. Starts with the braking, or when the speeds begin to differ.
+/// - lane_change, opposite_direction: from the attacker's lane at the start of the window. Starts
+///   where the attacker last was within 0.3 m of its original offset from that lane.
+/// - junction_crossing, ltap: from the total turn. Starts at the first point on a junction lane or,
+///   if the map marks none at the contact, with the turn.
+///
+/// `report.contact` must be true. The trajectory's origin does not matter.
 DetectedManoeuvre detectManoeuvre(const AttackerTrajectory& trajectory,
                                   const CollisionReport& report, const VerificationInput& input,
                                   const VerificationOptions& options);
 
-inline constexpr double kManoeuvreWindow = 4.0;  // s; a lane change takes 6.3 s in the mean (VTTI)
+inline constexpr double kManoeuvreWindow = 4.0;  // s; the mean lane change takes 6.3 s (VTTI)
 
 }  // namespace forge

@@ -6,46 +6,46 @@ namespace forge {
 
 class Section;
 
-/// config/vehicle_limits.yaml, strict, where each number's unit and source stand: of any vehicle
-/// alike, as the strict protocol has them, and of the cars that planners drive.
+/// Key `strict` of config/vehicle_limits.yaml, which has the sources: limits of the strict
+/// protocol, equal for all vehicles, and of the cars that planners drive.
 struct VehicleLimits {
-  double max_forward_acceleration = 0.0;
-  double max_braking = 0.0;
-  double max_total_acceleration = 0.0;
-  double max_curvature = 0.0;
-  double max_speed = 0.0;
-  double curvature_min_speed = 0.0;
-  double heading_slack = 0.0;
-  double heading_per_metre = 0.0;
+  double max_forward_acceleration = 0.0;  ///< m/s2
+  double max_braking = 0.0;               ///< m/s2
+  double max_total_acceleration = 0.0;    ///< m/s2
+  double max_curvature = 0.0;             ///< 1/m
+  double max_speed = 0.0;                 ///< m/s
+  double curvature_min_speed = 0.0;  ///< m/s; below it the heading limits replace max_curvature
+  double heading_slack = 0.0;        ///< rad
+  double heading_per_metre = 0.0;    ///< rad/m
 };
 
-/// config/believability.yaml, where each number's unit and source stand.
+/// Limits of plausible driving, config/believability.yaml, which has the reasons.
 struct BelievabilityOptions {
-  double lane_distance = 0.0;
-  double lane_heading = 0.0;
-  double road_distance = 0.0;
-  double road_heading = 0.0;
-  double island_reach = 0.0;
-  double before_contact = 0.0;
-  double pull_out = 0.0;
-  double min_on_lane = 0.0;
-  double max_wrong_way = 0.0;
-  double max_off_road = 0.0;
+  double lane_distance = 0.0;   ///< m from box centre to the centreline of its lane
+  double lane_heading = 0.0;    ///< rad between the box and its lane
+  double road_distance = 0.0;   ///< m from the ego's box to a fitting lane
+  double road_heading = 0.0;    ///< rad by which the type's heading band is widened
+  double island_reach = 0.0;    ///< m to the road on both sides of an island
+  double before_contact = 0.0;  ///< s before contact until which the lane is kept
+  double pull_out = 0.0;        ///< s, the same for an attacker that stands at t0
+  double min_on_lane = 0.0;     ///< share 0..1 of points
+  double max_wrong_way = 0.0;   ///< share 0..1 of points
+  double max_off_road = 0.0;    ///< share 0..1 of the box, more than at t0
 };
 
-/// How a trajectory is verified.
+/// Options of verify().
 struct VerificationOptions {
-  VehicleLimits limits;        ///< of attackers by LimitSet::kStrict
-  DriveLimitOptions drivable;  ///< of attackers by LimitSet::kDrivable
+  VehicleLimits limits;        ///< of attackers under LimitSet::kStrict
+  DriveLimitOptions drivable;  ///< of attackers under LimitSet::kDrivable
   BelievabilityOptions believability;
-  int motion_frames = 0;             ///< of PredictionOptions
-  double standstill_speed = 0.0;     ///< of PredictionOptions
+  int motion_frames = 0;             ///< frames, see PredictionOptions
+  double standstill_speed = 0.0;     ///< m/s, see PredictionOptions
   double overlap_tolerance = 0.001;  ///< m; contacts shallower than this may be missed
-  double off_road_interval = 0.5;  ///< s between the poses of which the off-road share is the mean
+  double off_road_interval = 0.5;    ///< s between the poses averaged by offRoadShare()
 };
 
 void readOptions(Section& section, VehicleLimits& limits);
-/// config/vehicle_limits.yaml
+/// Reads `strict`, `drivable` and `lengths` of config/vehicle_limits.yaml.
 void readVehicleLimits(Section& section, VerificationOptions& options);
 void readOptions(Section& section, BelievabilityOptions& options);
 

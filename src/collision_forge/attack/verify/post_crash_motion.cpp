@@ -14,8 +14,8 @@ double brakingOf(const CrashedVehicle& vehicle, const DriveLimitOptions& options
 
 double massOf(const CrashedVehicle& vehicle) { return vehicle.size.length * vehicle.size.width; }
 
-/// Empty where the track has no state at that time. Times in messages and files are rounded, so
-/// the time may be beyond an end of the track by kTimeEpsilon.
+/// Returns the vehicle at `time`, empty if the track has no state then. Times in messages and files
+/// are rounded, so `time` may be up to kTimeEpsilon beyond an end of the track.
 std::optional<CrashedVehicle> crashedAt(double time, const Track& track) {
   if (track.states.empty()) return std::nullopt;
   const double within = std::clamp(time, track.states.front().time, track.states.back().time);

@@ -6,56 +6,57 @@
 
 namespace forge {
 
-/// A vehicle at the instant of a contact.
+/// A vehicle at the contact time.
 struct CrashedVehicle {
   AgentClass agent_class = AgentClass::kCar;
   BoxSize size;
-  AgentState state;  ///< middle of the box, global map frame
+  AgentState state;  ///< box centre, global map frame
 };
 
-/// The motion of the ego and the attacker from their contact on, until both stand: a function of
-/// their states at the contact. Bags, pictures, pages, exports and the live display all take the
-/// poses after a contact from this class, so a crash ends alike in all of them.
+/// Motion of ego and attacker from the contact until both stand, computed from their states at the
+/// contact only. Bags, images, pages, exports and the live display all use this class, so a crash
+/// ends the same way in all of them.
 ///
-/// The rule: both vehicles slide on together, without turning, with the velocity that keeps their
-/// common momentum, where the area of a box stands for the mass of its vehicle. They brake as hard
-/// as the weaker of the two can. This shows a crash; it is no model of one.
+/// Both vehicles move with their common velocity (momentum kept, with the box area as mass),
+/// without turning, and decelerate with the lower of their two maximum brakings. This illustrates a
+/// crash; it is not a crash model.
 class PostCrashMotion {
  public:
-  /// The two states must have the same time, that of the contact.
+  /// Both states must have the contact time.
   PostCrashMotion(const CrashedVehicle& ego, const CrashedVehicle& attacker,
                   const DriveLimitOptions& options);
 
-  /// seconds, same clock as the states
+  /// s, same clock as the states
   double contactTime() const { return slide_.begin; }
-  /// From then on both stand.
+  /// Time at which both vehicles stop, s.
   double standTime() const { return slide_.standTime(); }
 
-  /// The states of the vehicles at `time`; before the contact those at the contact.
+  /// Returns the ego's state at `time` (s); before the contact, its state at the contact.
   AgentState egoAt(double time) const;
+  /// As egoAt() for the attacker.
   AgentState attackerAt(double time) const;
 
  private:
   AgentState stateAfter(const Pose2& contact, double time) const;
 
-  Pose2 ego_;  ///< at the contact, as is the next
+  Pose2 ego_;  ///< at the contact, like attacker_
   Pose2 attacker_;
   BrakingSlide slide_;
 };
 
-/// Returns the motion after a contact at `contact_time`, seconds, where `other` is the vehicle that
-/// the ego touches. Empty if one of the two tracks has no state at that time.
+/// Returns the motion after a contact of `ego` and `other` at `contact_time` (s); empty if one of
+/// the two tracks has no state at that time.
 std::optional<PostCrashMotion> motionAfterContact(double contact_time, const Track& other,
                                                   const Track& ego,
                                                   const DriveLimitOptions& options);
 
-/// The same where the attacker is that vehicle.
+/// As above for the attacker of `trajectory`.
 std::optional<PostCrashMotion> motionAfterContact(double contact_time,
                                                   const AttackerTrajectory& trajectory,
                                                   const Track& ego,
                                                   const DriveLimitOptions& options);
 
-/// The same for the contact of a report; also empty if the report has no contact.
+/// As above for the contact of `report`; empty if the report has no contact.
 std::optional<PostCrashMotion> motionAfterContact(const CollisionReport& report,
                                                   const AttackerTrajectory& trajectory,
                                                   const Track& ego,

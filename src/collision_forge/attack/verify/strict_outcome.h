@@ -4,23 +4,22 @@
 
 namespace forge {
 
-/// The conditions of a crash as asked, each and together; docs/protocols.md. Without an attack all
-/// are missed.
+/// Result of the strict protocol, docs/protocols.md. Without an attack every condition is false.
 struct StrictOutcome {
-  /// Every condition, the type by its band of |relative heading| at first contact alone.
+  /// All conditions; its type_kept tests only the band of |relative heading| at first contact.
   CollisionReport report;
-  bool full_type_kept = false;  ///< the whole definition of the type is kept
-  bool is_believed = true;      ///< a driver would do it, or the request does not ask for that
+  bool full_type_kept = false;  ///< the full definition of the type is met
+  bool is_believed = true;      ///< the attack is plausible, or the request does not require that
 
   bool meetsAngleBands() const { return report.verified() && is_believed; }
   bool meetsFullDefinitions() const { return meetsAngleBands() && full_type_kept; }
 };
 
-/// The strict protocol: the attacker touches the ego after now; at a relative heading of the type;
-/// at most the tolerance before or after the time asked for; within the limits of the request's
-/// LimitSet from now to contact; touches nobody earlier; and, where the request asks for it, drives
-/// as a driver would. `input.future` is what came: recorded, not predicted.
-/// Headings are interpolated and contact is continuous, as in verify(), which decides all of it.
+/// Judges a trajectory by the strict protocol: the attacker touches the ego after t0, at a relative
+/// heading of the requested type, within the tolerance of the requested time, within the limits of
+/// the request's LimitSet from t0 to contact, touches no other agent before and, if the request
+/// requires it, drives plausibly. `input.future` holds the recorded motion, not a prediction.
+/// Decided by verify(), with interpolated headings and continuous contact detection.
 StrictOutcome strictOutcome(const AttackerTrajectory& trajectory, const VerificationInput& input,
                             const VerificationOptions& options);
 

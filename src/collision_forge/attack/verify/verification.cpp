@@ -20,7 +20,8 @@
 namespace forge {
 namespace {
 
-/// Instants at which either of the two starts a new straight piece, from the first point to `end`.
+/// Returns the times, from the first point to `end`, at which either vehicle starts a new linear
+/// piece.
 std::vector<double> breakpoints(const AttackerTrajectory& trajectory, const Track& track,
                                 double end) {
   std::vector<double> times;
@@ -36,7 +37,7 @@ std::vector<double> breakpoints(const AttackerTrajectory& trajectory, const Trac
   return times;
 }
 
-/// True when the two stay too far apart to touch up to `end`.
+/// Returns true if the bounding boxes of both paths up to `end` are too far apart for a contact.
 bool staysClear(const AttackerTrajectory& trajectory, const Track& track, double end) {
   if (track.states.empty()) return true;
   const double reach = circumradius(trajectory.size) + circumradius(track.size);
@@ -54,12 +55,11 @@ bool staysClear(const AttackerTrajectory& trajectory, const Track& track, double
   return attacker.squaredExteriorDistance(other) > reach * reach;
 }
 
-/// The next instant, where the track is seen from the one of `index` on until it; else that
-/// instant.
+/// Returns the next time if the track has states from times[index] until then, else times[index].
 double seenUntil(const Track& track, const std::vector<double>& times, std::size_t index) {
   if (index + 1 == times.size()) return times[index];
   const double next = times[index + 1];
-  const double middle = 0.5 * (times[index] + next);  // one of the two, where nothing is between
+  const double middle = 0.5 * (times[index] + next);  // inside the track's gap, if there is one
   return stateAt(track, middle) && stateAt(track, next) ? next : times[index];
 }
 
@@ -91,7 +91,7 @@ void describeContact(const AttackerTrajectory& trajectory, const VerificationInp
   report.impact_speed = (velocityAt(trajectory, report.contact_time) - ego->velocity).norm();
 }
 
-/// Whether the contact is of the type and at the time that the request is after.
+/// Sets whether the contact has the requested type and time.
 void judgeContact(const AttackerTrajectory& trajectory, const VerificationInput& input,
                   CollisionReport& report) {
   const TypeDefinition& type = input.request.bands();
@@ -116,7 +116,7 @@ void findFirstOther(const AttackerTrajectory& trajectory, const Future& future, 
     if (other.id == trajectory.attacker_id) continue;
     const auto time = firstContactTime(trajectory, other, end, tolerance);
     if (!time || (report.contact && *time >= report.contact_time)) continue;
-    const auto touched = std::tie(*time, other.id);  // of several at once the least id
+    const auto touched = std::tie(*time, other.id);  // at equal times, the smallest id
     if (report.first_other_id.empty() ||
         touched < std::tie(report.first_other_time, report.first_other_id)) {
       report.first_other_id = other.id;

@@ -9,36 +9,38 @@
 
 namespace forge {
 
-/// The limits that an attacker keeps if it drives by its class.
+/// Returns the limits of `attacker` under LimitSet::kDrivable.
 DriveLimits driveLimitsOf(const Track& attacker, const VerificationOptions& options);
 
-/// How an attacker moves now, as its motion goes on from.
+/// Returns the attacker's state at its newest frame, from which its trajectory continues.
 DriveState driveStateNow(const Track& attacker, const VerificationOptions& options);
 
-/// When the attacker first touches who drives `track`, up to `end`, found continuously between
-/// samples (see firstContact()); both move linearly between them. Who is not seen is not touched.
+/// Returns the time (s) of the first contact of the attacker with the agent of `track` up to `end`
+/// (s); empty if there is none. Continuous between samples (see firstContact(), `tolerance` in m);
+/// both vehicles move linearly between samples. Gaps of the track are skipped.
 std::optional<double> firstContactTime(const AttackerTrajectory& trajectory, const Track& track,
                                        double end, double tolerance);
 
-/// First contact of the attacker with the ego and with anybody else before, found continuously
-/// between samples (see firstContact()), and the limits up to it. The ego and the others move
-/// linearly between the states of `future`. Whether the contact is as asked is not judged, off-road
-/// share and confidence are left at 0. Throws std::invalid_argument for a trajectory without points
-/// or a future without an ego.
+/// Finds the attacker's first contact with the ego and any earlier contact with another agent, and
+/// checks the vehicle limits up to it. Agents move linearly between the states of `input.future`.
+/// Leaves type_kept, on_time, off_road_share and confidence at their defaults. Throws
+/// std::invalid_argument if the trajectory has no points or `input.future.ego` no states.
 CollisionReport verifyDrive(const AttackerTrajectory& trajectory, const VerificationInput& input,
                             const VerificationOptions& options);
 
-/// verifyDrive(), and type and time of the contact against the request's CrashDefinition.
+/// verifyDrive(), then compares type and time of the contact with the request's CrashDefinition.
 CollisionReport verifyMotion(const AttackerTrajectory& trajectory, const VerificationInput& input,
                              const VerificationOptions& options);
 
-/// Mean share of the attacker's box off the drivable area, from now to the report's contact (or to
-/// the end), at poses `off_road_interval` apart; 0 when the map has no drivable area.
+/// Returns the mean share 0..1 of the attacker's box off the drivable area from t0 to the report's
+/// contact (without a contact, to the trajectory's end), sampled every options.off_road_interval; 0
+/// if the map has no drivable area.
 double offRoadShare(const AttackerTrajectory& trajectory, const CollisionReport& report,
                     const LaneIndex& lanes, const VerificationOptions& options);
 
-/// verifyMotion() and offRoadShare(); of a contact also the manoeuvre (detectManoeuvre()) and
-/// whether a driver could do it (whyUnbelievable()), which is no condition of verified().
+/// verifyMotion() and offRoadShare(); if there is a contact, also the manoeuvre (detectManoeuvre())
+/// and the plausibility (whyUnbelievable()), which verified() does not include. Throws as
+/// verifyDrive().
 CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationInput& input,
                        const VerificationOptions& options);
 

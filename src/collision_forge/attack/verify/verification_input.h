@@ -6,10 +6,11 @@
 
 namespace forge {
 
-/// Everything that a trajectory is held against.
+/// The scene and the request against which a trajectory is verified. Holds references: the
+/// referenced objects must outlive it.
 struct VerificationInput {
   const Snapshot& snapshot;
-  const Future& future;  ///< ego and others from now on; the attacker's own track is left out
+  const Future& future;  ///< ego and other agents from t0 on; the attacker's own track is ignored
   const CollisionRequest& request;
   const LaneIndex& lanes;
 };

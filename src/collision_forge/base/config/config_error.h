@@ -4,7 +4,7 @@
 
 namespace forge {
 
-/// Names file, key and value.
+/// Thrown for an invalid configuration. The message names file, key and value.
 struct ConfigError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -7,20 +7,21 @@
 
 namespace forge {
 
-/// The whole of one file of the configuration.
+/// Opens a file of the configuration, with its overlay merged. Throws ConfigError.
 Section openConfigFile(const ConfigFolder& folder, const std::string& name);
 
-/// The same of a file's text; `path` is what errors name.
+/// Opens `text`, the content of a configuration file; error messages name `path`. Throws
+/// ConfigError.
 Section openConfigText(const std::string& path, const std::string& text);
 
-/// Reads a whole file by its readOptions().
+/// Reads a whole file with readOptions(). Throws ConfigError, also for a key that is not read.
 template <class Options, class... More>
 void readConfigFile(Section file, Options& options, const More&... more) {
   readOptions(file, options, more...);
   file.finish();
 }
 
-/// Reads the only mapping of the file KEY.yaml of the configuration by its readOptions().
+/// Reads KEY.yaml, whose only top-level mapping is KEY, with readOptions(). Throws ConfigError.
 template <class Options, class... More>
 void readConfigFile(const ConfigFolder& folder, const std::string& key, Options& options,
                     const More&... more) {

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr char kStudy[] = "study";
 
-/// Null for an overlay's file that holds comments alone.
+/// Returns a null node for a file that holds only comments.
 YAML::Node load(const std::string& path) {
   try {
     return YAML::LoadFile(path);
@@ -71,7 +71,7 @@ std::string readAll(const std::string& path) {
   return content.str();
 }
 
-/// The file in each of the folders that has it, the complete folder's first.
+/// Returns the file of each folder that has it, the complete folder's first.
 std::vector<SectionLayer> layersOf(const std::string& complete, const std::string& overlay,
                                    const std::string& file) {
   std::vector<SectionLayer> layers = {{complete + "/" + file, load(complete + "/" + file)}};
@@ -88,7 +88,7 @@ YAML::Node mergedFile(const std::string& complete, const std::string& overlay,
   return layers.size() == 1 ? layers.front().node : merged(layers.front().node, layers.back().node);
 }
 
-/// The nearest of the names, or the one with the same file name in another part.
+/// Returns a hint with the same file name in another part, or else the most similar name.
 std::string hintFor(const std::string& file, const std::vector<std::string>& names) {
   const fs::path path(file);
   for (const std::string& name : names) {
@@ -136,14 +136,14 @@ std::vector<std::string> ConfigFolder::files(const std::string& part) const {
 
 void ConfigFolder::check() const {
   if (overlay_.empty()) return;
-  if (!fs::is_directory(overlay_)) throw ConfigError(overlay_ + ": is no folder");
+  if (!fs::is_directory(overlay_)) throw ConfigError(overlay_ + ": is not a folder");
   std::vector<std::string> known = yamlFiles(complete_, "");
   for (std::string& name : yamlFiles(complete_, kStudy)) known.push_back(std::move(name));
   for (const char* part : {"", kStudy}) {
     for (const std::string& name : yamlFiles(overlay_, part)) {
       const bool is_known = std::find(known.begin(), known.end(), name) != known.end();
       if (is_known || name.rfind("topics_", 0) == 0) continue;
-      throw ConfigError(overlay_ + "/" + name + ": is no file of the configuration in " +
+      throw ConfigError(overlay_ + "/" + name + ": is not a file of the configuration in " +
                         complete_ + hintFor(name, known));
     }
   }

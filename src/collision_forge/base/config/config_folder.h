@@ -7,35 +7,35 @@
 
 namespace forge {
 
-/// Where the files of configuration are read from: a complete folder, over which the files and keys
-/// of another folder, the overlay, are laid. Of a file that both have, mappings are merged key by
-/// key; every other value of the overlay replaces the one below it. A path is relative to the
-/// folder of the file that gives it; a value that is repeated from the complete folder stays that
-/// folder's.
+/// A folder of configuration files with an optional overlay. If both folders have a file, mappings
+/// are merged key by key and other values of the overlay replace the values below them. A relative
+/// path is resolved against the folder of the file that gives it; a value that the overlay merely
+/// repeats counts as given by the complete folder.
 ///
-/// Files are named as "search.yaml" or "study/training.yaml". All functions throw ConfigError.
+/// File names are like "search.yaml" or "study/training.yaml". All functions throw ConfigError.
 class ConfigFolder {
  public:
   ConfigFolder() = default;
-  /// Without an overlay, or with one that is the same folder, `complete` alone is read.
+  /// Reads `complete` alone if `overlay` is empty or the same folder.
   ConfigFolder(std::string complete, const std::string& overlay = "");
   ConfigFolder(const char* complete) : ConfigFolder(std::string(complete)) {}
 
-  /// The merged file. A missing file and malformed YAML throw.
+  /// Opens the merged file. Throws if the file is missing or is not valid YAML.
   Section open(const std::string& file) const;
-  /// The text of the file, byte for byte, if no overlay changes it; else the merged file as YAML.
+  /// Returns the file's text, byte for byte, if no overlay changes it; else the merged file as
+  /// YAML.
   std::string text(const std::string& file) const;
-  /// The same with these of its mappings alone. Throws for a file that lacks one of them.
+  /// Returns the top-level mappings `keys` of the merged file as YAML. Throws if one is missing.
   std::string textOfSections(const std::string& file, const std::vector<std::string>& keys) const;
-  /// All values of the merged file: the same text for the same values, whatever their order,
-  /// comments and layout.
+  /// Returns all values of the merged file as one text that does not depend on the order of keys,
+  /// comments or layout: equal configurations give equal texts.
   std::string values(const std::string& file) const;
-  /// The names of the files with configuration in the complete folder, or in a `part` of it as
-  /// "study", ascending.
+  /// Returns the sorted names of the .yaml files in the complete folder, or in its subfolder `part`
+  /// (for example "study").
   std::vector<std::string> files(const std::string& part = "") const;
 
-  /// Throws if the overlay is no folder, or has a .yaml file that the complete folder lacks.
-  /// Mappings of topics ("topics_NAME.yaml") may have any name.
+  /// Throws if the overlay is not a folder, or has a .yaml file that the complete folder lacks.
+  /// Topic mappings ("topics_NAME.yaml") may have any name.
   void check() const;
 
  private:

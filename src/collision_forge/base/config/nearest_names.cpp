@@ -6,8 +6,8 @@
 namespace forge {
 namespace {
 
-constexpr std::size_t kMinPrefix = 3;       // characters of a word that a name begins with
-constexpr std::size_t kLettersPerEdit = 3;  // of the word
+constexpr std::size_t kMinPrefix = 3;       // characters of a prefix that counts as a match
+constexpr std::size_t kLettersPerEdit = 3;  // letters of the word per allowed edit
 
 std::size_t editsBetween(const std::string& word, const std::string& name) {
   const std::size_t edits = editDistance(word, name);

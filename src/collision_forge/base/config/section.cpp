@@ -34,7 +34,7 @@ Section::Section(std::string name, std::vector<SectionLayer> layers) : name_(std
     std::set<std::string> keys;
     for (const auto& entry : layer.node) {
       const SectionLayer value{layer.file, entry.second};
-      if (!entry.first.IsScalar()) fail(pathOf(textOf(entry.first)), value, "has no name");
+      if (!entry.first.IsScalar()) fail(pathOf(textOf(entry.first)), value, "is not a valid key");
       const std::string key = entry.first.Scalar();
       if (!keys.insert(key).second) fail(pathOf(key), value, "is given twice");
     }
@@ -101,7 +101,7 @@ std::vector<double> Section::risingShares(const std::string& key) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     const SectionLayer entry{value.file, value.node[i]};
     if (!(values[i] >= 0.0 && values[i] <= 1.0)) fail(pathOf(key), entry, rangeText(0.0, 1.0));
-    if (i > 0 && values[i] < values[i - 1]) fail(pathOf(key), entry, "is below the one before");
+    if (i > 0 && values[i] < values[i - 1]) fail(pathOf(key), entry, "is below the previous value");
   }
   return values;
 }
@@ -124,18 +124,18 @@ std::size_t Section::indexOf(const std::string& key, const std::vector<std::stri
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
   std::string known;
   for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
-  fail(pathOf(key), value, "is none of " + known);
+  fail(pathOf(key), value, "is not one of " + known);
 }
 
 std::string Section::text(const std::string& key) {
   const SectionLayer value = take(key);
-  if (!value.node.IsScalar()) fail(pathOf(key), value, "is not a text");
+  if (!value.node.IsScalar()) fail(pathOf(key), value, "is not a string");
   return value.node.Scalar();
 }
 
 std::string Section::path(const std::string& key) {
   const SectionLayer value = take(key);
-  if (!value.node.IsScalar()) fail(pathOf(key), value, "is not a text");
+  if (!value.node.IsScalar()) fail(pathOf(key), value, "is not a string");
   return value.node.Scalar().empty() ? "" : relativeTo(value, value.node.Scalar());
 }
 

@@ -13,21 +13,21 @@ namespace forge {
 
 struct SectionLayer;
 
-/// One mapping of a configuration file, merged from several files if an overlay changes it
-/// (ConfigFolder). Every read checks the value; finish() finds the keys that nobody read. All throw
-/// ConfigError, which names the file that gives the value.
+/// One mapping of a configuration file, with its overlay merged (ConfigFolder). Each getter checks
+/// the value's type and range and marks the key as read; finish() rejects unread keys. All
+/// functions throw ConfigError, which names the file that gives the value.
 ///
-/// The reader of a struct of options stands beside it, in the options.cpp of its folder:
-/// `void readOptions(Section& section, Options& options)`.
+/// readOptions(Section&, Options&) of an options struct is in the options.cpp of the struct's
+/// folder.
 class Section {
  public:
-  /// `layers` must not be empty: the same mapping in each of the files that have it, values of
-  /// later ones before those of earlier ones. `name` is the mapping's path in the file, "" for all
-  /// of it.
+  /// `layers`: the mapping in each file that has it, in ascending priority; must not be empty.
+  /// `name` is the mapping's path in the file, "" for the whole file.
   Section(std::string name, std::vector<SectionLayer> layers);
 
+  /// Returns the mapping under a key. The caller must call finish() on it.
   Section section(const std::string& key);
-  /// The mapping under a key by its readOptions(), to which `more` is handed; then finish().
+  /// Reads the mapping under a key with readOptions(section, options, more...), then finish().
   template <class Options, class... More>
   void read(const std::string& key, Options& options, const More&... more) {
     Section inner = section(key);
@@ -35,27 +35,31 @@ class Section {
     inner.finish();
   }
 
+  // Return the number under a key; throw if it is missing, not finite or out of range (ends
+  // included, except for positive()).
   double positive(const std::string& key);
   double within(const std::string& key, double min, double max);
   double atLeast(const std::string& key, double min);
   double nonNegative(const std::string& key) { return atLeast(key, 0.0); }
-  /// rad from `min` to pi, as the files round it.
+  /// An angle in rad, from `min` to pi (3.1416, as the files round it).
   double angle(const std::string& key, double min = 0.0) { return within(key, min, 3.1416); }
-  /// From 0 to 1.
+  /// A number from 0 to 1.
   double share(const std::string& key) { return within(key, 0.0, 1.0); }
+  /// An integer.
   int count(const std::string& key, int min, int max = std::numeric_limits<int>::max());
+  /// A list of one or more positive numbers.
   std::vector<double> positives(const std::string& key);
-  /// One or more numbers, each within the range.
+  /// A list of one or more numbers, each in [min, max].
   std::vector<double> numbers(const std::string& key, double min, double max);
-  /// Two or more numbers from 0 to 1, none below the one before.
+  /// A list of two or more numbers from 0 to 1, in ascending order (equal ones allowed).
   std::vector<double> risingShares(const std::string& key);
-  /// [red, green, blue], each 0 to 1, as Color{red, green, blue}.
+  /// A list [red, green, blue], each from 0 to 1, as Color{red, green, blue}.
   template <class Color>
   Color color(const std::string& key) {
     const std::vector<double> shares = colorShares(key);
     return {shares[0], shares[1], shares[2]};
   }
-  /// What stands beside the one of these names that is given.
+  /// Returns the second element of the pair in `choices` whose first element is the value.
   template <class Value>
   Value choice(const std::string& key, const std::vector<std::pair<std::string, Value>>& choices) {
     std::vector<std::string> names;
@@ -63,39 +67,41 @@ class Section {
     return choices[indexOf(key, names)].second;
   }
   std::string text(const std::string& key);
-  /// The path of a file that is given relative to the folder of its file; "" stays "".
+  /// A path, resolved against the folder of the file that gives it; "" stays "".
   std::string path(const std::string& key);
-  /// None or more such paths.
+  /// A list of zero or more paths, resolved as by path(). None may be "".
   std::vector<std::string> paths(const std::string& key);
 
-  /// Throws the error of a value that the section cannot check.
+  /// Throws ConfigError with `problem`, for values that the section itself cannot check.
   [[noreturn]] void refuse(const std::string& key, const std::string& problem) const;
 
-  /// Marks keys that may be there as read.
+  /// Marks optional keys as read.
   void ignore(const std::set<std::string>& keys) {
     for (const std::string& key : keys) unread_.erase(key);
   }
 
-  /// True for a key that is there and was not read yet.
+  /// Returns true if the key is present and unread.
   bool has(const std::string& key) const { return unread_.count(key) > 0; }
 
-  /// Keys that were not read yet.
+  /// Returns the unread keys.
   const std::set<std::string>& unread() const { return unread_; }
 
+  /// Throws if a key was not read: it is unknown.
   void finish() const;
 
  private:
   std::string pathOf(const std::string& key) const;
-  /// The layers that have the key, each with the value there.
+  /// Returns the layers that have the key, with the key's value in each.
   std::vector<SectionLayer> layersOf(const std::string& key) const;
   [[noreturn]] static void fail(const std::string& path, const SectionLayer& value,
                                 const std::string& problem);
   /// Marks the key as read; throws if no layer has it.
   void mark(const std::string& key);
-  /// The value of the last layer that does not repeat the one below it.
+  /// Marks the key as read and returns the value of the last layer that does not repeat the value
+  /// of the layer below.
   SectionLayer take(const std::string& key);
   double toNumber(const std::string& key, const SectionLayer& value) const;
-  /// At least `least` numbers.
+  /// Returns a list of `least` numbers or more.
   std::vector<double> numbersIn(const std::string& key, const SectionLayer& value,
                                 std::size_t least = 1) const;
   std::vector<double> colorShares(const std::string& key);

@@ -6,7 +6,7 @@
 
 namespace forge {
 
-/// A value of a configuration file, and the file that gives it.
+/// A value of a configuration file, and the path of the file that gives it.
 struct SectionLayer {
   std::string file;
   YAML::Node node;

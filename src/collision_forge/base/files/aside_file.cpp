@@ -14,26 +14,26 @@
 namespace forge {
 namespace {
 
-/// Writers of one path at once, more than anybody has.
+/// Largest number of concurrent writers of one path.
 constexpr int kWriters = 1000;
 
-/// Removes a file that was left by somebody who writes no more. True where there is none now.
+/// Removes a part that no process holds. Returns true if no file is there afterwards.
 bool removeLeftOver(const std::string& part) {
   const Descriptor left(::open(part.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   if (!left.isOpen()) return errno == ENOENT;
   if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(part))) return false;
   if (!left.lock()) return false;
-  // Who has the lock alone removes the file, so it has its name until then.
+  // Only the holder of the lock removes the file, so the name is still valid here.
   return !left.isNamed(part) || ::unlink(part.c_str()) == 0;
 }
 
-/// A new file, locked; not open, with errno, where there is one that is not left over.
+/// Returns a new, locked file; not open, with errno, if a part in use is there.
 Descriptor makePart(const std::string& part) {
   while (true) {
     constexpr int kFlags = O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
     Descriptor made(::open(part.c_str(), kFlags, 0666));
     if (made.isOpen()) {
-      // Before it was locked another may have taken it for one that was left over.
+      // Before it was locked, another process may have removed it as a left-over.
       const bool is_taken = !made.lock() && errno == EWOULDBLOCK;
       if (!is_taken && made.isNamed(part)) return made;
     } else if (errno != EEXIST) {
@@ -49,7 +49,7 @@ Descriptor makePart(const std::string& part) {
 
 AsideFile::AsideFile(const std::string& path) : path_(path), stream_(&buffer_) {
   if (std::filesystem::exists(path_) && !std::filesystem::is_regular_file(path_)) {
-    throw std::runtime_error(path_ + ": is there and no file");
+    throw std::runtime_error(path_ + ": exists and is not a file");
   }
   if (std::filesystem::exists(path_ + ".part") && std::filesystem::exists(path_ + ".part.sums")) {
     throw std::runtime_error(path_ + ": an unfinished run is in " + path_ +
@@ -72,8 +72,8 @@ AsideFile::~AsideFile() {
 }
 
 void AsideFile::commit() {
-  if (!stream_.good()) {  // errno may be of something else by now
-    throw std::runtime_error(path_ + ": cannot be written to its end; is the disk full?");
+  if (!stream_.good()) {  // errno may be of another call by now
+    throw std::runtime_error(path_ + ": could not be written completely; is the disk full?");
   }
   if (!stream_.flush() || ::fsync(buffer_.fd()) != 0) fail();
   if (std::rename(part_path_.c_str(), path_.c_str()) != 0) fail();

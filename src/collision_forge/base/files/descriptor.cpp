@@ -35,7 +35,7 @@ bool syncFolderOf(const std::string& path) {
   const std::string parent = std::filesystem::path(path).parent_path().string();
   const Descriptor folder(
       ::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  // A folder that may not be read may be written to, and some file systems sync no folders.
+  // A folder without read permission may be writable, and some file systems cannot sync folders.
   if (!folder.isOpen()) return errno == EACCES;
   return ::fsync(folder.get()) == 0 || errno == EINVAL;
 }

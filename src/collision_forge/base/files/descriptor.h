@@ -4,7 +4,7 @@
 
 namespace forge {
 
-/// An open file of the system, closed at the end.
+/// Owns a POSIX file descriptor and closes it on destruction.
 class Descriptor {
  public:
   explicit Descriptor(int value = -1) : value_(value) {}
@@ -14,23 +14,23 @@ class Descriptor {
 
   bool isOpen() const { return value_ >= 0; }
   int get() const { return value_; }
-  /// Gives the file away.
+  /// Returns the descriptor and gives up ownership.
   int release();
 
-  /// Takes the one lock that a file has, without waiting; false where somebody else has it, with
-  /// errno EWOULDBLOCK, and where the file system has no locks. It ends with the last copy of the
-  /// descriptor, so also with a process that is killed.
+  /// Takes the file's exclusive lock (flock) without waiting. Returns false with errno EWOULDBLOCK
+  /// if another holder has it, with another errno if the file system has no locks. The lock is
+  /// released with the last copy of the descriptor, so also when a process is killed.
   bool lock() const;
 
-  /// True where the file still has this name, which is no link.
+  /// Returns true if `path` is still this file and not a symbolic link.
   bool isNamed(const std::string& path) const;
 
  private:
   int value_;
 };
 
-/// Sees to it that what was made, renamed or removed in the folder of `path` is so on the disk, as
-/// far as the file system can. False with errno where that fails.
+/// Flushes creations, renames and removals in the folder of `path` to the disk, as far as the file
+/// system supports it. Returns false with errno on failure.
 bool syncFolderOf(const std::string& path);
 
 }  // namespace forge

@@ -26,7 +26,7 @@ constexpr std::int64_t kWhole = 64 * kBlock;             // bytes; read in a ten
   throw std::runtime_error(path + ": cannot be read: " + std::strerror(errno));
 }
 
-/// Of the bytes [first, end).
+/// Continues a fingerprint with the bytes [first, end) of a file.
 std::string continued(const std::string& before, const Descriptor& file, const std::string& path,
                       std::int64_t first, std::int64_t end) {
   std::string block(static_cast<std::size_t>(kBlock), '\0');
@@ -36,7 +36,7 @@ std::string continued(const std::string& before, const Descriptor& file, const s
     const ssize_t count = ::pread(file.get(), block.data(), wanted, at);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail(path);
-    if (count == 0) break;  // it has become shorter
+    if (count == 0) break;  // the file was truncated meanwhile
     found = fingerprint(block.substr(0, static_cast<std::size_t>(count)), found);
     at += count;
   }
@@ -56,7 +56,7 @@ std::string continued(const std::string& before, const std::string& path) {
   return continued(begun, file, path, size - kBlock, size);
 }
 
-/// Of files with the names that tell them apart.
+/// Returns the fingerprint of files, given as pairs of name and path.
 std::string fingerprintOfNamed(const std::vector<std::pair<std::string, std::string>>& files) {
   std::string found;
   for (const auto& [name, path] : files) found = continued(fingerprint("\n" + name, found), path);

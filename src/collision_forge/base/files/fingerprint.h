@@ -6,16 +6,17 @@
 
 namespace forge {
 
-/// Where FNV-1a begins.
+/// Offset basis of 64-bit FNV-1a.
 constexpr std::uint64_t kHashBasis = 0xcbf29ce484222325u;
 
-/// FNV-1a of 64 bits; `before` continues one.
+/// Returns the 64-bit FNV-1a hash of `text`; pass an earlier hash as `before` to continue it.
 std::uint64_t hashOf(std::string_view text, std::uint64_t before = kHashBasis);
 
-/// Mixes all bits (the finalizer of splitmix64), so that the upper ones depend on all.
+/// Returns `bits` with all bits mixed (finalizer of splitmix64): each output bit depends on all.
 std::uint64_t mixed(std::uint64_t bits);
 
-/// hashOf() in hexadecimal, to tell whether texts are the same; `before` continues one.
+/// Returns hashOf() as 16 hexadecimal digits; pass an earlier fingerprint as `before` to continue
+/// it.
 std::string fingerprint(const std::string& text, const std::string& before = "");
 
 }  // namespace forge

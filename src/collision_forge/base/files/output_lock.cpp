@@ -17,20 +17,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How a lock begins: all of it, unless it is somebody's file of the same name.
-std::string beginOf(const Descriptor& lock) {
+/// Returns the first bytes of a lock file; a real lock file is shorter.
+std::string firstBytesOf(const Descriptor& lock) {
   char bytes[24];
   const ssize_t count = ::pread(lock.get(), bytes, sizeof(bytes), 0);
   return {bytes, static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
 }
 
-/// As "process 1234".
+/// Returns the holder, as "process 1234".
 std::string holderOf(const Descriptor& lock) {
-  const std::string number = beginOf(lock);
+  const std::string number = firstBytesOf(lock);
   return number.empty() ? "another process" : "process " + number;
 }
 
-/// True for what a process left here, too.
+/// Returns true for the content of a lock file, also of one left by a killed process.
 bool isLock(const std::string& begin) {
   return std::all_of(begin.begin(), begin.end(),
                      [](unsigned char letter) { return std::isdigit(letter) != 0; });
@@ -41,7 +41,7 @@ bool isLock(const std::string& begin) {
 OutputLock OutputLock::ofFolder(const std::string& folder) {
   std::error_code error;
   const bool is_new = fs::create_directories(folder, error);
-  if (error) throw std::runtime_error(folder + ": cannot be made: " + error.message());
+  if (error) throw std::runtime_error(folder + ": cannot be created: " + error.message());
   OutputLock lock(folder, (fs::path(folder) / kFileName).string());
   if (is_new) lock.made_folder_ = folder;
   return lock;
@@ -49,7 +49,7 @@ OutputLock OutputLock::ofFolder(const std::string& folder) {
 
 OutputLock OutputLock::ofFile(const std::string& path) {
   if (fs::exists(path) && !fs::is_regular_file(path)) {
-    throw std::runtime_error(path + ": is there and no file");
+    throw std::runtime_error(path + ": exists and is not a file");
   }
   return OutputLock(path, path + kFileName);
 }
@@ -68,17 +68,19 @@ OutputLock::OutputLock(const std::string& output, std::string lock_path)
       if (errno != EWOULDBLOCK) fail();
       throw std::runtime_error(output + ": is being written by " + holderOf(file));
     }
-    if (!file.isNamed(lock_path_)) continue;  // who had it before has ended, and removed it
-    if (!isLock(beginOf(file))) {
-      throw std::runtime_error(output + ": cannot be written: " + lock_path_ +
-                               ": is in the way: it is no lock of this program");
+    if (!file.isNamed(lock_path_)) continue;  // the former holder ended and removed it
+    if (!isLock(firstBytesOf(file))) {
+      throw std::runtime_error(
+          output + ": cannot be written: " + lock_path_ +
+          ": is not a lock file of this program; delete it, or choose another output");
     }
     lock_ = std::move(file);
   }
   const std::string number = std::to_string(::getpid());
-  // A full disk is told by who writes the output; without the number the lock is as good.
-  [[maybe_unused]] const bool is_told = ::ftruncate(lock_.get(), 0) == 0 &&
-                                        ::pwrite(lock_.get(), number.data(), number.size(), 0) > 0;
+  // A full disk is reported when the output is written; the lock works without the number.
+  [[maybe_unused]] const bool is_written =
+      ::ftruncate(lock_.get(), 0) == 0 &&
+      ::pwrite(lock_.get(), number.data(), number.size(), 0) > 0;
 }
 
 OutputLock::~OutputLock() {

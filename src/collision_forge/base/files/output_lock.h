@@ -6,17 +6,16 @@
 
 namespace forge {
 
-/// Keeps other processes from writing the same output, from before the work begins to its end. It
-/// is the lock of a file that holds the number of the process: FOLDER/.lock, or FILE.lock beside a
-/// file. What a killed process leaves is not locked, and is taken over; another file of that name
-/// is left as it is, and is an error.
+/// Prevents other processes from writing the same output while this object exists. Locks a file
+/// that holds the process id: FOLDER/.lock, or FILE.lock beside a file. The unlocked lock file of a
+/// killed process is reused. Another file of that name stays unchanged and is an error.
 class OutputLock {
  public:
-  /// Makes the folder, and removes it again where nothing was written to it. Throws
-  /// std::runtime_error naming the output, where another process writes it that one's number.
   static constexpr const char* kFileName = ".lock";
+  /// Creates the folder; the destructor removes it if it is still empty. Throws std::runtime_error
+  /// naming the output, and the id of the process that holds the lock.
   static OutputLock ofFolder(const std::string& folder);
-  /// Also throws for a path that is there and no file.
+  /// Throws as ofFolder(), and if `path` exists and is not a file.
   static OutputLock ofFile(const std::string& path);
 
   ~OutputLock();
@@ -28,7 +27,7 @@ class OutputLock {
 
   std::string lock_path_;
   Descriptor lock_;
-  std::string made_folder_;  ///< empty: it was there
+  std::string made_folder_;  ///< empty if the folder existed
 };
 
 }  // namespace forge

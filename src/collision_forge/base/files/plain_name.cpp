@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-constexpr std::size_t kLongest = 200;  // bytes; file systems have 255, and endings come after it
+constexpr std::size_t kLongest = 200;  // bytes; file systems allow 255, and endings are appended
 constexpr std::size_t kShown = 40;     // bytes of a name that is too long
 
 bool isControl(char letter) {
@@ -28,10 +28,10 @@ std::string quoted(const std::string& name) {
 
 const char* reasonAgainst(const std::string& name) {
   if (name.empty()) return "it is empty";
-  if (name == "." || name == "..") return "it is that of a folder";
+  if (name == "." || name == "..") return "it is the name of a folder";
   if (name.size() > kLongest) return "it is longer than 200 bytes";
-  if (name.find('/') != std::string::npos) return "it has a '/'";
-  if (std::any_of(name.begin(), name.end(), isControl)) return "it has a control character";
+  if (name.find('/') != std::string::npos) return "it contains '/'";
+  if (std::any_of(name.begin(), name.end(), isControl)) return "it contains a control character";
   return nullptr;
 }
 
@@ -39,7 +39,7 @@ const char* reasonAgainst(const std::string& name) {
 
 std::string nameFault(const std::string& name) {
   const char* reason = reasonAgainst(name);
-  return reason == nullptr ? "" : quoted(name) + " cannot be the name of a file: " + reason;
+  return reason == nullptr ? "" : quoted(name) + " is not a valid file name: " + reason;
 }
 
 std::string pathIn(const std::string& folder, const std::string& name) {

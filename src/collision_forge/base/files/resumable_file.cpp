@@ -73,10 +73,11 @@ Descriptor openToAppend(const std::string& path) {
 }
 
 void cut(const Descriptor& file, const std::string& path, std::int64_t size) {
-  if (::ftruncate(file.get(), size) != 0) failWith(path, "cannot be cut to its complete items");
+  if (::ftruncate(file.get(), size) != 0)
+    failWith(path, "cannot be truncated to its complete items");
 }
 
-/// All bytes or none, as far as that can be had; `size` is that of the file before.
+/// Writes all bytes or, if possible, none; `size` is the file's size before the call.
 void appendTo(const Descriptor& file, const std::string& path, const std::string& bytes,
               std::int64_t size) {
   for (std::size_t written = 0; written < bytes.size();) {
@@ -84,7 +85,7 @@ void appendTo(const Descriptor& file, const std::string& path, const std::string
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) {
       const int reason = errno;
-      // Where this fails too, resume() cuts the rest off.
+      // If this fails too, resume() cuts off the rest.
       [[maybe_unused]] const int is_cut = ::ftruncate(file.get(), size);
       errno = reason;
       failWith(path, "cannot be written");
@@ -93,7 +94,7 @@ void appendTo(const Descriptor& file, const std::string& path, const std::string
   }
 }
 
-/// What each sum takes in its file.
+/// Bytes of one checksum in its file.
 constexpr std::int64_t kSumBytes = 17;  // 16 digits and a line end
 
 }  // namespace
@@ -107,7 +108,7 @@ ResumableFile::ResumableFile(const std::string& path, const Options& options,
     return;
   }
   file_ = openToAppend(part_);
-  if (!file_.lock()) failWith(part_, "is being written");
+  if (!file_.lock()) failWith(part_, "is being written by another process");
   if (fs::file_size(part_) == 0) {
     writeOptions(optionsPath(path_), options);
   } else {
@@ -118,13 +119,13 @@ ResumableFile::ResumableFile(const std::string& path, const Options& options,
 
 void ResumableFile::checkHeader(const std::string& path, const std::string& line) const {
   if (line == layout_.header) return;
-  throw std::runtime_error(path + ": line 1: \"" + line + "\" is another header");
+  throw std::runtime_error(path + ": line 1: \"" + line + "\" is not the expected header");
 }
 
 void ResumableFile::checkSum(const std::string& sum, const std::string& where) const {
   if (sum == sum_) return;
-  throw std::runtime_error(where + ": is not as it was written: its checksum in " + sums_path_ +
-                           " is another; remove it and all lines after it to do them again");
+  throw std::runtime_error(where + ": was altered: its checksum in " + sums_path_ +
+                           " differs; delete it and all lines after it to compute them again");
 }
 
 std::size_t ResumableFile::resume(
@@ -134,7 +135,7 @@ std::size_t ResumableFile::resume(
   std::ifstream sums(sums_path_);
   std::size_t items = 0;
   std::size_t line_number = 0;
-  std::size_t lines = 0;  // of the item
+  std::size_t lines = 0;  // of the current item
   std::string item;
   std::int64_t size = 0;
   for (std::string line; std::getline(file, line) && !file.eof();) {
@@ -148,7 +149,8 @@ std::size_t ResumableFile::resume(
     const std::string where = path + ": line " + std::to_string(line_number + 1 - lines);
     if (!is_complete_) {
       std::string sum;
-      if (!std::getline(sums, sum) || sums.eof()) break;  // killed before it was written
+      if (!std::getline(sums, sum) || sums.eof())
+        break;  // the process was killed before it was written
       sum_ = fingerprint(item, sum_);
       checkSum(sum, where);
     }

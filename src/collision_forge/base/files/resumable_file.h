@@ -10,42 +10,42 @@
 
 namespace forge {
 
+/// Format of a ResumableFile.
 struct ItemLayout {
-  std::string header;  ///< first line of the file; empty: none
+  std::string header;  ///< first line of the file; "": none
   std::size_t lines_per_item = 1;
 };
 
-/// A file of items, each of a line or a few, that is written over several runs, if need be: items
-/// go to PATH.part, which is moved to PATH when complete. PATH.options, which stays, holds what
-/// they were made with, so that no run goes on with items of another. PATH.part.sums has a checksum
-/// of every item of PATH.part, so that none is taken that was altered. Every item is written at
-/// once: a process that is killed loses at most the item that it is writing.
+/// A file of items that may be written over several runs; an item is one line or a few. Items go to
+/// PATH.part, which complete() renames to PATH. PATH.options, which stays, records the options of
+/// the items, so that no run continues with other options. PATH.part.sums has a checksum per item,
+/// which detects altered items. append() writes each item at once: a killed process loses at most
+/// the item that it is writing.
 class ResumableFile {
  public:
-  /// What the items are made with, by name; neither names nor values hold line ends.
+  /// Options that determine the items, by name; neither names nor values contain line ends.
   using Options = std::map<std::string, std::string>;
 
-  /// Opens PATH.part, new or from a run before. Throws std::runtime_error naming the file when it
-  /// cannot be opened, when another process is writing it, and when PATH or PATH.part was begun
-  /// with other options: which, and what they were.
+  /// Opens PATH.part, new or from an earlier run. Throws std::runtime_error naming the file if it
+  /// cannot be opened, if another process writes it, and if PATH or PATH.part was made with other
+  /// options; the message gives the first that differs and both values.
   ResumableFile(const std::string& path, const Options& options, const ItemLayout& layout = {});
 
-  /// True when PATH was completed by a run before: there is nothing to write.
+  /// Returns true if an earlier run completed PATH: nothing is left to write.
   bool isComplete() const { return is_complete_; }
 
-  /// Hands the complete items of PATH or PATH.part to `on_item` in order, with where they stand
-  /// ("PATH.part: line 1"), cuts off what is incomplete or has no checksum yet, and returns their
-  /// number. To be called once, before append(). Throws std::runtime_error for another header and
-  /// an item that is not as it was written; that, and what `on_item` throws, leaves the file as it
-  /// was.
+  /// Calls `on_item` for each complete item of PATH or PATH.part in order, with its position
+  /// ("PATH.part: line 1"). Then cuts off data that is incomplete or has no checksum, and returns
+  /// the number of items. Call it once, before append(). Throws std::runtime_error for another
+  /// header or an altered item; an exception, also of `on_item`, leaves the file unchanged.
   std::size_t resume(
       const std::function<void(const std::string& where, const std::string& lines)>& on_item);
 
-  /// Writes an item, its lines without the last line end. Throws std::runtime_error when it cannot
-  /// be written (a full disk, a limit): the items before it stay.
+  /// Writes an item; `lines` without the last line end. Throws std::runtime_error if it cannot be
+  /// written (a full disk, a limit): earlier items stay.
   void append(const std::string& lines);
 
-  /// Moves PATH.part to PATH once it is on the disk.
+  /// Flushes PATH.part to the disk and renames it to PATH. Throws std::runtime_error on failure.
   void complete();
 
  private:
@@ -62,7 +62,7 @@ class ResumableFile {
   Descriptor sums_;
   std::int64_t size_ = 0;       // bytes of complete items
   std::int64_t sums_size_ = 0;  // bytes
-  std::string sum_;             // of all items up to the last one
+  std::string sum_;             // checksum of all items so far
   bool is_complete_ = false;
 };
 

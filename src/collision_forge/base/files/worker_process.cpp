@@ -28,8 +28,8 @@ double steadySeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Starts the program; what it prints goes to stderr. With a `stream`, which becomes its
-/// kWorkerStream, it is in a group of its own, so that Ctrl-C is not for it: whoever asked for it
+/// Starts the program with its stdout redirected to stderr. With a `stream`, which becomes its
+/// kWorkerStream, the program gets its own process group, so that Ctrl-C does not end it: its owner
 /// decides when it ends.
 pid_t spawn(const std::vector<std::string>& command, std::optional<int> stream = {}) {
   std::vector<char*> arguments;
@@ -125,7 +125,7 @@ void WorkerProcess::await(short events) {
     if (found < 0 && errno != EINTR) throw std::runtime_error(std::strerror(errno));
     if (found != 0) continue;
     std::ostringstream problem;
-    problem << "no answer within " << timeout_ << " s";
+    problem << "no response within " << timeout_ << " s";
     throw WorkerTimeout(problem.str());
   }
 }
@@ -162,6 +162,6 @@ double WorkerProcess::processorTime() const {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-void WorkerProcess::failGone() { throw std::runtime_error("its process ended " + howEnded(end())); }
+void WorkerProcess::failGone() { throw std::runtime_error("the process ended " + howEnded(end())); }
 
 }  // namespace forge

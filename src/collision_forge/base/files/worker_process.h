@@ -10,52 +10,52 @@
 
 namespace forge {
 
-/// The file descriptor of a process's stream, in that process.
+/// File descriptor of the stream to the parent, in the worker process.
 inline constexpr int kWorkerStream = 3;
 
-/// The path of a program of this package. It lies in a folder beside the package's libraries, built
-/// and installed.
+/// Returns the path of a program of this package: in folder collision_forge beside the package's
+/// libraries, in the build and the install space.
 std::string packageProgram(const std::string& name);
 
-/// Runs `command`, the path of a program and its arguments, and waits for its end; what it prints
-/// goes to stderr. Returns how it ended, as "by signal 9" or "with exit code 1"; nullopt for exit
-/// code 0. Throws std::runtime_error if it cannot be started.
+/// Runs `command` (program path and arguments) and waits for its end; its stdout goes to stderr.
+/// Returns nullopt for exit code 0, else how it ended: "by signal 9" or "with exit code 1". Throws
+/// std::runtime_error if it cannot be started.
 std::optional<std::string> runProgram(const std::vector<std::string>& command);
 
-/// A process that does not answer in time.
+/// Thrown if a worker process does not respond in time.
 struct WorkerTimeout : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A process of our own, asked over a stream of bytes (its file descriptor kWorkerStream). It ends
-/// with this object, whatever it is doing. For one thread at a time.
+/// A child process with a byte stream to it (its descriptor kWorkerStream). The destructor kills
+/// it, whatever it is doing. Not thread-safe.
 class WorkerProcess {
  public:
-  /// Starts `command`, the path of a program and its arguments. Throws std::runtime_error where it
-  /// cannot be started.
+  /// Starts `command` (program path and arguments). Throws std::runtime_error if it cannot be
+  /// started.
   explicit WorkerProcess(const std::vector<std::string>& command);
   ~WorkerProcess();
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
-  /// From now on, so many seconds of the wall clock may pass.
+  /// Sets the deadline of send() and receive() to `seconds` (wall clock) from now.
   void setTimeout(double seconds);
-  /// All of the bytes. Throw WorkerTimeout when the time is up, and std::runtime_error, which says
-  /// how it ended, where the process is gone.
+  /// Send and receive exactly `size` bytes. Throw WorkerTimeout at the deadline, std::runtime_error
+  /// if the process has ended; the message says how it ended.
   void send(const void* data, std::size_t size);
   void receive(void* data, std::size_t size);
 
-  /// s of the processor that it has used.
+  /// Returns the CPU time of the process so far, in s; 0 if it has ended.
   double processorTime() const;
 
  private:
   void await(short events);
-  /// Kills the process, unless it is gone, and returns its wait status.
+  /// Kills the process if it still runs, and returns its wait status.
   int end();
   [[noreturn]] void failGone();
 
-  pid_t pid_ = 0;   // 0: gone
-  int status_ = 0;  // how it ended
+  pid_t pid_ = 0;   // 0: ended
+  int status_ = 0;  // wait status
   int stream_ = -1;
   double timeout_ = 0.0;   // s, for messages
   double deadline_ = 0.0;  // s, of the steady clock

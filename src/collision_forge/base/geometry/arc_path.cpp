@@ -21,7 +21,7 @@ double curvatureOf(const ArcPath& path, std::size_t piece) {
   }
 }
 
-// By the circle's chord, which stays exact as the curvature goes to zero.
+// Uses the circle's chord, which stays exact as the curvature goes to zero.
 Pose2 alongArc(const Pose2& pose, double curvature, double arc_length) {
   const double half_turn = 0.5 * curvature * arc_length;
   const double chord = half_turn == 0.0 ? arc_length : arc_length * std::sin(half_turn) / half_turn;

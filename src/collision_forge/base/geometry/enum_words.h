@@ -6,8 +6,8 @@
 
 namespace forge {
 
-/// A value of an enum with the word that stands for it in files, messages and command lines. An
-/// enum's table of them is an array.
+/// An enum value and its name in files, messages and command lines. The names of an enum are an
+/// array of these.
 template <typename Enum>
 struct EnumWord {
   Enum value;

@@ -38,7 +38,7 @@ struct Outline {
   }
 };
 
-// What is left of the outline where normal * point <= limit (Sutherland-Hodgman).
+// Returns the part of the outline where normal * point <= limit (Sutherland-Hodgman).
 Outline clipped(const Outline& outline, const Vector2& normal, double limit) {
   Outline result;
   for (std::size_t i = 0; i < outline.size; ++i) {
@@ -144,7 +144,7 @@ double distance(const OrientedBox& a, const OrientedBox& b) {
   if (overlaps(a, b)) {
     return 0.0;
   }
-  // Two convex outlines that are apart are closest at a corner of one of them.
+  // Two disjoint convex outlines are closest at a corner of one of them.
   const auto a_corners = corners(a);
   const auto b_corners = corners(b);
   const Vector2 a_forward = a.center.heading();

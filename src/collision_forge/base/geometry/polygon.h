@@ -6,16 +6,18 @@
 
 namespace forge {
 
-/// A polygon with holes; rings are open (last point is not the first again), either orientation.
+/// A polygon with holes. Rings are open (the last point does not repeat the first), of either
+/// orientation.
 struct Polygon {
   std::vector<Vector2> exterior;
   std::vector<std::vector<Vector2>> holes;
 };
 
-/// True inside the exterior and outside every hole (even-odd rule).
+/// Returns true if `point` is inside the exterior and outside every hole (even-odd rule).
 bool contains(const Polygon& polygon, const Vector2& point);
 
-/// The outline of a strip along a line, half of its width on either side.
+/// Returns the outline of a strip of `width` (m) centred on a line: left side forwards, right side
+/// backwards.
 std::vector<Vector2> stripAlong(const std::vector<Pose2>& line, double width);
 
 }  // namespace forge

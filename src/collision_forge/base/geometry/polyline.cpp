@@ -10,13 +10,13 @@
 namespace forge {
 namespace {
 
-constexpr double kCoincidence = 1e-6;  // metres; closer points are one point
+constexpr double kCoincidence = 1e-6;  // m; closer points are merged
 
 double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 double yawOf(const Vector2& direction) { return std::atan2(direction.y(), direction.x()); }
 
-// Where the closest point lies: on segment `segment`, `ratio` of the way along it.
+// The closest point: on segment `segment`, at share `ratio` of its length.
 struct ClosestPoint {
   std::size_t segment = 0;
   double ratio = 0.0;
@@ -62,7 +62,7 @@ Pose2 Polyline::poseAt(double arc_length) const {
   const Vector2 position = points_[i] + (arc_length - arc_lengths_[i]) * direction;
   const double yaw = yawOf(direction);
 
-  // The neighbouring segment on this half's side, if any, and how far its middle is.
+  // The neighbouring segment on this half's side, if any, and the arc length of its middle.
   const double middle = 0.5 * (arc_lengths_[i] + arc_lengths_[i + 1]);
   const bool before = arc_length < middle;
   if (before ? i == 0 : i + 2 == points_.size()) {
@@ -91,8 +91,8 @@ PolylineProjection Polyline::project(const Vector2& point) const {
     projection.lateral = cross(span.normalized(), offset);
     return projection;
   }
-  // At a vertex the side is told from the mean of the two directions: either one alone is wrong
-  // on the outside of a turn sharper than a right angle.
+  // At a vertex the side follows from the mean of the two directions: either direction alone is
+  // wrong on the outside of a turn sharper than a right angle.
   Vector2 tangent = span.normalized();
   if (closest.ratio == 0.0) {
     tangent += (points_[i] - points_[i - 1]).normalized();

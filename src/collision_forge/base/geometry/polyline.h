@@ -6,30 +6,32 @@
 
 namespace forge {
 
-/// Where a point falls on a polyline.
+/// The closest point of a polyline to a query point.
 struct PolylineProjection {
   double arc_length = 0.0;  ///< metres from the first point, within [0, length]
-  double lateral = 0.0;     ///< metres, positive if the point is left of the line
-                            ///< (or, beyond an end, of the line going straight on)
-  double distance = 0.0;    ///< metres to the closest point of the line
-  Pose2 pose;               ///< the closest point, yaw along the line
+  double lateral = 0.0;     ///< m, positive if the query point is left of the line; beyond an end,
+                            ///< the offset from the line extended straight
+  double distance = 0.0;    ///< m between the query point and the line
+  Pose2 pose;               ///< the closest point, yaw along the line, as poseAt()
 };
 
-/// An open chain of points with its arc lengths. At least two distinct points; consecutive points
-/// that coincide are dropped. Throws std::invalid_argument for fewer, or for a NaN.
+/// An open chain of at least two distinct points, with arc lengths. The constructor drops points
+/// within 1e-6 m of the one before, and throws std::invalid_argument for fewer than two, or a NaN.
 class Polyline {
  public:
   explicit Polyline(const std::vector<Vector2>& points);
 
+  /// Returns the length of the line, m.
   double length() const { return arc_lengths_.back(); }
   const std::vector<Vector2>& points() const { return points_; }
-  /// Metres from the first point, one a point.
+  /// Returns the arc length (m from the first point) of each point.
   const std::vector<double>& arcLengths() const { return arc_lengths_; }
 
-  /// Pose at an arc length, yaw along the line and turning linearly over each vertex's two
-  /// neighbouring half segments; beyond either end the line goes straight on.
+  /// Returns the pose at an arc length (m). The yaw turns linearly between the middles of adjacent
+  /// segments; beyond either end the line continues straight.
   Pose2 poseAt(double arc_length) const;
 
+  /// Returns the projection of `point`; takes time proportional to the number of points.
   PolylineProjection project(const Vector2& point) const;
 
  private:

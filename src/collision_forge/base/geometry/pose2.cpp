@@ -12,8 +12,6 @@ double wrapAngle(double angle) {
 
 double angleBetween(double from, double to) { return wrapAngle(to - from); }
 
-Vector2 Pose2::heading() const { return {std::cos(yaw), std::sin(yaw)}; }
-
 bool Pose2::isFinite() const { return std::isfinite(x) && std::isfinite(y) && std::isfinite(yaw); }
 
 Pose2 compose(const Pose2& base, const Pose2& local) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include <Eigen/Core>
 
 namespace forge {
@@ -9,7 +11,7 @@ using Vector2 = Eigen::Vector2d;
 /// Wraps an angle to (-pi, pi].
 double wrapAngle(double angle);
 
-/// Signed shortest turn from `from` to `to`, in (-pi, pi].
+/// Returns the signed shortest turn from `from` to `to` (rad), in (-pi, pi].
 double angleBetween(double from, double to);
 
 /// A planar pose: metres and radians, yaw counter-clockwise from +x (REP-103).
@@ -19,18 +21,19 @@ struct Pose2 {
   double yaw = 0.0;
 
   Vector2 position() const { return {x, y}; }
-  /// Unit vector along the heading.
-  Vector2 heading() const;
+  /// Returns the unit vector along the yaw.
+  Vector2 heading() const { return {std::cos(yaw), std::sin(yaw)}; }
   bool isFinite() const;
 };
 
-/// The pose `local`, given in the frame of `base`, in the frame that `base` is given in.
+/// Transforms `local` from the frame of `base` to the frame in which `base` is given.
 Pose2 compose(const Pose2& base, const Pose2& local);
 
-/// The pose `target` seen from `base`: compose(base, relativeTo(base, target)) == target.
+/// Returns `target` in the frame of `base`: compose(base, relativeTo(base, target)) == target.
 Pose2 relativeTo(const Pose2& base, const Pose2& target);
 
-/// Position linear, yaw along the shorter turn; ratio 0 gives `a`, 1 gives `b`.
+/// Returns the pose between `a` (ratio 0) and `b` (ratio 1): position linear, yaw along the shorter
+/// turn. Other ratios extrapolate.
 Pose2 interpolate(const Pose2& a, const Pose2& b, double ratio);
 
 }  // namespace forge

@@ -6,8 +6,8 @@
 
 namespace forge {
 
-/// The place on the straight piece between two points that is nearest to another, as a share of the
-/// piece from `from` on, in [0, 1]; 0 on a piece without length.
+/// Returns the point of the segment closest to `point`, as a share in [0, 1] of the way from `from`
+/// to `to`; 0 for a segment of length 0.
 inline double nearestShare(const Vector2& from, const Vector2& to, const Vector2& point) {
   const Vector2 span = to - from;
   const double squared = span.squaredNorm();

@@ -6,9 +6,9 @@
 
 namespace forge {
 
-/// Returns the line with as few of its points as keep every dropped point within `tolerance` metres
-/// of it (Douglas and Peucker). Both ends are kept. A line with a point that is not finite is
-/// returned as it is.
+/// Returns the line simplified by the Douglas-Peucker algorithm: every dropped point is within
+/// `tolerance` (m) of the result. Keeps both ends. Returns a line unchanged if it has a point that
+/// is not finite.
 std::vector<Vector2> simplified(const std::vector<Vector2>& line, double tolerance);
 
 }  // namespace forge

@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-// Least tolerance: metres, and metres for each metre that the boxes move.
+// Smallest tolerance: m, plus m per m that the boxes move.
 constexpr double kMinTolerance = 1e-6;
 
 bool isFinite(const BoxMotion& motion) {
@@ -23,12 +23,12 @@ OrientedBox boxAt(const BoxMotion& motion, double time) {
   return {interpolate(motion.start, motion.end, time), motion.size};
 }
 
-// The most that turning moves any point of the box, metres per unit time.
+// Upper bound of the speed that the rotation gives any point of the box, m per unit time.
 double turningSpeed(const BoxMotion& motion) {
   return std::abs(angleBetween(motion.start.yaw, motion.end.yaw)) * circumradius(motion.size);
 }
 
-// False when the circles around the boxes stay further apart than `tolerance`.
+// Returns false if the circles around the boxes stay farther apart than `tolerance`.
 bool circlesMeet(const BoxMotion& a, const BoxMotion& b, double tolerance) {
   const Vector2 offset = b.start.position() - a.start.position();
   const Vector2 velocity = displacement(b) - displacement(a);
@@ -53,9 +53,10 @@ std::optional<double> firstContact(const BoxMotion& a, const BoxMotion& b, doubl
   }
   const double contact_gap = tolerance * M_SQRT1_2;  // see axisGaps
 
-  // A gap along a fixed axis shrinks no faster than the centres approach along it plus what
-  // turning adds, so each open gap gives a time without contact; the longest one is skipped. Every
-  // step takes at least contact_gap over that speed, so there are at most about a million.
+  // A gap along a fixed axis shrinks no faster than the approach of the centres along it plus the
+  // effect of rotation, so each open gap gives a time without contact; the longest is skipped.
+  // Every step takes at least contact_gap over that speed, so there are at most about a million
+  // steps.
   double time = 0.0;
   while (true) {
     double step = 0.0;

@@ -4,8 +4,8 @@
 
 namespace forge {
 
-/// The middle of the contact of two boxes that just touch: the mean of those corners of either box
-/// that are, to 5 cm, nearest to the other box.
+/// Returns the contact point of two boxes that just touch: the mean of all corners of either box
+/// whose distance to the other box is within 5 cm of the smallest such distance.
 Vector2 touchPoint(const OrientedBox& a, const OrientedBox& b);
 
 }  // namespace forge

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Before a function whose loops run over arrays: compiled for wider vectors, too, where the
-/// machine may have them. The results are the same. Not under sanitizers: what chooses the function
-/// runs before they are ready.
+/// Put before a function that loops over arrays: also compiles it for AVX2, selected at run time if
+/// the processor has it. The results are equal. Off under sanitizers, whose runtime starts after
+/// the selection.
 #if defined(__x86_64__) && !defined(FORGE_SANITIZED)
 #define FORGE_WIDE_VECTORS __attribute__((target_clones("avx2", "default")))
 #else

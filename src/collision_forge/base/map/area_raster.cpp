@@ -10,10 +10,10 @@
 namespace forge {
 namespace {
 
-constexpr double kCell = 0.5;     // metres, a side
-constexpr double kLargest = 1e5;  // metres from end to end
+constexpr double kCell = 0.5;     // m, side of a cell
+constexpr double kLargest = 1e5;  // m, largest extent
 
-/// Where a ring crosses the middle line of each row of cells, in cells from the tile's left side.
+/// Adds where a ring crosses the centre line of each row of cells, in cells from the tile's left.
 template <std::size_t kRows>
 void addCrossings(const std::vector<Vector2>& ring, const Vector2& corner,
                   std::array<std::vector<double>, kRows>& crossings) {
@@ -46,10 +46,11 @@ AreaRaster::AreaRaster(const std::vector<Polygon>& area) : area_(area) {
   if (all.isEmpty()) return;
   if (!(all.sizes().maxCoeff() <= kLargest)) {
     std::ostringstream complaint;
-    complaint << "an area of " << all.sizes().x() << " x " << all.sizes().y() << " m is too large";
+    complaint << "area of " << all.sizes().x() << " x " << all.sizes().y()
+              << " m is above the limit of 100 km";
     throw std::invalid_argument(complaint.str());
   }
-  // At whole tiles of the map's frame, so that a part of the map has the cells of the whole.
+  // Aligned to whole tiles of the map frame, so that a crop of the map has the same cells.
   constexpr double kTile = kCell * kCells;
   origin_ = (all.min() / kTile).array().floor() * kTile;
   const Vector2 tiles = ((all.max() - origin_) / kTile).array().floor() + 1.0;
@@ -68,7 +69,7 @@ bool AreaRaster::contains(const Vector2& point) const {
   const bool is_within = cell.x() >= 0.0 && cell.y() >= 0.0 && cell.x() < columns_ * kCells &&
                          cell.y() < rows_ * kCells;
   if (!is_within) return false;
-  // The coordinates are not negative, so that conversion rounds down.
+  // The coordinates are not negative, so the conversion rounds down.
   const int column = static_cast<int>(cell.x());
   const int row = static_cast<int>(cell.y());
   const Vector2 tile(column / kCells, row / kCells);
@@ -86,7 +87,7 @@ const AreaRaster::Tile& AreaRaster::tileAt(std::size_t index, const Vector2& cor
   const Tile* tile = slot.load();
   if (tile) return *tile;
   std::unique_ptr<const Tile> filled = fill(corner);
-  // Where another thread was faster, its tile is the one.
+  // If another thread was faster, its tile is used.
   if (slot.compare_exchange_strong(tile, filled.get())) tile = filled.release();
   return *tile;
 }

@@ -10,33 +10,36 @@
 
 namespace forge {
 
-/// The union of some polygons as cells of half a metre, at half metres of the map's frame: for many
-/// questions that may be half a cell wrong. Tiles are filled when first asked for. Thread-safe.
+/// Answers point-in-area queries quickly, to half a cell: rasterises the union of polygons into
+/// cells of 0.5 m, aligned to multiples of 0.5 m in the map frame. Tiles are filled on first use.
+/// Thread-safe.
 class AreaRaster {
  public:
-  /// The polygons must outlive the raster. Throws std::invalid_argument beyond 100 km.
+  /// `area`, metres in the map frame, must outlive the raster. Throws std::invalid_argument if it
+  /// extends over more than 100 km.
   explicit AreaRaster(const std::vector<Polygon>& area);
   ~AreaRaster();
   AreaRaster(const AreaRaster&) = delete;
   AreaRaster& operator=(const AreaRaster&) = delete;
 
-  /// True without any polygon.
+  /// Returns true if the area has no polygon.
   bool empty() const { return area_.empty(); }
+  /// Returns true if the centre of the cell with this point (map frame) is in the area.
   bool contains(const Vector2& point) const;
 
  private:
-  static constexpr int kCells = 64;  // a side of a tile
+  static constexpr int kCells = 64;  // cells per side of a tile
   using Tile = std::bitset<kCells * kCells>;
 
   const Tile& tileAt(std::size_t index, const Vector2& corner) const;
   std::unique_ptr<const Tile> fill(const Vector2& corner) const;
 
   const std::vector<Polygon>& area_;
-  std::vector<Eigen::AlignedBox2d> bounds_;  // one a polygon
+  std::vector<Eigen::AlignedBox2d> bounds_;  // one per polygon
   Vector2 origin_ = Vector2::Zero();
   int columns_ = 0;
   int rows_ = 0;
-  mutable std::vector<std::atomic<const Tile*>> tiles_;  // owned; null until asked for
+  mutable std::vector<std::atomic<const Tile*>> tiles_;  // owned; null until first use
 };
 
 }  // namespace forge

@@ -10,10 +10,10 @@
 namespace forge {
 namespace {
 
-constexpr double kSpacing = 0.5;    // m, at most, between samples of a centreline
-constexpr double kCell = 4.0;       // m, a side: four cells hold what is within 2 m
-constexpr double kLongest = 1e5;    // m; a centreline beyond is damaged
-constexpr double kLastCell = 1e12;  // holds what is farther, too
+constexpr double kSpacing = 0.5;    // m, largest distance between samples of a centreline
+constexpr double kCell = 4.0;       // m, side of a cell: four cells cover a radius of 2 m
+constexpr double kLongest = 1e5;    // m; a longer centreline is damaged
+constexpr double kLastCell = 1e12;  // larger indices are clamped to this
 
 std::int64_t cellOf(double coordinate) {
   return static_cast<std::int64_t>(
@@ -27,7 +27,7 @@ std::vector<LaneSample> samplesOf(const std::vector<std::optional<Polyline>>& ce
     const double length = centerlines[lane]->length();
     if (!(length <= kLongest)) {
       std::ostringstream complaint;
-      complaint << "a centreline of " << length << " m is too long";
+      complaint << "centreline of " << length << " m is above the limit of 100 km";
       throw std::invalid_argument(complaint.str());
     }
     const int steps = static_cast<int>(std::ceil(length / kSpacing));
@@ -57,7 +57,7 @@ LaneGrid::LaneGrid(const std::vector<std::optional<Polyline>>& centerlines) {
     buckets.push_back(bucketOf(cellOf(sample.position.x()), cellOf(sample.position.y())));
     ++bucket_ends_[buckets.back()];
   }
-  // First where each bucket begins; every sample put into it moves that on, to its end at last.
+  // First the start of each bucket; inserting samples advances it to the bucket's end.
   std::uint32_t begin = 0;
   for (std::uint32_t& end : bucket_ends_) {
     begin += end;
@@ -82,7 +82,7 @@ bool LaneGrid::isWrongWay(const Pose2& pose, double max_distance) const {
   bool is_near = false;
   const bool goes_along = anyNear(pose.position(), max_distance, [&](const LaneSample& sample) {
     is_near = true;
-    return !(sample.heading.dot(heading) < 0.0);  // nor is a NaN wrong
+    return !(sample.heading.dot(heading) < 0.0);  // NaN does not count as wrong way
   });
   return is_near && !goes_along;
 }
@@ -98,7 +98,7 @@ std::vector<LaneSample> LaneGrid::samplesNear(const Vector2& position, double ma
   };
   std::sort(found.begin(), found.end(),
             [&](const LaneSample& a, const LaneSample& b) { return rank(a) < rank(b); });
-  // Cells that share a bucket show its samples twice.
+  // Cells that share a bucket return its samples twice.
   found.erase(
       std::unique(found.begin(), found.end(),
                   [&](const LaneSample& a, const LaneSample& b) { return rank(a) == rank(b); }),
@@ -106,7 +106,7 @@ std::vector<LaneSample> LaneGrid::samplesNear(const Vector2& position, double ma
   return found;
 }
 
-/// True once `visit` is, for some sample within the distance; it may see a sample more than once.
+/// Returns true as soon as `visit` does for a sample in range; may visit a sample more than once.
 template <class Visit>
 bool LaneGrid::anyNear(const Vector2& position, double max_distance, const Visit& visit) const {
   if (!position.allFinite() || !(max_distance >= 0.0)) return false;
@@ -138,7 +138,7 @@ bool LaneGrid::anyInBucket(std::size_t bucket, const Vector2& position, double s
   return false;
 }
 
-/// Spreads cells that are neighbours over the buckets.
+/// Distributes neighbouring cells over the buckets.
 std::size_t LaneGrid::bucketOf(std::int64_t column, std::int64_t row) const {
   const std::uint64_t mixed = static_cast<std::uint64_t>(column) * 0x9E3779B97F4A7C15ULL +
                               static_cast<std::uint64_t>(row) * 0xC2B2AE3D27D4EB4FULL;

@@ -17,25 +17,25 @@ struct LaneSample {
   std::size_t lane = 0;     ///< index into LaneMap::lanes
 };
 
-/// The centrelines as samples half a metre apart at most, both ends among them, for questions that
-/// are asked thousands of times. Distances are those to the samples: up to a few centimetres more
-/// than to the line, and at most a quarter of a metre. Immutable, so safe to share among threads.
+/// Answers proximity queries on centrelines quickly, from samples at most 0.5 m apart (both ends
+/// included). Distances are measured to the samples: a few centimetres above the distance to the
+/// line, at most 0.25 m. Immutable, so safe to share among threads.
 class LaneGrid {
  public:
-  /// One centreline a lane, empty where the lane has none. Throws std::invalid_argument for one
-  /// longer than 100 km.
+  /// `centerlines`: one per lane, nullopt for a lane without one. Throws std::invalid_argument for
+  /// a centreline longer than 100 km.
   explicit LaneGrid(const std::vector<std::optional<Polyline>>& centerlines);
 
-  /// Some sample is at most `max_distance` metres from the pose's position and heads within
-  /// `max_heading` radians of its yaw. False for a pose that is not finite. Below a microsecond for
-  /// a few metres; the time grows with the samples within reach.
+  /// Returns true if a sample is within `max_distance` (m) of the pose's position and its heading
+  /// within `max_heading` (rad) of the pose's yaw. Returns false for a pose that is not finite.
+  /// Takes below 1 us for a few metres; the time grows with the number of samples in range.
   bool isOnLane(const Pose2& pose, double max_distance, double max_heading) const;
 
-  /// Some sample is at most `max_distance` metres away, and all that are head more than 90 degrees
-  /// away from the pose's yaw. False for a pose that is not finite.
+  /// Returns true if samples are within `max_distance` (m) and the headings of all of them differ
+  /// by more than 90 degrees from the pose's yaw. Returns false for a pose that is not finite.
   bool isWrongWay(const Pose2& pose, double max_distance) const;
 
-  /// The samples at most `max_distance` metres away, by lane and arc length.
+  /// Returns the samples within `max_distance` (m), sorted by lane and arc length.
   std::vector<LaneSample> samplesNear(const Vector2& position, double max_distance) const;
 
  private:
@@ -46,8 +46,8 @@ class LaneGrid {
                    const Visit& visit) const;
   std::size_t bucketOf(std::int64_t column, std::int64_t row) const;
 
-  std::vector<LaneSample> samples_;         // bucket by bucket, each by lane and arc length
-  std::vector<std::uint32_t> bucket_ends_;  // a power of two of buckets that cells fall into
+  std::vector<LaneSample> samples_;         // grouped by bucket, then by lane and arc length
+  std::vector<std::uint32_t> bucket_ends_;  // hash buckets of cells; a power of two
 };
 
 }  // namespace forge

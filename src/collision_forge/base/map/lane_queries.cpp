@@ -11,11 +11,11 @@
 namespace forge {
 namespace {
 
-constexpr double kSampleSpacing = 0.25;       // metres, at most, between samples of a box
+constexpr double kSampleSpacing = 0.25;       // m, largest distance between samples of a box
 constexpr double kJointGap = 0.2;             // metres, see appendStretch
 constexpr double kMinPathLength = 1.0;        // metres
-constexpr double kSameCosine = 1e-9;          // headings this alike turn equally
-constexpr std::size_t kMaxLanesAhead = 1000;  // stops a ring of very short lanes
+constexpr double kSameCosine = 1e-9;          // headings this similar count as equal turns
+constexpr std::size_t kMaxLanesAhead = 1000;  // ends loops of very short lanes
 
 Eigen::AlignedBox2d boundsOf(const std::vector<Vector2>& points) {
   Eigen::AlignedBox2d bounds;
@@ -47,9 +47,8 @@ bool isWithin(const Eigen::AlignedBox2d& bounds, const Vector2& point, double di
   return !bounds.isEmpty() && bounds.squaredExteriorDistance(point) <= distance * distance;
 }
 
-// Appends what lies between two arc lengths of a line to a path. Points closer together than
-// kJointGap are merged: where lanes do not join exactly, the short step between them has no
-// heading.
+// Appends the part of a line between two arc lengths to a path. Merges points closer together than
+// kJointGap: where lanes do not join exactly, the short step between them has no useful heading.
 void appendStretch(const Polyline& line, double from, double to, std::vector<Vector2>& path) {
   for (std::size_t i = 0; i < line.points().size(); ++i) {
     const double arc_length = line.arcLengths()[i];
@@ -77,14 +76,14 @@ LaneMap reverseLanes(LaneMap map) {
   return map;
 }
 
-// A path too short to have a heading goes straight on.
+// Extends a path that is too short to have a heading, straight on.
 void lengthenToMinimum(LanePath& path) {
   if (path.length < kMinPathLength || path.points.size() < 2) {
     path.points.push_back(path.end.position() + kMinPathLength * path.end.heading());
   }
 }
 
-// The samples of a box: the middles of its cells, row by row along its length.
+// The samples of a box: the centres of its cells, row by row along its length.
 class BoxSamples {
  public:
   explicit BoxSamples(const OrientedBox& box)
@@ -112,7 +111,7 @@ class BoxSamples {
   }
 
  private:
-  // Cells along one side of the box; coordinates count cells, integers are their middles.
+  // Cells along one side of the box; coordinates count cells, integers are cell centres.
   struct Cells {
     Cells(double side, const Vector2& direction)
         : count(static_cast<std::size_t>(std::max(1.0, std::ceil(side / kSampleSpacing)))),
@@ -121,7 +120,7 @@ class BoxSamples {
 
     double coordinate(const Vector2& offset) const { return axis.dot(offset) + middle; }
 
-    // The first cell at or after a coordinate, from 0 to `count`.
+    // Returns the index of the first cell at or after a coordinate, 0 to `count`.
     std::size_t firstFrom(double coordinate) const {
       return static_cast<std::size_t>(
           std::max(0.0, std::min(static_cast<double>(count), std::ceil(coordinate))));
@@ -283,7 +282,7 @@ std::vector<LanePath> LaneIndex::pathsAhead(std::size_t lane, double arc_length,
   return paths;
 }
 
-// Drives on along a lane, from an arc length on it, until the path is `distance` long.
+// Extends a path along a lane, from an arc length on, until the path is `distance` long.
 void LaneIndex::extend(LanePath& path, std::size_t lane, double from, double distance) const {
   const Polyline& line = *centerlines_[lane];
   const double to = std::min(line.length(), from + std::max(distance - path.length, 0.0));
@@ -302,7 +301,7 @@ std::optional<std::size_t> LaneIndex::straightestSuccessor(std::size_t lane) con
     if (!centerlines_[successor]) {
       continue;
     }
-    // The smallest cosine along the lane tells its largest difference of heading.
+    // The smallest cosine along the lane corresponds to its largest difference of heading.
     double cosine = 1.0;
     const std::vector<Vector2>& points = centerlines_[successor]->points();
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {

@@ -14,83 +14,83 @@
 
 namespace forge {
 
-/// A lane that a pose may be driving on.
+/// A lane on which a pose may be driving.
 struct LaneMatch {
   std::size_t lane = 0;           ///< index into LaneMap::lanes
   PolylineProjection projection;  ///< of the pose's position on the centreline
   double heading_error = 0.0;     ///< the pose's yaw minus the centreline's, radians (-pi, pi]
 };
 
-/// A way ahead through the lanes.
+/// A path along consecutive lanes.
 struct LanePath {
   std::vector<std::size_t> lanes;  ///< indices into LaneMap::lanes, in driving order
-  std::vector<Vector2> points;     ///< of the centrelines, at least two and a metre in all
+  std::vector<Vector2> points;     ///< along the centrelines; two or more, 1 m or longer
   double length = 0.0;             ///< metres along the centrelines
-  Pose2 end;                       ///< on the last centreline
+  Pose2 end;                       ///< the pose on the last centreline
 };
 
-/// Answers questions of place about one map. Built once a map (milliseconds), then read-only: safe
-/// to share among threads. Lanes whose centreline has no two distinct points are never found.
+/// Spatial index of one map. Built once per map (milliseconds), then read-only: safe to share among
+/// threads. Ignores lanes whose centreline does not have two distinct points.
 class LaneIndex {
  public:
-  /// Throws std::invalid_argument without a map, for a centreline that is not finite, and for an
-  /// area or a centreline beyond 100 km. Outgoing ids that the map does not have are ignored.
+  /// Throws std::invalid_argument for a null map, a centreline that is not finite, and an area or a
+  /// centreline beyond 100 km. Ignores outgoing ids that the map does not have.
   explicit LaneIndex(std::shared_ptr<const LaneMap> map);
 
   const LaneMap& map() const { return *map_; }
   std::shared_ptr<const LaneMap> sharedMap() const { return map_; }
 
-  /// Empty when the lane has no centreline.
+  /// Returns nullopt if the lane has no usable centreline. Throws std::out_of_range for an index
+  /// beyond the map's lanes.
   const std::optional<Polyline>& centerline(std::size_t lane) const {
     return centerlines_.at(lane);
   }
 
-  /// Indices of the lanes that follow, in the order of Lane::outgoing.
+  /// Returns the indices of the successor lanes, in the order of Lane::outgoing.
   const std::vector<std::size_t>& successors(std::size_t lane) const {
     return successors_.at(lane);
   }
 
-  /// Lanes whose centreline is at most `max_distance` metres away and along which the pose heads
-  /// within `max_heading` radians. Sorted by distance to the millimetre, then by heading error (so
-  /// lanes that share a stretch before they part are told apart by heading), then by index.
+  /// Returns the lanes whose centreline is within `max_distance` (m) and whose heading is within
+  /// `max_heading` (rad) of the pose's. Sorted by distance (to 1 mm), then by heading error, which
+  /// separates lanes that overlap before they diverge, then by index.
   std::vector<LaneMatch> lanesNear(const Pose2& pose, double max_distance,
                                    double max_heading) const;
 
-  /// Lanes whose centreline comes within `radius` metres, nearest first, then by index.
+  /// Returns the lanes whose centreline is within `radius` (m), nearest first, then by index.
   std::vector<std::size_t> lanesWithin(const Vector2& center, double radius) const;
 
-  /// The way ahead from an arc length on a lane's centreline (clamped to it): on along the lane,
-  /// then at each end along straightestSuccessor(), for `distance` metres or until the lanes end;
-  /// Polyline::poseAt goes straight on from there. At least a metre long, straight if need be.
-  /// Throws std::invalid_argument for a lane without a centreline.
+  /// Returns the path ahead from an arc length (m, clamped) on a lane's centreline: along the lane,
+  /// then at each end along straightestSuccessor(), for `distance` (m) or until the lanes end. The
+  /// path is at least 1 m long, extended straight if need be. Throws std::invalid_argument for a
+  /// lane without a centreline.
   Polyline pathAhead(std::size_t lane, double arc_length, double distance) const;
 
-  /// The ways ahead from an arc length on a lane's centreline (clamped to it) with all successors
-  /// at each branch, as many as `max_paths` at most: first the one that pathAhead() takes, then
-  /// those that leave it, nearest first, then those that leave these. Throws std::invalid_argument
-  /// for a lane without a centreline.
+  /// Returns up to `max_paths` paths ahead from an arc length (m, clamped), over all successors at
+  /// each branch: first the path of pathAhead(), then the paths that leave it, nearest branch
+  /// first, then the paths that leave these. Throws std::invalid_argument for a lane without a
+  /// centreline.
   std::vector<LanePath> pathsAhead(std::size_t lane, double arc_length, double distance,
                                    std::size_t max_paths) const;
 
-  /// The following lane that turns least: its heading's largest difference, anywhere along it, from
-  /// the heading at the end of `lane` is smallest; the first in Lane::outgoing of equals. Empty at
-  /// the end of the lanes. Throws std::invalid_argument for a lane without a centreline.
+  /// Returns the successor that turns least: its largest heading difference from the end of `lane`,
+  /// anywhere along it, is smallest; the first in Lane::outgoing of equals. Returns nullopt if no
+  /// lane follows. Throws std::invalid_argument for a lane without a centreline.
   std::optional<std::size_t> straightestSuccessor(std::size_t lane) const;
 
-  /// The centrelines, quickly and to half a metre.
+  /// Fast queries on the centrelines, accurate to 0.25 m.
   const LaneGrid& grid() const { return grid_; }
-  /// The drivable area, quickly and to half a metre.
+  /// Fast queries on the drivable area, accurate to half a cell of 0.5 m.
   const AreaRaster& drivable() const { return drivable_; }
-  /// The same of the walkways.
+  /// Fast queries on the walkways, accurate to half a cell of 0.5 m.
   const AreaRaster& walkways() const { return walkways_; }
 
-  /// The same map with every lane driven the other way, which turns the driving side round, too.
-  /// Made when it is first asked for (milliseconds); lives as long as this one.
+  /// Returns an index of the same map with every lane and the driving side reversed. Built on the
+  /// first call (milliseconds), thread-safe; lives as long as this index.
   const LaneIndex& reversed() const;
 
-  /// Share of the box's area off the union of the drivable polygons, in [0, 1], told from the
-  /// middles of equal cells at most 0.25 m long and wide. Empty (unknown) when the map has no
-  /// drivable area.
+  /// Returns the share, 0..1, of the box's area outside the drivable polygons, sampled at the
+  /// centres of equal cells of at most 0.25 m. Returns nullopt if the map has no drivable area.
   std::optional<double> offRoadShare(const OrientedBox& box) const;
 
  private:
@@ -105,11 +105,11 @@ class LaneIndex {
   std::shared_ptr<const LaneMap> map_;
   AreaRaster drivable_;
   AreaRaster walkways_;
-  std::vector<std::optional<Polyline>> centerlines_;  // one a lane
+  std::vector<std::optional<Polyline>> centerlines_;  // one per lane
   LaneGrid grid_;
-  std::vector<std::vector<std::size_t>> successors_;  // one a lane
-  std::vector<Eigen::AlignedBox2d> lane_bounds_;      // one a lane, empty without a centreline
-  std::vector<Eigen::AlignedBox2d> drivable_bounds_;  // one a drivable polygon
+  std::vector<std::vector<std::size_t>> successors_;  // one per lane
+  std::vector<Eigen::AlignedBox2d> lane_bounds_;      // one per lane, empty without a centreline
+  std::vector<Eigen::AlignedBox2d> drivable_bounds_;  // one per drivable polygon
   std::unique_ptr<Reversed> reversed_ = std::make_unique<Reversed>();
 };
 

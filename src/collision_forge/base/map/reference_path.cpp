@@ -10,15 +10,12 @@
 namespace forge {
 namespace {
 
-constexpr int kSmoothing = 2;  // points to either side that a point is the mean of
+constexpr int kSmoothing = 2;  // neighbours on each side in the moving average
 constexpr int kSmoothingRounds = 2;
-constexpr double kJointGap = 0.2;      // metres, closer points of two lanes are one
-constexpr double kMinLength = 1.0;     // metres, shorter ways are none
-constexpr std::size_t kMaxDepth = 12;  // lanes one after the other
-constexpr double kTightest = 0.8;  // of the radius of a bend that a path beside it is from the path
-constexpr double kMinBend = 1e-3;  // 1/m; straight is no bend
+constexpr double kTightest = 0.8;  // largest offset of a parallel path, as share of a bend's radius
+constexpr double kMinBend = 1e-3;  // 1/m; lower bound of bends()
 
-/// Points of the line from end to end, evenly spread, about a metre apart.
+/// Returns points of the line from end to end, evenly spaced by about 1 m.
 std::vector<Vector2> spread(const Polyline& line) {
   const int count = std::max(1, static_cast<int>(std::lround(line.length())));
   std::vector<Vector2> points;
@@ -38,48 +35,6 @@ void smooth(std::vector<Vector2>& points) {
   }
 }
 
-/// Depth-first walk over the branches.
-class Walk {
- public:
-  Walk(const LaneIndex& lanes, double distance, std::size_t max_paths)
-      : lanes_(lanes), distance_(distance), max_paths_(max_paths) {}
-
-  void start(std::size_t lane, double arc_length) {
-    const Polyline& line = *lanes_.centerline(lane);
-    std::vector<Vector2> points = {line.poseAt(arc_length).position()};
-    follow(lane, arc_length, 0.0, points, 0);
-  }
-
-  std::vector<std::vector<Vector2>> found;
-
- private:
-  void follow(std::size_t lane, double from, double travelled, std::vector<Vector2> points,
-              std::size_t depth) {
-    if (found.size() >= max_paths_) return;
-    const Polyline& line = *lanes_.centerline(lane);
-    for (std::size_t i = 0; i < line.points().size(); ++i) {
-      if (line.arcLengths()[i] <= from) continue;
-      if ((line.points()[i] - points.back()).norm() > kJointGap) points.push_back(line.points()[i]);
-    }
-    travelled += line.length() - from;
-    std::vector<std::size_t> next;
-    if (travelled < distance_ && depth < kMaxDepth) {
-      for (const std::size_t successor : lanes_.successors(lane)) {
-        if (lanes_.centerline(successor)) next.push_back(successor);
-      }
-      const auto straightest = lanes_.straightestSuccessor(lane);
-      std::stable_partition(next.begin(), next.end(),
-                            [&](std::size_t i) { return straightest && i == *straightest; });
-    }
-    if (next.empty()) found.push_back(std::move(points));
-    for (const std::size_t successor : next) follow(successor, 0.0, travelled, points, depth + 1);
-  }
-
-  const LaneIndex& lanes_;
-  double distance_;
-  std::size_t max_paths_;
-};
-
 }  // namespace
 
 ReferencePath::ReferencePath(double spacing, std::vector<Vector2> controls)
@@ -89,10 +44,10 @@ ReferencePath::ReferencePath(double spacing, std::vector<Vector2> controls)
                          std::all_of(controls_.begin(), controls_.end(),
                                      [](const Vector2& p) { return p.allFinite(); });
   if (!is_usable) {
-    throw std::invalid_argument("a way of " + std::to_string(controls_.size()) + " points, " +
-                                std::to_string(spacing_) + " m apart, is none: it needs " +
-                                std::to_string(kMinControls) +
-                                " points or more, finite ones, and a distance above 0");
+    throw std::invalid_argument("reference path with " + std::to_string(controls_.size()) +
+                                " points, " + std::to_string(spacing_) +
+                                " m apart, is invalid: it needs " + std::to_string(kMinControls) +
+                                " finite points or more and a spacing above 0");
   }
 }
 
@@ -105,7 +60,7 @@ ReferencePath::ReferencePath(const Polyline& line) {
 void ReferencePath::setControls(const Polyline& line) {
   std::vector<Vector2> points = spread(line);
   spacing_ = line.length() / static_cast<double>(points.size() - 1);
-  // With an end repeated by its mirror image, the spline passes it straight.
+  // The mirrored neighbour of each end makes the spline end there with zero curvature.
   points.insert(points.begin(), 2.0 * points[0] - points[1]);
   points.push_back(2.0 * points.back() - points[points.size() - 2]);
   controls_ = std::move(points);
@@ -116,7 +71,7 @@ ReferencePath ReferencePath::beside(double across) const {
   std::vector<Vector2> points;
   for (std::size_t i = 0; i <= count; ++i) {
     const Place place = at(length() * static_cast<double>(i) / static_cast<double>(count));
-    // Within a bend that is tighter the path would go back.
+    // In a tighter bend the parallel path would run backwards.
     if (place.curvature * across > kTightest) continue;
     points.push_back(compose(place.pose, {0.0, across, 0.0}).position());
   }
@@ -127,9 +82,9 @@ ReferencePath ReferencePath::beside(double across) const {
 
 ReferencePath::Place ReferencePath::at(double arc_length) const {
   const double on_path = std::clamp(arc_length, 0.0, length());
-  const double place = on_path / spacing_;
-  const std::size_t i = std::min(static_cast<std::size_t>(place), controls_.size() - 4);
-  const double u = place - static_cast<double>(i);
+  const double index = on_path / spacing_;
+  const std::size_t i = std::min(static_cast<std::size_t>(index), controls_.size() - 4);
+  const double u = index - static_cast<double>(i);
   const double v = 1.0 - u;
   const Vector2& a = controls_[i];
   const Vector2& b = controls_[i + 1];
@@ -141,11 +96,13 @@ ReferencePath::Place ReferencePath::at(double arc_length) const {
   const Vector2 velocity =
       0.5 * (v * v * (b - a) + (1.0 + 2.0 * u * v) * (c - b) + u * u * (d - c));
   const Vector2 bend = v * (a - 2.0 * b + c) + u * (b - 2.0 * c + d);
-  const Pose2 pose{position.x(), position.y(), std::atan2(velocity.y(), velocity.x())};
-  if (arc_length != on_path) return {compose(pose, {arc_length - on_path, 0.0, 0.0}), 0.0, 1.0};
-  const double cross = velocity.x() * bend.y() - velocity.y() * bend.x();
   const double speed = velocity.norm();
-  return {pose, cross / (speed * speed * speed), speed / spacing_};
+  const Vector2 heading = velocity / speed;
+  const Vector2 place = position + (arc_length - on_path) * heading;
+  const double cross = velocity.x() * bend.y() - velocity.y() * bend.x();
+  const Pose2 pose{place.x(), place.y(), std::atan2(velocity.y(), velocity.x())};
+  if (arc_length != on_path) return {pose, heading, 0.0, 1.0};
+  return {pose, heading, cross / (speed * speed * speed), speed / spacing_};
 }
 
 std::vector<double> ReferencePath::bends() const {
@@ -165,29 +122,14 @@ double ReferencePath::project(const Vector2& point) const {
     least = std::min(least, distance);
   }
   const double arc_length = spacing_ * static_cast<double>(closest - 1);
-  const Pose2 place = at(arc_length).pose;
-  return arc_length + place.heading().dot(point - place.position());
+  const Place place = at(arc_length);
+  return arc_length + place.heading.dot(point - place.pose.position());
 }
 
 PathPose ReferencePath::seen(const Pose2& pose) const {
   const double along = project(pose.position());
   const Pose2 local = relativeTo(at(along).pose, pose);
   return {along + local.x, local.y, local.yaw};
-}
-
-std::vector<ReferencePath> pathsAhead(const LaneIndex& lanes, const Pose2& pose, double distance,
-                                      double max_lane_distance, double max_lane_heading,
-                                      std::size_t max_paths) {
-  Walk walk(lanes, distance, max_paths);
-  for (const LaneMatch& match : lanes.lanesNear(pose, max_lane_distance, max_lane_heading)) {
-    walk.start(match.lane, match.projection.arc_length);
-  }
-  std::vector<ReferencePath> paths;
-  for (const std::vector<Vector2>& points : walk.found) {
-    if (points.size() < 2 || (points.back() - points.front()).norm() < kMinLength) continue;
-    paths.emplace_back(Polyline(points));
-  }
-  return paths;
 }
 
 }  // namespace forge

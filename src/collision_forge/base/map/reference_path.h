@@ -6,49 +6,55 @@
 
 namespace forge {
 
-/// Where a pose is, seen from a path: metres along it and to its left, and its heading from it.
+/// A pose relative to a path (Frenet coordinates).
 struct PathPose {
-  double along = 0.0;
-  double across = 0.0;
-  double lean = 0.0;  ///< rad, (-pi, pi]
+  double along = 0.0;   ///< m along the path
+  double across = 0.0;  ///< m to the left of the path
+  double lean = 0.0;    ///< rad, the pose's yaw minus the path's, (-pi, pi]
 };
 
-/// A smooth way along lanes, with what driving along it needs: a uniform cubic B-spline of points
-/// about a metre apart, so that position, heading and curvature are continuous.
+/// A smooth path along lanes: a uniform cubic B-spline of points about 1 m apart, so that position,
+/// heading and curvature are continuous.
 class ReferencePath {
  public:
-  /// A place on the path.
+  /// A point of the path.
   struct Place {
     Pose2 pose;
+    Vector2 heading;         ///< unit vector along the path, map frame
     double curvature = 0.0;  ///< 1/m, positive to the left
-    double stretch = 1.0;    ///< metres of way a metre of arc length, below 1 in sharp bends
+    double stretch = 1.0;    ///< m travelled per m of arc length, below 1 in sharp bends
   };
 
   static constexpr double kBendSpacing = 1.0;  ///< m between bends()
   static constexpr std::size_t kMinControls = 4;
 
-  /// A centreline (or several, joined), smoothed over a few metres: recorded centrelines have kinks
-  /// that nobody drives.
+  /// Smooths a centreline (or several joined ones) over a few metres: recorded centrelines have
+  /// kinks that no driver follows.
   explicit ReferencePath(const Polyline& line);
-  /// The path with the spacing() and controls() of another one, in metres. Throws
+  /// Restores a path from its spacing() (m) and controls() (map frame). Throws
   /// std::invalid_argument for fewer than kMinControls points, a point that is not finite, and a
-  /// spacing that is not finite or not positive.
+  /// spacing that is not finite and positive.
   ReferencePath(double spacing, std::vector<Vector2> controls);
 
-  /// The path so many metres to its left; it cuts bends that are tighter than that.
+  /// Returns the parallel path `across` metres to the left. Cuts bends tighter than `across`.
+  /// Throws std::invalid_argument if that leaves fewer than two distinct points.
   ReferencePath beside(double across) const;
 
+  /// m of arc length between two control points.
   double spacing() const { return spacing_; }
+  /// Control points of the spline, map frame; the curve runs near them, not through them.
   const std::vector<Vector2>& controls() const { return controls_; }
+  /// Nominal length of the path, m: the range of arc lengths of at().
   double length() const { return spacing_ * static_cast<double>(controls_.size() - 3); }
-  /// Beyond either end the path goes straight on.
+  /// Returns the point at an arc length (m); beyond either end the path continues straight.
   Place at(double arc_length) const;
-  /// How sharply it bends, from its begin on every kBendSpacing: 1/m, without a sign. No less than
-  /// 1e-3, so that who goes straight on has a greatest speed, too.
+  /// Returns |curvature| (1/m) every kBendSpacing from the start; at least 1e-3, so that a speed
+  /// limit in bends is finite on straights.
   std::vector<double> bends() const;
-  /// Arc length of the closest place.
+  /// Returns the arc length (m) of the point of the path closest to `point`, to first order from
+  /// the closest control point; may be beyond either end.
   double project(const Vector2& point) const;
-  /// Of a pose near the path.
+  /// Returns the Frenet coordinates of a pose near the path.
   PathPose seen(const Pose2& pose) const;
 
  private:
@@ -57,12 +63,5 @@ class ReferencePath {
   double spacing_;                 // metres between controls
   std::vector<Vector2> controls_;  // of the spline, and one beyond either end
 };
-
-/// The ways ahead of a pose: from each lane that it may be driving on (see LaneIndex::lanesNear),
-/// along every branch, for `distance` metres or until the lanes end. At most `max_paths`, those of
-/// nearer lanes and straighter ways first.
-std::vector<ReferencePath> pathsAhead(const LaneIndex& lanes, const Pose2& pose, double distance,
-                                      double max_lane_distance, double max_lane_heading,
-                                      std::size_t max_paths);
 
 }  // namespace forge

@@ -7,9 +7,9 @@
 
 namespace forge {
 
-PatternMiss missBetween(const Pose2& asked, const Pose2& found) {
-  return {(found.position() - asked.position()).norm(),
-          std::abs(angleBetween(asked.yaw, found.yaw))};
+PatternMiss missBetween(const Pose2& expected, const Pose2& actual) {
+  return {(actual.position() - expected.position()).norm(),
+          std::abs(angleBetween(expected.yaw, actual.yaw))};
 }
 
 double cornerMiss(const PatternMiss& miss, const BoxSize& attacker) {

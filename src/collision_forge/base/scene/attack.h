@@ -10,27 +10,27 @@
 
 namespace forge {
 
-/// Where ego and attacker stand to each other at impact (Sec. 3 of arXiv 2510.12206).
+/// The poses, speed and time at impact that a method predicts (Sec. 3 of arXiv 2510.12206).
 struct CollisionPattern {
   CollisionType type = CollisionType::kRearEnd;
   std::string attacker_id;
-  double time = 0.0;          ///< seconds, same clock as the snapshot; the instant of impact
-  OrientedBox ego;            ///< the ego's box then, global map frame
-  Pose2 attacker_offset;      ///< the attacker's box centre in the ego box's frame (dx, dy, dtheta)
-  double attacker_speed = 0;  ///< m/s along its heading at impact
-  double tolerance = 0.0;     ///< m: a contact with every corner of the attacker so near is as good
+  double time = 0.0;          ///< s, same clock as the snapshot; the time of impact
+  OrientedBox ego;            ///< the ego's box at `time`, global map frame
+  Pose2 attacker_offset;      ///< attacker's box centre in the frame of the ego's box centre
+  double attacker_speed = 0;  ///< m/s along the attacker's heading at impact
+  double tolerance = 0.0;     ///< m; a contact whose cornerMiss() is at most this counts as equal
 };
 
-/// How far a contact is from the pattern that was aimed at, both seen from the ego's box.
+/// Difference between the attacker's predicted and actual pose at contact, in the ego's frame.
 struct PatternMiss {
-  double distance = 0.0;  ///< m between the attacker's box middles
-  double heading = 0.0;   ///< rad between its headings, [0, pi]
+  double distance = 0.0;  ///< m between the two box centres
+  double heading = 0.0;   ///< rad between the two headings, [0, pi]
 };
 
-/// Between the attacker's offset that was asked for and that at the contact.
-PatternMiss missBetween(const Pose2& asked, const Pose2& found);
+/// Returns the difference between two poses of the attacker that are given in the same frame.
+PatternMiss missBetween(const Pose2& expected, const Pose2& actual);
 
-/// At most so far is any corner of the attacker's box from where it was asked to be, metres.
+/// Returns an upper bound, in m, on the displacement of any corner of the attacker's box.
 double cornerMiss(const PatternMiss& miss, const BoxSize& attacker);
 
 /// One sample of the attacker's motion. Global map frame; the pose is the box centre.
@@ -42,82 +42,84 @@ struct TrajectoryPoint {
   double curvature = 0.0;     ///< 1/m, positive to the left
 };
 
-/// The same as states, whose velocity is along the heading.
+/// Converts points to states; the velocity is the speed along the heading.
 std::vector<AgentState> toStates(const std::vector<TrajectoryPoint>& points);
 
-/// What the attacker drives from now on, evenly sampled from now to past the impact.
+/// The attacker's motion, evenly sampled from t0 to after the impact.
 struct AttackerTrajectory {
   std::string attacker_id;
   AgentClass agent_class = AgentClass::kCar;
   BoxSize size;
   std::vector<TrajectoryPoint> points;
-  /// Of one that was added: from its first frame in the recording to now, at the frames' times.
-  /// Empty for a recorded vehicle.
+  /// Added vehicle: its states from its first frame in the recording to t0, at the frame times.
+  /// Empty for a recorded vehicle, whose past is its track.
   std::vector<AgentState> past = {};
 
+  /// Returns true for a vehicle added to the scene, false for a recorded one.
   bool isAdded() const { return !past.empty(); }
 };
 
-/// The attacker's pose at `time`, linear between the points; the first before, the last after them.
-/// The trajectory must have points.
+/// Returns the pose at `time`, interpolated linearly and clamped to the first and the last point.
+/// `trajectory.points` must not be empty.
 Pose2 poseAt(const AttackerTrajectory& trajectory, double time);
 
-/// What road a motion uses, as shares in [0, 1] of its points; `off_road` is the mean over them.
+/// Road use of a motion. Each field but `off_road` is a share of the motion's points, [0, 1].
 struct RoadUse {
-  double on_lane = 0.0;     ///< see LaneGrid::isOnLane()
-  double wrong_way = 0.0;   ///< on no lane, and against those that are near
-  double off_road = 0.0;    ///< share of the box's places off the drivable area
-  double on_walkway = 0.0;  ///< some place of the box is on a walkway and not on the drivable area
-  double on_island = 0.0;   ///< on ground that road encloses
+  double on_lane = 0.0;     ///< on a lane in its direction, LaneGrid::isOnLane()
+  double wrong_way = 0.0;   ///< on no lane and against all nearby lanes, LaneGrid::isWrongWay()
+  double off_road = 0.0;    ///< mean share of the box's samples (placesOf()) off the drivable area
+  double on_walkway = 0.0;  ///< a sample of the box is on a walkway and off the drivable area
+  double on_island = 0.0;   ///< on ground enclosed by road, for instance a traffic island
 };
 
-/// What verification found; see verify().
+/// Result of verifying an attacker's motion against a request; see verify().
 struct CollisionReport {
-  bool contact = false;         ///< the attacker touches the ego after now
-  double contact_time = 0.0;    ///< seconds, same clock; valid with contact
-  double relative_heading = 0;  ///< attacker's yaw minus ego's at first contact, radians (-pi, pi]
-  Pose2 ego_at_contact;
-  Pose2 attacker_at_contact;
-  Side ego_side = Side::kRear;        ///< of the ego's box, where the attacker's touches it
-  Side attacker_side = Side::kFront;  ///< of the attacker's box, where the ego's touches it
+  bool contact = false;               ///< the attacker touches the ego after t0
+  double contact_time = 0.0;          ///< s, same clock as the snapshot; valid if `contact`
+  double relative_heading = 0;        ///< rad, attacker's yaw minus ego's at contact, (-pi, pi]
+  Pose2 ego_at_contact;               ///< box centre, global map frame
+  Pose2 attacker_at_contact;          ///< box centre, global map frame
+  Side ego_side = Side::kRear;        ///< side of the ego's box that the attacker touches
+  Side attacker_side = Side::kFront;  ///< side of the attacker's box that the ego touches
   double impact_speed = 0.0;          ///< m/s, norm of the relative velocity at contact
-  double overlap = 0.0;               ///< sideOverlap() of the ego's box at that side, [0, 1]
-  bool type_kept = false;       ///< relative heading within the type's bands, at contact and now
-  bool on_time = false;         ///< |contact time - requested time| within tolerance
-  bool limits_kept = false;     ///< every vehicle limit kept from now to contact
-  std::string broken_limit;     ///< name, value and limit of the worst broken one; empty if kept
-  std::string first_other_id;   ///< whom the attacker touches before the ego; empty if nobody
-  double first_other_time = 0;  ///< seconds, same clock; valid with first_other_id
-  double off_road_share = 0.0;  ///< mean share of the box off the drivable area, now to contact
-  double confidence = 0.0;      ///< share of likely ego futures with all conditions kept, [0, 1]
-  Manoeuvre manoeuvre = Manoeuvre::kFollowerCloses;  ///< what it does; valid with contact
-  double manoeuvre_begin = 0.0;  ///< seconds, same clock, from when on it does that
-  /// What road it uses: on_lane and wrong_way until shortly before the contact, all else until it.
+  double overlap = 0.0;               ///< sideOverlap() of `ego_side`, share 0..1
+  bool type_kept = false;       ///< keeps the definition of the requested type (CrashDefinition)
+  bool on_time = false;         ///< |contact time - requested time| <= time_tolerance
+  bool limits_kept = false;     ///< every vehicle limit kept from t0 to contact
+  std::string broken_limit;     ///< name, value and limit of the worst violation; empty if kept
+  std::string first_other_id;   ///< first other agent hit before the ego; empty if none
+  double first_other_time = 0;  ///< s, same clock; valid if `first_other_id` is not empty
+  double off_road_share = 0.0;  ///< mean share of the box off the drivable area, t0 to contact
+  double confidence = 0.0;      ///< share of the ego's predicted futures that pass all checks, 0..1
+  Manoeuvre manoeuvre = Manoeuvre::kFollowerCloses;  ///< detected; valid if `contact`
+  double manoeuvre_begin = 0.0;                      ///< s, same clock; when the manoeuvre begins
+  /// Until contact; `on_lane` and `wrong_way` leave out the last moments before it.
   RoadUse road;
-  std::string unbelievable;  ///< why no driver would drive so; empty: a driver could
+  std::string unbelievable;  ///< why drivers do not drive so; empty if the motion is plausible
 
   bool believable() const { return unbelievable.empty(); }
-  /// All conditions at once: what alone may be called a success.
+  /// Returns true if the attack counts as a success: every condition of the request holds.
   bool verified() const {
     return contact && type_kept && on_time && limits_kept && first_other_id.empty();
   }
 };
 
-/// A verified attack, or why there is none.
+/// The result of a request: a verified attack, or the reason why there is none.
 struct Realization {
   Status status;
-  CollisionPattern aim;  ///< the pattern that it came from; these four with kOk only
-  PatternMiss miss;      ///< of the report's contact from the aim
+  CollisionPattern aim;  ///< predicted pattern that the attack realises; this and the next three
+                         ///< fields are valid only if `status.code` is kOk
+  PatternMiss miss;      ///< difference between `aim` and the report's contact
   AttackerTrajectory trajectory;
   CollisionReport report;
-  /// What driving so costs, as a share of confidence: 0 as most people drive. Of believable
-  /// attackers alone.
+  /// Penalty for unusual driving, in units of confidence: 0 for the most common behaviour. Set only
+  /// if the request asks for plausible attackers.
   double effort = 0.0;
-  /// Further ones, where the request asks for them (findAlternatives()); these have none.
+  /// Further attacks if the request asks for them (findAlternatives()); theirs is empty.
   std::vector<Realization> alternatives = {};
 };
 
-/// No attack, for this reason.
+/// Returns a result without an attack, rejected with `status`.
 Realization declined(Status status);
 
 }  // namespace forge

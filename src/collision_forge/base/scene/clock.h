@@ -2,7 +2,7 @@
 
 namespace forge {
 
-/// s; times that are no farther apart are one: stamps and files are to the microsecond.
+/// s; times that differ by no more count as equal: stamps and files have microseconds.
 inline constexpr double kTimeEpsilon = 1e-6;
 
 }  // namespace forge

@@ -10,81 +10,83 @@
 
 namespace forge {
 
-/// kHistory: only what was observed up to now. kReplay: the recorded future may be used. kAdaptive:
-/// as kHistory, and the attacker looks again at every frame that comes.
+/// What a request may use: kHistory the frames up to t0, kReplay the recorded future as well,
+/// kAdaptive as kHistory, and the attacker replans at every later frame.
 enum class Mode { kHistory, kReplay, kAdaptive };
 const char* toString(Mode mode);
 std::optional<Mode> modeFromString(const std::string& name);
 
-/// Who may attack where no attacker is named: kExisting the recorded vehicles, kNew one that is
-/// added, kAny either, an existing one where it is as sure.
+/// Which vehicles may attack if the request names none: kExisting recorded vehicles, kNew an added
+/// one, kAny both; an existing one wins if its confidence is equal.
 enum class AttackerChoice { kAny, kExisting, kNew };
 const char* toString(AttackerChoice choice);
 std::optional<AttackerChoice> attackerChoiceFromString(const std::string& name);
 
-/// Ends included.
+/// A closed interval.
 struct Range {
   double min = 0.0;
   double max = 0.0;
 };
 
+/// A request for an attack on the ego.
 struct CollisionRequest {
   CollisionType type = CollisionType::kRearEnd;
-  double tta = 4.0;                     ///< time to accident, seconds from now
-  std::optional<std::string> attacker;  ///< agent id; whom `choice` allows when empty
+  double tta = 4.0;                     ///< s from t0 to contact
+  std::optional<std::string> attacker;  ///< agent id; empty: any vehicle that `choice` allows
   AttackerChoice choice = AttackerChoice::kAny;
   Mode mode = Mode::kHistory;
   std::uint64_t seed = 0;
-  int alternatives = 1;  ///< attacks asked for, which differ in attacker or manoeuvre
-  // What the attack is to be beyond type and time; anything where empty.
+  int alternatives = 1;  ///< number of attacks, which differ in attacker or manoeuvre
+  // Further constraints on the attack; an empty field allows any value.
   std::optional<AgentClass> attacker_class;
   std::optional<Manoeuvre> manoeuvre;
-  std::optional<Side> ego_side;       ///< of the ego's box, where the attacker's touches it
+  std::optional<Side> ego_side;       ///< side of the ego's box that the attacker touches
   std::optional<Range> impact_speed;  ///< m/s, of CollisionReport::impact_speed
-  std::optional<Range> overlap;       ///< [0, 1], of CollisionReport::overlap
-  CrashDefinition crash;  ///< what counts as the crash; filled in where the request is answered
+  std::optional<Range> overlap;       ///< share 0..1, of CollisionReport::overlap
+  CrashDefinition crash;              ///< set by the code that handles the request, not by users
 
-  /// Of the request's type. Throws std::out_of_range where `crash` is not filled in.
+  /// Returns the bands of the requested type. Throws std::out_of_range if `crash` is not set.
   const TypeDefinition& bands() const { return crash.types.at(type); }
 };
 
-/// A request at one instant of one scene, as it stands in a list of requests.
+/// A request at a time t0 of a scene, one entry of a request list.
 struct SceneRequest {
   std::string scene;         ///< name
-  double now = 0.0;          ///< seconds on the scene's clock; the time of a frame
-  CollisionRequest request;  ///< the mode is not part of a list
+  double now = 0.0;          ///< t0, s on the scene's clock; the time of a frame
+  CollisionRequest request;  ///< request lists do not hold its `mode`
 };
 
-/// Outcome of a request; the numbers are those of GenerateCollision.srv.
+/// Outcome of a request; the values equal the constants of GenerateCollision.srv.
 enum class StatusCode : std::uint8_t {
   kOk = 0,
   kUnknownType = 1,
   kTtaOutOfRange = 2,
-  kUnknownAttacker = 3,  ///< no agent of that id in the frames held
-  kAbsentAttacker = 4,   ///< the agent is known, but not there now, or cannot attack
+  kUnknownAttacker = 3,  ///< no agent of that id in the snapshot
+  kAbsentAttacker = 4,   ///< the agent is not present at t0, or its class cannot attack
   kTooLittleHistory = 5,
-  kNoCandidate = 6,           ///< nobody in reach comes from where the type wants it
-  kNoAttackWithinLimits = 7,  ///< candidates exist, none can be driven into the ego as asked
+  kNoCandidate = 6,           ///< no vehicle in range approaches as the requested type needs
+  kNoAttackWithinLimits = 7,  ///< no candidate can hit the ego as requested within the limits
   kNoScene = 8,               ///< no agents, map or ego pose received yet
-  kNoRecording = 9,           ///< replay mode without a recording, or it has an attack
+  kNoRecording = 9,           ///< replay mode without a recording, or one with an attack in it
   kBeyondRecording = 10,      ///< the recording ends before the impact
-  kInvalidInput = 11,         ///< unknown mode, a pose that is not a number, a box without size
-  kNodeUnavailable = 12,      ///< a node of the suite did not answer
-  kLowConfidence = 13,        ///< the best attack promises less than min_confidence
-  kNotBelievable = 14,        ///< attacks exist, but no driver would drive so
-  kRoadDoesNotAllow = 15,     ///< no lane of the type's direction passes the ego's place then
-  kStaleScene = 16,           ///< no scene has come for longer than allowed
-  kInternalError = 17,        ///< a fault of this package, whatever was asked
+  kInvalidInput = 11,         ///< a malformed field, for instance an unknown mode or a NaN pose
+  kNodeUnavailable = 12,      ///< another node of the package did not respond
+  kLowConfidence = 13,        ///< the best attack's confidence is below min_confidence
+  kNotBelievable = 14,        ///< attacks exist, but none is plausible
+  kRoadDoesNotAllow = 15,     ///< no lane of the type's direction passes the ego's place at impact
+  kStaleScene = 16,           ///< the newest scene is older than LiveOptions::max_scene_age
+  kInternalError = 17,        ///< a fault of this package, whatever the request
 };
 const char* toString(StatusCode code);
-/// The scene does not allow it, or not at that instant; another may.
+/// Returns true for codes that depend on the scene or t0: the request may succeed elsewhere.
 bool isOfTheScene(StatusCode code);
-/// Empty for an unknown name; names are those of toString(), in capitals.
+/// Returns the code of a name as toString() spells it (upper case); nullopt for an unknown name.
 std::optional<StatusCode> statusCodeFromString(const std::string& name);
 
+/// Outcome of a request with a message.
 struct Status {
   StatusCode code = StatusCode::kOk;
-  std::string message;  ///< for people: names the field and the value
+  std::string message;  ///< for people; names the field and its value
 };
 
 }  // namespace forge

@@ -5,6 +5,7 @@
 
 namespace forge {
 
+/// COLLIDE's collision types; kLtap is a left turn across path.
 enum class CollisionType { kLaneChange, kOppositeDirection, kRearEnd, kJunctionCrossing, kLtap };
 
 inline constexpr CollisionType kCollisionTypes[] = {
@@ -13,7 +14,7 @@ inline constexpr CollisionType kCollisionTypes[] = {
 
 /// "lane_change", "opposite_direction", "rear_end", "junction_crossing" or "ltap".
 const char* toString(CollisionType type);
-/// Takes those names, head_on and the short ones (LC, OD, HO, RE, JC, LTAP), in any case.
+/// Accepts the names above, head_on and LC, OD, HO, RE, JC, LTAP in any case; else nullopt.
 std::optional<CollisionType> collisionTypeFromString(const std::string& name);
 
 }  // namespace forge

@@ -9,8 +9,8 @@ bool isWithin(double heading, double min, double max) {
   return std::abs(heading) >= min && std::abs(heading) <= max;
 }
 
-/// True when the boxes are further apart (or less deep in each other) along the ego's length than
-/// across it.
+/// Returns true if the gap between the boxes is larger (or the overlap smaller) along the ego's
+/// length than across it.
 bool meetsLengthwise(const Pose2& offset, const BoxSize& ego, const BoxSize& attacker) {
   const double cosine = std::abs(std::cos(offset.yaw));
   const double sine = std::abs(std::sin(offset.yaw));

@@ -8,57 +8,57 @@
 
 namespace forge {
 
-/// One of the types of config/crash_definition.yaml: bands of |relative heading|, radians.
+/// Bands of the heading difference |attacker - ego| of one collision type (crash_definition.yaml).
 struct TypeDefinition {
-  double min_heading = 0.0;  ///< at first contact
-  double max_heading = 0.0;
-  double nominal_heading = 0.0;
-  double min_approach = 0.0;     ///< now; from any side unless the configuration says otherwise
-  double max_approach = 3.1416;  ///< as the files round pi
+  double min_heading = 0.0;      ///< rad, at contact
+  double max_heading = 0.0;      ///< rad, at contact
+  double nominal_heading = 0.0;  ///< rad, at contact; used for the collision pattern
+  double min_approach = 0.0;     ///< rad, at t0; the default band accepts any approach
+  double max_approach = 3.1416;  ///< rad, at t0; pi as the files round it
 };
 using TypeDefinitions = std::map<CollisionType, TypeDefinition>;
 
-/// What makes a crash one of a type: kFull all that is said below, kAngle the heading at first
-/// contact alone.
+/// Which conditions define a type: kFull the heading and approach bands and contactFits(), kAngle
+/// the heading band at contact alone.
 enum class TypeRules { kFull, kAngle };
 
-/// Which limits of config/vehicle_limits.yaml an attacker keeps: kDrivable those of its class,
-/// kStrict those of the strict protocol, the same for all.
+/// Limits of config/vehicle_limits.yaml for an attacker: kDrivable by its vehicle class, kStrict
+/// the strict protocol's limits, equal for all classes.
 enum class LimitSet { kDrivable, kStrict };
 
-/// s; a longer time tolerance would let any time do.
+/// s; a longer tolerance would accept almost any contact time.
 inline constexpr double kMaxTimeTolerance = 60.0;
 
-/// What counts as the crash that is asked for, and what an answer has to promise:
-/// config/crash_definition.yaml, unless a request says otherwise.
+/// Conditions that an attack must meet: config/crash_definition.yaml, overridden by fields of the
+/// request.
 struct CrashDefinition {
   TypeRules rules = TypeRules::kFull;
   TypeDefinitions types;
-  double time_tolerance = 0.0;  ///< s that the contact may come before or after the time asked for
-  double min_confidence = 0.0;  ///< an answer that promises less is declined, [0, 1]
+  double time_tolerance = 0.0;  ///< s; largest |contact time - requested time|
+  double min_confidence = 0.0;  ///< share 0..1; an attack with less confidence is rejected
   LimitSet limits = LimitSet::kDrivable;
-  bool believable = true;  ///< the attacker drives as drivers do until it attacks
+  bool believable = true;  ///< the attacker must drive plausibly until it attacks
 };
 
-/// The same as clips of COLLIDE are judged, which have sizes, classes and maps for nobody: the
-/// types told by the heading at contact alone, as COLLIDE tells its types apart, by the limits of
-/// the strict protocol, whether a driver would do it or not.
+/// Returns `crash` with the rules for COLLIDE clips, which have no sizes, classes or maps: types by
+/// the heading at contact alone (as COLLIDE labels them), the strict limits, implausible motion
+/// accepted.
 CrashDefinition rulesOfClips(CrashDefinition crash);
 
-/// The attacker's heading at first contact is within the type's band.
+/// Returns true if |`relative_heading`| at contact (rad) is within the type's heading band.
 bool headingFits(double relative_heading, const TypeDefinition& definition);
 
-/// The attacker's heading relative to the ego's now is within the type's approach band: a crossing
-/// comes from the side, a left turn across path from the opposite direction.
+/// Returns true if |`relative_heading_now`| at t0 (rad) is within the type's approach band: a
+/// junction crossing comes from the side, a left turn across path from the opposite direction.
 bool approachFits(double relative_heading_now, const TypeDefinition& definition);
 
-/// How the boxes stand to each other at first contact, beyond the heading band. `offset` is the
-/// attacker's box middle in the ego box's frame.
+/// Returns true if the relative position at contact fits the type, beyond the heading band.
+/// `offset` is the attacker's box centre in the frame of the ego's box centre.
 ///
-/// - rear_end: front meets rear, not flank flank. Either may be the one in front.
-/// - lane_change: the attacker's middle is beside the ego's body and it heads towards the ego.
-/// - ltap: it turned to its left in right-hand traffic (to its right in left-hand traffic).
-/// - opposite_direction, junction_crossing: nothing beyond the heading.
+/// - rear_end: the boxes meet front to rear, not side to side; either vehicle may be in front.
+/// - lane_change: the attacker's centre is beside the ego and its heading points towards the ego.
+/// - ltap: the attacker turned left in right-hand traffic, right in left-hand traffic.
+/// - opposite_direction, junction_crossing: no further condition.
 bool contactFits(CollisionType type, const Pose2& offset, const BoxSize& ego,
                  const BoxSize& attacker, DrivingSide driving_side);
 

@@ -8,15 +8,15 @@
 
 namespace forge {
 
-/// The one of that id; null where there is none.
+/// Returns the track with that id; nullptr if there is none.
 inline const Track* findTrack(const std::vector<Track>& tracks, const std::string& id) {
   const auto found = std::find_if(tracks.begin(), tracks.end(),
                                   [&](const Track& track) { return track.id == id; });
   return found == tracks.end() ? nullptr : &*found;
 }
 
-/// What the attacker did up to now: its own past if it was added, else its track among `agents`; a
-/// track without states where there is none.
+/// Returns the attacker's track up to t0: the `past` of an added vehicle, else its track among
+/// `agents`. Without either the track has no states.
 inline Track attackerPast(const AttackerTrajectory& attacker, const std::vector<Track>& agents) {
   if (!attacker.isAdded()) {
     if (const Track* recorded = findTrack(agents, attacker.attacker_id)) return *recorded;

@@ -4,7 +4,8 @@
 
 namespace forge {
 
-/// Returns what printf() prints of these values, as formatted("%.1f m/s", speed).
+/// Returns text formatted as by printf(), for example formatted("%.1f m/s", speed); at most 511
+/// characters.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 
 }  // namespace forge

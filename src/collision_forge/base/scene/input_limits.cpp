@@ -16,7 +16,7 @@ template <typename... Parts>
   throw InputError(message.str());
 }
 
-/// False for NaN.
+/// Returns false for NaN.
 bool isWithin(double value, double min, double max) { return value >= min && value <= max; }
 
 void check(double value, double min, double max, const std::string& field) {
@@ -24,7 +24,8 @@ void check(double value, double min, double max, const std::string& field) {
 }
 
 void checkCount(std::size_t count, int max, const std::string& what) {
-  if (count > static_cast<std::size_t>(max)) refuse(what, ": ", count, ", more than ", max);
+  if (count > static_cast<std::size_t>(max))
+    refuse(what, ": ", count, " is above the limit of ", max);
 }
 
 void check(const Vector2& position, const InputLimits& limits, const std::string& field) {
@@ -70,19 +71,19 @@ void checkTrack(const Track& track, const InputLimits& limits, const std::string
   }
 }
 
-/// A predicted or recorded future of the ego has at least one state.
+/// Checks a future of the ego, which must have at least one state.
 void checkFutureTrack(const Track& track, const InputLimits& limits, const std::string& name) {
-  if (track.states.empty()) refuse(name, ": states: there are none");
+  if (track.states.empty()) refuse(name, ": states is empty");
   checkTrack(track, limits, name);
 }
 
-/// Why an agent of a recording cannot be used; null for one that can.
+/// Returns the reason why an agent cannot be used; null if it can.
 const char* problemOf(const Track& agent, const InputLimits& limits) {
-  if (!isWithin(agent.size, limits)) return "whose box is beyond the limits of input";
+  if (!isWithin(agent.size, limits)) return "with a box beyond the input limits";
   const bool is_within =
       std::all_of(agent.states.begin(), agent.states.end(),
                   [&](const AgentState& state) { return isWithin(state, limits); });
-  return is_within ? nullptr : "whose motion is beyond the limits of input";
+  return is_within ? nullptr : "with a motion beyond the input limits";
 }
 
 void checkRing(const std::vector<Vector2>& ring, const InputLimits& limits, std::size_t& points,
@@ -190,7 +191,7 @@ void checkTrajectory(const AttackerTrajectory& trajectory, const InputLimits& li
   const std::string name = where + ": attacker \"" + trajectory.attacker_id + "\": ";
   check(trajectory.size, limits, name + "size");
   const std::vector<TrajectoryPoint>& points = trajectory.points;
-  if (points.empty()) refuse(name, "points: there are none");
+  if (points.empty()) refuse(name, "points is empty");
   checkCount(points.size(), limits.max_points, name + "points");
   checkCount(trajectory.past.size(), limits.max_points, name + "past");
   const double now = points.front().time;

@@ -9,65 +9,68 @@
 
 namespace forge {
 
-/// What input may hold: config/input_limits.yaml, where the unit of each of its keys stands. What
-/// is beyond is damaged, and would cost time and memory without bound.
+/// Limits of values in files, messages and services (config/input_limits.yaml). Values beyond them
+/// are damage, and would cost unbounded time and memory.
 struct InputLimits {
-  double max_coordinate = 0.0;
-  double min_box = 0.1;   ///< m; length and width of a box; the smallest of nuScenes are 0.2 m
-  double max_box = 50.0;  ///< m; twice the longest road train
-  double max_speed = 0.0;
-  double max_time = 4294967295.0;  ///< s on the clock of a recording; the last that ROS can say
-  double max_past = 3600.0;        ///< s from a state of a vehicle's past to now
-  double max_trajectory = 60.0;    ///< s from now to the last point of a trajectory
-  int max_points = 5000;           ///< of a trajectory, a past or a centreline
-  double min_radius = 0.1;         ///< m of a map's arcs; the tightest of data/embedded is 0.5 m
-  int max_agents = 0;
-  int max_lanes = 0;
-  int max_map_points = 0;
+  double max_coordinate = 0.0;     ///< m; |x| and |y| in the map frame
+  double min_box = 0.1;            ///< m; length and width of a box; nuScenes' smallest are 0.2 m
+  double max_box = 50.0;           ///< m; twice the longest road train
+  double max_speed = 0.0;          ///< m/s
+  double max_time = 4294967295.0;  ///< s on a recording's clock; the largest ROS time
+  double max_past = 3600.0;        ///< s from a state of a vehicle's past to t0
+  double max_trajectory = 60.0;    ///< s from t0 to the last point of a trajectory
+  int max_points = 5000;           ///< points of a trajectory, a past or a centreline
+  double min_radius = 0.1;         ///< m; arcs of a map; the tightest of data/embedded is 0.5 m
+  int max_agents = 0;              ///< agents of a recording
+  int max_lanes = 0;               ///< lanes of a map
+  int max_map_points = 0;          ///< points of all lanes and areas of a map together
   int max_line = 16000000;  ///< bytes; 16 attackers, each with a past of 5000 states, are 8 MB
 };
 
-/// Input beyond the limits. The message names where it is, the field, its value and the limit.
+/// Thrown for input beyond the limits. The message names source, field, value and limit.
 struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Not NaN, and no farther than max_coordinate.
+/// Returns true if |x| and |y| are at most max_coordinate; false for NaN.
 bool isWithin(const Vector2& position, const InputLimits& limits);
-/// The heading is finite, too.
+/// As above, and the yaw is finite.
 bool isWithin(const Pose2& pose, const InputLimits& limits);
+/// Returns true if length and width are within [min_box, max_box].
 bool isWithin(const BoxSize& size, const InputLimits& limits);
 
-// Every reader of a kind of input has it checked here. `where` names the file or the message; all
-// throw InputError.
+// Every reader of input calls the function for its kind. `where` names the file or message in the
+// error. All throw InputError.
 
-/// Numbers of lanes and points, and every point.
+/// Checks the numbers of lanes and points, every point and the speed limits.
 void checkMap(const LaneMap& map, const InputLimits& limits, const std::string& where);
 
-/// Leaves out agents whose box, position, speed or time is beyond the limits; `warnings`, if given,
-/// gets one line a kind with the number of them and the first.
+/// Removes agents whose box, position, speed or time is beyond the limits. Appends to `warnings`,
+/// if given, one line per kind of problem with the number of agents and the first id.
 void keepWithin(std::vector<Track>& agents, const InputLimits& limits,
                 std::vector<std::string>* warnings = nullptr);
 
-// The ego, all times, and the number of agents; keepWithin() of the agents.
+// The next three throw for the ego, the times and the number of agents, and remove other agents as
+// keepWithin() does.
 
-/// And the map, if there is one.
+/// Also checks the map, if there is one.
 void checkScene(Scene& scene, const InputLimits& limits, const std::string& where,
                 std::vector<std::string>* warnings = nullptr);
+/// Checks a scene as known at t0.
 void checkSnapshot(Snapshot& snapshot, const InputLimits& limits, const std::string& where);
-/// The ego and every one of `ego_samples` must have at least one state; agents without states are
-/// left out.
+/// The ego and each of `ego_samples` must have a state; agents without states are removed.
 void checkFuture(Future& future, const InputLimits& limits, const std::string& where);
 
-/// Box, points and past; times increase, and are near those of the first point.
+/// Checks size, points and past. Times must increase, within max_past and max_trajectory of t0.
 void checkTrajectory(const AttackerTrajectory& trajectory, const InputLimits& limits,
                      const std::string& where);
 
-/// A planner's plan: number and places of its points. Whether they are finite is left to whoever
-/// judges the plan.
+/// Checks number and positions of a planner's points. Skips points that are not finite: the code
+/// that judges the plan handles them.
 void checkPlan(const std::vector<TrajectoryPoint>& plan, const InputLimits& limits,
                const std::string& where);
 
+/// Checks every field.
 void checkPattern(const CollisionPattern& pattern, const InputLimits& limits,
                   const std::string& where);
 

@@ -2,15 +2,15 @@
 
 namespace forge {
 
-/// config/live.yaml, where each number's unit and source stand.
+/// How nodes handle scenes that arrive over topics (config/live.yaml).
 struct LiveOptions {
-  double max_scene_age = 0.0;
-  double kept_for = 0.0;
-  double wait_for = 0.0;
-  double answer_within = 0.0;
+  double max_scene_age = 0.0;  ///< s, ROS clock; older scenes are stale
+  double kept_for = 0.0;       ///< s; how long scenes are kept for requests by stamp
+  double wait_for = 0.0;       ///< s, wall clock; wait for a scene whose stamp is still to come
+  double answer_within = 0.0;  ///< s, wall clock; time limit of a call to another node
 
-  /// s of the newest poses and frames that an attack may need: its now may be as old when the
-  /// answer comes.
+  /// Returns the largest age, in s, of an attack's t0 when the attack arrives. Nodes that use an
+  /// attack keep poses and frames for this long.
   double answerAge() const { return kept_for + wait_for; }
 };
 

@@ -17,7 +17,7 @@ double nearestFrame(const Scene& scene, double time) {
 
 Status noFrame(double now, double nearest) {
   return {StatusCode::kNoScene,
-          formatted("now = %.6f s is the time of no frame of the scene; the nearest is at %.6f s",
+          formatted("now = %.6f s: the scene has no frame at this time; the nearest is at %.6f s",
                     now, nearest)};
 }
 

@@ -10,27 +10,28 @@
 
 namespace forge {
 
-/// A recording with the index of its map.
+/// A recording and the spatial index of its map.
 struct IndexedScene {
   Scene scene;
   std::shared_ptr<const LaneIndex> lanes;
 };
 
-/// An instant of a recorded or running scene: all that a method is given.
+/// The input of a method: one time t0 of a recorded or live scene.
 struct Moment {
-  Snapshot snapshot;               ///< known at now
-  std::optional<Future> recorded;  ///< what came from now on; empty where nobody knows
+  Snapshot snapshot;               ///< frames up to t0
+  std::optional<Future> recorded;  ///< the recording from t0 on; empty in live scenes
   std::shared_ptr<const LaneIndex> lanes;
-  /// The same as `snapshot` from the recording's first frame on; empty live, where the past cannot
-  /// be changed.
+  /// As `snapshot`, with all frames from the recording's first on: the past in which a vehicle can
+  /// be added. Null in live scenes, where the past cannot be changed.
   std::shared_ptr<const Snapshot> past = nullptr;
 };
 
-/// Moment::past of a recording.
+/// Returns Moment::past for t0 = `now`: every frame of the recording up to it.
 std::shared_ptr<const Snapshot> pastOf(const Scene& scene, double now);
 
-/// The instant of the frame at `now` (to a microsecond) of a recording, with `history_frames` as of
-/// snapshotAt(); kNoScene, with the nearest frame in the message, for the time of no frame.
+/// Returns the input for a request at the frame at `now` (to 1 us); `history_frames` as in
+/// snapshotAt(). Returns kNoScene, whose message gives the nearest frame, if no frame is at `now`.
+/// The recording must have a frame.
 std::variant<Moment, Status> momentAt(const IndexedScene& recording, double now,
                                       int history_frames);
 

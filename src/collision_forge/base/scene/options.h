@@ -9,10 +9,13 @@ namespace forge {
 
 class Section;
 
+// Read the mapping of each struct from its configuration file. Throw ConfigError for a missing key
+// or a value out of range.
+
 void readOptions(Section& section, EgoVehicle& vehicle);
 void readOptions(Section& section, LiveOptions& live);
 void readOptions(Section& section, InputLimits& limits);
-/// Attacks keep `time_margin` to the ends of the time tolerance.
+/// `time_margin` (s) is the smallest time_tolerance allowed: attacks are planned so far inside it.
 void readOptions(Section& section, CrashDefinition& crash, double time_margin);
 
 }  // namespace forge

@@ -18,7 +18,7 @@ Track between(const Track& track, double first, double last) {
   return part;
 }
 
-/// The states at these instants (ascending), of those where it has one.
+/// Returns the track's states at `times` (ascending) at which it has one.
 Track statesAt(const Track& track, const std::vector<double>& times) {
   Track part{track.id, track.agent_class, track.size, {}};
   auto time = times.begin();

@@ -12,11 +12,11 @@ namespace forge {
 /// Id that stands for the ego wherever agents are named.
 inline constexpr const char* kEgoId = "ego";
 
-/// The ego's body. Recorded ego poses are those of base_link (the rear axle in nuScenes); tracks
-/// hold the middle of the box, `center_offset` metres ahead of base_link.
+/// The ego's dimensions. Recorded ego poses are poses of base_link (the rear axle in nuScenes);
+/// tracks hold the box centre, which is `center_offset` ahead of base_link.
 struct EgoVehicle {
   BoxSize size;
-  double center_offset = 0.0;
+  double center_offset = 0.0;  ///< m
 };
 
 /// A whole recording.
@@ -24,41 +24,49 @@ struct Scene {
   std::string name;
   Track ego;
   std::vector<Track> agents;
-  std::vector<double> frame_times;  ///< seconds; the instants at which agents were annotated
+  std::vector<double> frame_times;  ///< s, ascending; times at which agents were annotated
   std::shared_ptr<const LaneMap> map;
 };
 
-/// What is known at an instant: states up to and including `now`, nothing later.
+/// Returns the vehicle that the ego of the scene is: the size of its track, and the offset (m) of
+/// EgoVehicle, which no log contains.
+inline EgoVehicle egoVehicleOf(const Scene& scene, double center_offset) {
+  return {scene.ego.size, center_offset};
+}
+
+/// A scene as known at t0: states up to and including `now`, none later.
 struct Snapshot {
-  double now = 0.0;  ///< seconds, the time of the newest frame
+  double now = 0.0;  ///< t0: s, the time of the newest frame
   Track ego;
   std::vector<Track> agents;
   std::shared_ptr<const LaneMap> map;
 };
 
-/// How everybody moves from now on, predicted or recorded. Recorded agents may appear later.
+/// Motion of the ego and all agents from t0 on, predicted or recorded. Recorded agents may appear
+/// later than t0.
 struct Future {
-  Track ego;  ///< the likeliest, or the recorded one
+  Track ego;  ///< the most likely prediction, or the recorded motion
   std::vector<Track> agents;
-  std::vector<Track> ego_samples;  ///< equally likely; empty when `ego` is known for certain
+  std::vector<Track> ego_samples;  ///< equally likely predictions; empty if `ego` is recorded
 };
 
-/// s between the frames that a snapshot holds, however often the scene was seen: nuScenes' and
-/// COLLIDE's 2 Hz, from which forecasts and networks learned.
+/// s between the frames of a snapshot, whatever the scene's own rate: the 2 Hz of nuScenes and
+/// COLLIDE, on which the predictors and networks were trained.
 inline constexpr double kFrameInterval = 0.5;
 
-/// Which of these instants (ascending) a snapshot of the last one holds, ascending, at most
-/// `count`: the last, then each time the one whose distance in time is nearest to kFrameInterval.
+/// Returns the frame times, ascending and at most `count`, of a snapshot taken at the last of
+/// `times` (ascending). Goes back from the last: each next time is the one whose gap is nearest to
+/// kFrameInterval.
 std::vector<double> historyTimes(const std::vector<double>& times, int count);
 
-/// The last frame at or before `time`; empty when the scene starts later.
+/// Returns the last frame time at or before `time` (s); nullopt if the scene starts later.
 std::optional<double> lastFrameTime(const Scene& scene, double time);
 
-/// States at the historyTimes() of the annotation frames up to the one at `now`, `frames` of them.
-/// Agents absent from all of them are left out.
+/// Returns the states at the last `frames` historyTimes() up to `now`, with velocities derived from
+/// the positions. Omits agents without a state at any of them.
 Snapshot snapshotAt(const Scene& scene, double now, int frames);
 
-/// The recording from the frame at `now` to its end.
+/// Returns the recorded states from `now` to the end of the ego's track.
 Future recordedFuture(const Scene& scene, double now);
 
 }  // namespace forge

@@ -29,9 +29,9 @@ std::vector<Track> agentsAt(const std::vector<Track>& tracks, double time) {
 }
 
 Frame newestFrame(const Snapshot& snapshot) {
-  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   const Pose2 ego = newestAt(snapshot.ego, snapshot.now) ? snapshot.ego.states.back().pose
-                                                         : Pose2{kNowhere, kNowhere, kNowhere};
+                                                         : Pose2{kUnknown, kUnknown, kUnknown};
   return {snapshot.now, ego, agentsAt(snapshot.agents, snapshot.now)};
 }
 
@@ -49,14 +49,14 @@ bool SceneHistory::isLate(double time) const {
 }
 
 int SceneHistory::add(Frame frame) {
-  if (!frame.ego.isFinite()) throw std::invalid_argument("the ego's pose is not a number");
+  if (!frame.ego.isFinite()) throw std::invalid_argument("the ego's pose is not finite");
   if (!frames_.empty() && frame.time <= frames_.back().time) frames_.clear();
   const auto usable_end = std::stable_partition(frame.agents.begin(), frame.agents.end(), isUsable);
   const auto dropped = static_cast<int>(std::distance(usable_end, frame.agents.end()));
   frame.agents.erase(usable_end, frame.agents.end());
   frames_.push_back(std::move(frame));
   const double oldest = frames_.back().time - kFrameInterval * (count_ + 1);
-  // Where frames are rare, those that are shown are kept however old they are.
+  // At low frame rates, the frames of a snapshot are kept whatever their age.
   while (static_cast<int>(frames_.size()) > count_ && frames_.front().time < oldest) {
     frames_.pop_front();
   }

@@ -8,29 +8,29 @@
 
 namespace forge {
 
-/// One annotation frame as it arrives: the ego and everybody else at one time.
+/// One frame of agents and the ego, all at the same time.
 struct Frame {
-  double time = 0.0;          ///< seconds
-  Pose2 ego;                  ///< middle of the ego's box, global map frame
+  double time = 0.0;          ///< s
+  Pose2 ego;                  ///< centre of the ego's box, global map frame
   std::vector<Track> agents;  ///< each with exactly one state, at `time`
 };
 
-/// True for an agent of a frame whose pose and size are finite, the size positive.
+/// Returns true for an agent with one state, a finite pose and a finite, positive size.
 bool isUsable(const Track& agent);
 
-/// Those who have a state at `time` (to a microsecond), each with that state alone: the agents of a
-/// Frame.
+/// Returns the tracks that have a state at `time` (to 1 us), each with that state alone: the agents
+/// of a Frame.
 std::vector<Track> agentsAt(const std::vector<Track>& tracks, double time);
 
-/// The frame at a snapshot's now. The ego's pose is not finite where it was not seen then.
+/// Returns the frame at the snapshot's t0. The ego's pose is NaN if the ego has no state at t0.
 Frame newestFrame(const Snapshot& snapshot);
 
-/// s; a frame that is older than the newest by no more is late: its stamp jitters, or it was
-/// overtaken. One that is older by more is of a replay that starts again.
+/// s; a frame older than the newest by at most this is late (jitter, overtaken on the way) and is
+/// dropped; an older one means that a replay was restarted.
 inline constexpr double kRestart = 1.0;
 
-/// Takes away what is older than the newest by more than `age` s. `values`: states or frames,
-/// oldest first.
+/// Removes elements older than the last by more than `age` (s). `values`: states or frames, oldest
+/// first, not empty.
 template <typename Values>
 void keepNewest(Values& values, double age) {
   const double oldest = values.back().time - age;
@@ -39,29 +39,33 @@ void keepNewest(Values& values, double age) {
                }));
 }
 
-/// Keeps the newest frames of a running scene, and shows those that a snapshot holds
-/// (historyTimes()), however often frames come. Not thread-safe.
+/// Keeps the newest frames of a live scene and returns snapshots at the interval of historyTimes(),
+/// whatever the rate of the frames. Not thread-safe.
 class SceneHistory {
  public:
-  /// snapshot() has at most `frames` frames.
+  /// snapshot() returns at most `frames` frames.
   SceneHistory(int frames, const EgoVehicle& ego);
 
-  /// Begins with the frames of `start`.
+  /// Starts with the frames and the map of `start`.
   SceneHistory(int frames, const EgoVehicle& ego, const Snapshot& start);
 
-  /// At the newest frame's time, or before it by no more than kRestart.
+  /// Sets the size of the ego's box in all later snapshots, m.
+  void setEgoSize(const BoxSize& size) { ego_.size = size; }
+
+  /// Returns true if `time` is at most the newest frame's time and at most kRestart before it.
   bool isLate(double time) const;
 
-  /// Takes a frame that is not late. Agents that are not usable are left out; their number is
-  /// returned. A frame from before the newest starts the history anew (a replay was restarted).
-  /// Throws std::invalid_argument for an ego pose that is not finite.
+  /// Adds a frame; call isLate() first. Drops agents that are not usable and returns their number.
+  /// A frame older than the newest clears the history first (a replay was restarted). Throws
+  /// std::invalid_argument if the ego's pose is not finite.
   int add(Frame frame);
 
   bool empty() const { return frames_.empty(); }
+  /// The history must not be empty.
   const Frame& newest() const { return frames_.back(); }
 
-  /// As snapshotAt() of the same frames in a Scene, agents sorted by id; the map is that of the
-  /// snapshot that it began with, or none.
+  /// Returns what snapshotAt() returns for a Scene of the same frames, agents sorted by id. The
+  /// map is the one of the constructor's snapshot, or null.
   Snapshot snapshot() const;
 
  private:

@@ -8,6 +8,7 @@
 
 namespace forge {
 
+/// Class of a road user or object.
 enum class AgentClass {
   kCar,
   kTruck,
@@ -25,20 +26,21 @@ enum class AgentClass {
 /// Lower-case name as in messages and files, for instance "construction_vehicle".
 const char* toString(AgentClass agent_class);
 std::optional<AgentClass> agentClassFromString(const std::string& name);
-/// What can be made to attack.
+/// Classes that can be the attacker.
 inline constexpr AgentClass kAttackerClasses[] = {AgentClass::kCar,
                                                   AgentClass::kTruck,
                                                   AgentClass::kBus,
                                                   AgentClass::kConstructionVehicle,
                                                   AgentClass::kEmergencyVehicle,
                                                   AgentClass::kMotorcycle};
+/// Returns true for kAttackerClasses.
 bool canAttack(AgentClass agent_class);
-/// All but people, animals and things.
+/// Returns true for all classes but pedestrians, animals and static objects.
 bool isVehicle(AgentClass agent_class);
-/// Attackers with a car's body: all but motorcycles.
+/// Returns true for all attacker classes but motorcycles.
 bool isCarLike(AgentClass agent_class);
 
-/// One agent at one instant. Global map frame; `pose` is the middle of the box.
+/// State of one agent at one time. Global map frame; `pose` is the centre of the box.
 struct AgentState {
   double time = 0.0;  ///< seconds; one clock for a whole scene
   Pose2 pose;
@@ -53,21 +55,21 @@ struct Track {
   std::vector<AgentState> states;
 };
 
-/// s; over a longer gap between two states nobody knows how an agent moved.
+/// s; states farther apart than this are not interpolated.
 inline constexpr double kMaxGap = 1.1;
 
-/// State at `time`, interpolated (pose and velocity linear, yaw along the shorter turn).
-/// Empty before the first and after the last state, and within a gap longer than `max_gap` seconds.
+/// Returns the state at `time` (s), interpolated: pose and velocity linearly, yaw along the shorter
+/// turn. Returns nullopt outside the track's times and in gaps above `max_gap` (s).
 std::optional<AgentState> stateAt(const Track& track, double time, double max_gap = kMaxGap);
 
-/// True when the track has a state at `time` (to a microsecond) as its newest.
+/// Returns true if the track's last state is at `time` (to 1 us).
 bool newestAt(const Track& track, double time);
 
-/// Velocities from positions by central differences (one-sided at the ends and beside gaps longer
-/// than `max_gap` seconds; zero for a lone state).
+/// Sets each velocity from the positions by central differences; one-sided at the ends and beside
+/// gaps above `max_gap` (s), zero for a state without a neighbour.
 void deriveVelocities(Track& track, double max_gap = kMaxGap);
 
-/// The box of `track` at a pose.
+/// Returns the box of the track's size, centred at `pose`.
 inline OrientedBox boxAt(const Track& track, const Pose2& pose) { return {pose, track.size}; }
 
 }  // namespace forge

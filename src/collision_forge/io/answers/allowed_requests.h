@@ -6,7 +6,7 @@
 
 namespace forge {
 
-/// roadAllows() on the ego as it was recorded, for a request of this recording.
+/// Returns roadAllows() for a request, with the recorded ego motion and `options.crash`.
 bool roadAllowsAsked(const SceneRequest& asked, const IndexedScene& recording,
                      const AnswerOptions& options);
 

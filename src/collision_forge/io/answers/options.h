@@ -7,7 +7,7 @@
 
 namespace forge {
 
-/// The options by which attacks on recorded scenes are made and judged.
+/// Options for generating and judging attacks on recorded scenes.
 struct AnswerOptions : DataOptions, ModelOptions {
   CrashDefinition crash;
   AttackOptions attack;

@@ -19,6 +19,7 @@ Scenario RequestAnswerer::answer(const SceneRequest& asked) const {
   Scenario scenario{asked, ego_, {}};
   const PredictionOptions& options = method_.options().prediction;
   const auto recording = scenes_.at(asked.scene);
+  scenario.ego = egoVehicleOf(recording->scene, ego_.center_offset);
   const auto found = momentAt(*recording, asked.now, options.history_frames);
   if (const Status* status = std::get_if<Status>(&found)) {
     scenario.answer.status = *status;
@@ -35,7 +36,7 @@ Scenario RequestAnswerer::answer(const SceneRequest& asked) const {
   const AttackerSetup setup{method_.egoFuturesWithoutScene(asked.scene), method_.options(),
                             adaptive_};
   AdaptiveAnswer answer = withoutMisses(
-      answerAdaptively(*method, moment, recording->scene, ego_, request, setup), request);
+      answerAdaptively(*method, moment, recording->scene, scenario.ego, request, setup), request);
   scenario.answer = std::move(answer.attack);
   scenario.plans = std::move(answer.plans);
   return scenario;

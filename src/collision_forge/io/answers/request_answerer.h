@@ -7,17 +7,17 @@
 
 namespace forge {
 
-/// Answers requests over recorded scenes. Thread-safe; the same request gives the same answer in
-/// every process. What was learned from the scene itself is not used.
+/// Generates the attack for each request on recorded scenes. Thread-safe and deterministic across
+/// processes. Uses only models that were trained without the requested scene.
 class RequestAnswerer {
  public:
-  /// `scenes` must outlive it; `crash` is what counts in every request.
+  /// `scenes` must outlive this object. `crash` replaces the crash definition of every request.
   RequestAnswerer(SceneSource& scenes, MethodMaker method, CrashDefinition crash,
                   const EgoVehicle& ego, const AdaptiveOptions& adaptive);
 
-  /// generateCollision() at the frame of the request, in adaptive mode answerAdaptively() without
-  /// misses; the status of momentAt() where there is none.
-  /// Throws as SceneSource::at() does.
+  /// Returns the result of generateCollision() at the frame of the request; in adaptive mode, of
+  /// answerAdaptively() followed by withoutMisses(). If no frame is at that time, returns the
+  /// status of momentAt(). Throws as SceneSource::at().
   Scenario answer(const SceneRequest& asked) const;
 
  private:

@@ -15,11 +15,11 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// Items a worker that may be under way or wait for their turn: enough that one slow item does not
-// stop the others, little enough to hold their results in memory.
+// Items per worker that may be pending or wait for their turn: enough that one slow item does not
+// stop the others, few enough to keep their results in memory.
 constexpr std::size_t kAheadPerWorker = 64;
-constexpr milliseconds kPoll{1};      // between two looks for messages; an item takes tens of these
-constexpr milliseconds kIdle{1'000};  // where there is nobody to get messages from
+constexpr milliseconds kPoll{1};      // between two polls for messages; an item takes tens of these
+constexpr milliseconds kIdle{1'000};  // without other ranks
 
 std::string textOf(const std::exception_ptr& error) {
   try {
@@ -49,7 +49,7 @@ ItemResult resultOf(const RankMessage& message) {
   return result;
 }
 
-/// Returns with the next message of a kind; others are dropped.
+/// Waits for the next message of a kind; drops others.
 void waitFor(const Ranks& ranks, MessageTag tag) {
   while (true) {
     const auto message = ranks.receive();
@@ -58,7 +58,7 @@ void waitFor(const Ranks& ranks, MessageTag tag) {
   }
 }
 
-/// The side of a run that deals and takes.
+/// The master's side of a run: assigns items and takes results.
 class Master {
  public:
   Master(std::size_t count, const WorkerPool::Work& work, const DispatchOptions& options)
@@ -73,7 +73,7 @@ class Master {
       for (ItemResult& result : pool_.collect(ranks_.size() > 1 ? kPoll : kIdle)) {
         ledger_.put(std::move(result));
       }
-      while (const auto message = ranks_.receive()) hear(*message);
+      while (const auto message = ranks_.receive()) handle(*message);
       while (const auto result = ledger_.next()) {
         if (result->error) std::rethrow_exception(result->error);
         take(result->index, result->bytes);
@@ -81,11 +81,11 @@ class Master {
     }
   }
 
-  /// Returns when every other rank has left; what they still send is dropped.
+  /// Returns when every other rank has left; drops results that still arrive.
   void dismissOthers() const {
-    tellOthers(MessageTag::kStop);
+    sendToOthers(MessageTag::kStop);
     for (int rank = 1; rank < ranks_.size(); ++rank) waitFor(ranks_, MessageTag::kLeft);
-    tellOthers(MessageTag::kClosed);
+    sendToOthers(MessageTag::kClosed);
   }
 
  private:
@@ -104,7 +104,7 @@ class Master {
     }
   }
 
-  void hear(const RankMessage& message) {
+  void handle(const RankMessage& message) {
     if (message.tag == MessageTag::kReady) {
       wanted_[message.from] = std::stoull(message.bytes);
       return;
@@ -113,17 +113,17 @@ class Master {
     ledger_.put(resultOf(message));
   }
 
-  void tellOthers(MessageTag tag) const {
+  void sendToOthers(MessageTag tag) const {
     for (int rank = 1; rank < ranks_.size(); ++rank) ranks_.send(rank, tag, "");
   }
 
   const Ranks& ranks_;
-  std::vector<std::size_t> wanted_;  // items that each other rank could have now
+  std::vector<std::size_t> wanted_;  // number of items that each other rank can take now
   Ledger ledger_;
   WorkerPool pool_;
 };
 
-/// The side of a run in every other rank.
+/// The side of every other rank: works on the items that it receives.
 void serve(const WorkerPool::Work& work, int jobs) {
   const Ranks& ranks = Ranks::get();
   {

@@ -5,7 +5,7 @@
 namespace forge {
 namespace {
 
-std::string message_now;  // made beforehand: a signal handler may not allocate
+std::string message_now;  // built in advance: a signal handler must not allocate
 
 /// Writes the message and lets the signal end the process.
 void onInterruption(int signal) {

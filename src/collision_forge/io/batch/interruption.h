@@ -7,9 +7,9 @@
 
 namespace forge {
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP write a message to stderr before they end the
-/// process. Those that are ignored when it begins, as SIGHUP under nohup, stay ignored. One at a
-/// time in a process.
+/// While it exists, SIGINT, SIGTERM and SIGHUP write a message to stderr before they end the
+/// process. Signals that are ignored at construction, as SIGHUP under nohup, stay ignored. Only one
+/// may exist per process.
 class InterruptionNotice {
  public:
   explicit InterruptionNotice(const std::string& message);

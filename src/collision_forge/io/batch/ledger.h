@@ -8,30 +8,31 @@
 
 namespace forge {
 
-/// What came of one item: bytes, or the exception that was thrown.
+/// The result of one item: bytes, or the exception that was thrown.
 struct ItemResult {
   std::size_t index = 0;
   std::string bytes;
   std::exception_ptr error;
 };
 
-/// Which items of [first, count) are dealt, and which results wait for their turn. Not thread-safe.
+/// Tracks which items of [first, count) are assigned and which results wait for their turn. Not
+/// thread-safe.
 class Ledger {
  public:
-  /// At most `ahead` (> 0) items are dealt and not yet handed on by next().
+  /// At most `ahead` (> 0) items are assigned and not yet returned by next().
   Ledger(std::size_t first, std::size_t count, std::size_t ahead);
 
-  /// The next item to work on; empty when all are dealt, when too many are under way, and after an
-  /// item that failed: what comes after it is not needed.
+  /// Assigns the next item. Returns nullopt if all are assigned, if `ahead` items are pending, and
+  /// after an item that failed: later ones are not needed.
   std::optional<std::size_t> deal();
 
-  /// Takes a result, in any order.
+  /// Stores a result, in any order.
   void put(ItemResult result);
 
-  /// The result whose turn it is by index; empty while it is not there.
+  /// Returns the next result in order of index; nullopt if it is not there yet.
   std::optional<ItemResult> next();
 
-  /// True when every item was handed on.
+  /// Returns true if next() has returned every item.
   bool isFinished() const { return next_turn_ >= count_; }
 
  private:

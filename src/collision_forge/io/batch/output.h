@@ -7,8 +7,8 @@
 
 namespace forge {
 
-/// What the master holds while a run writes to these folders or files; nothing in other ranks.
-/// Empty names are left out, and what is named twice is locked once. Throws as OutputLock.
+/// Locks of the master on the output folders or files of a run; empty in other ranks. Names that
+/// are "" or repeated are skipped. Throw as OutputLock.
 using OutputLocks = std::vector<OutputLock>;
 OutputLocks lockFolders(const std::vector<std::string>& folders);
 OutputLocks lockFile(const std::string& path);

@@ -28,8 +28,8 @@ void Patience::wait(double seconds, const std::string& awaited) {
     return;
   }
   std::fprintf(stderr,
-               "\nprocess %d has waited %g s for %s, so the run ends; what was done is kept: run "
-               "the same command again to go on\n",
+               "\nprocess %d has waited %g s for %s; the run ends. Finished results are kept: run "
+               "the same command again to continue\n",
                ::getpid(), seconds, awaited.c_str());
   std::_Exit(EXIT_FAILURE);
 }

@@ -7,11 +7,11 @@
 
 namespace forge {
 
-/// What may wait for others for ever: while it lives for longer than `seconds`, it says on stderr
-/// what is waited for, and ends the process with EXIT_FAILURE, without clearing up.
+/// A timeout for calls that may block forever: if it exists for longer than `seconds`, prints what
+/// is awaited to stderr and ends the process with EXIT_FAILURE, without cleaning up.
 class Patience {
  public:
-  /// `awaited` goes on with "process 12 has waited 3 s for ".
+  /// `awaited` completes the message "process 12 has waited 3 s for ".
   Patience(double seconds, std::string awaited);
   ~Patience();
   Patience(const Patience&) = delete;

@@ -6,7 +6,7 @@
 namespace forge {
 namespace {
 
-/// Bytes of the UTF-8 character that a text begins with; 0 where there is none.
+/// Returns the bytes of the UTF-8 character at the start of a text; 0 if it is not valid.
 std::size_t characterLength(std::string_view text) {
   const auto first = static_cast<unsigned char>(text[0]);
   const std::size_t length = first < 0x80                     ? 1

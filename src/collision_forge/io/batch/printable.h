@@ -6,13 +6,14 @@
 
 namespace forge {
 
-/// The text as a terminal may be shown it: control characters other than line ends and tabs, and
-/// bytes that are no UTF-8, as "\x1b". Names that were read may have any.
+/// Returns the text with control characters, except line ends and tabs, and bytes that are not
+/// UTF-8 escaped as "\x1b", so that it is safe for a terminal. Names from input may contain any.
 std::string printable(std::string_view text);
 
-/// Makes all that goes through std::cout printable(), line by line, as long as it lives.
+/// While it exists, filters std::cout through printable(), line by line.
 class PrintableOutput : public std::streambuf {
  public:
+  /// Redirects std::cout to this filter; the destructor restores it.
   PrintableOutput();
   ~PrintableOutput() override;
   PrintableOutput(const PrintableOutput&) = delete;
@@ -24,7 +25,7 @@ class PrintableOutput : public std::streambuf {
 
  private:
   std::streambuf* shown_;
-  std::string line_;  ///< what has come of it
+  std::string line_;  ///< the current line so far
 };
 
 }  // namespace forge

@@ -11,10 +11,10 @@
 namespace forge {
 namespace {
 
-constexpr double kTerminalInterval = 0.2;  // s between two shows of a line
+constexpr double kTerminalInterval = 0.2;  // s between two updates
 constexpr double kPipeInterval = 10.0;     // s
-constexpr double kShortWork = 1.0;         // s; it ends before a line could be read
-constexpr char kClear[] = "\r\033[K";      // what a terminal has on its line
+constexpr double kShortWork = 1.0;         // s; shorter work shows no line
+constexpr char kClear[] = "\r\033[K";      // clears the terminal's line
 
 bool isTerminal() { return isatty(STDERR_FILENO) == 1; }
 
@@ -35,7 +35,7 @@ std::string durationText(double seconds) {
   return formatted("%.1f h", seconds / 3600.0);
 }
 
-/// In a unit of time in which it is a number to be read.
+/// Returns a rate in the unit of time that makes it readable.
 std::string rateText(double per_second) {
   if (per_second >= 1.0) return formatted("%.1f/s", per_second);
   if (per_second * 60.0 >= 1.0) return formatted("%.1f/min", per_second * 60.0);

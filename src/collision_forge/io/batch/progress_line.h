@@ -9,32 +9,32 @@
 
 namespace forge {
 
-/// A line that shows what share of a long work is done, how many items a second, and how long the
-/// rest will take: on a terminal in place, several times a second, else a line every ten seconds.
-/// Work that is done within a second shows none. Every command shows its work with this. For one
-/// thread at a time.
+/// Shows progress on one line: share done, items per second, remaining time. On a terminal it
+/// updates in place several times a second, elsewhere it prints a line every ten seconds. Work of
+/// less than a second shows nothing. Not thread-safe.
 class ProgressLine {
  public:
-  /// Where the line goes.
+  /// Destination of the line.
   struct Output {
     std::ostream& stream;
     bool is_terminal = false;
-    std::function<double()> clock;  ///< seconds
+    std::function<double()> clock;  ///< s, monotonic
   };
 
-  /// On stderr. `share` was done before the clock started.
+  /// Writes to stderr. `share`: part of the work, 0..1, done before this object was made.
   explicit ProgressLine(std::string title, double share = 0.0);
   ProgressLine(std::string title, double share, Output output);
-  /// Work that ends early leaves its line above what is printed next.
+  /// Ends the line, so that later output starts on a new one.
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
+  /// Show `done` of `all` items, or a share 0..1 and a text. Cheap: may be called for every item.
   void show(std::size_t done, std::size_t all);
   void show(double share, const std::string& detail = "");
 
  private:
-  /// `whole`: the items that a share of 1 is; without it no rate is shown.
+  /// `whole`: number of items in all; without it no rate is shown.
   void show(double share, std::optional<double> whole, const std::string& detail);
 
   std::string title_;
@@ -42,15 +42,14 @@ class ProgressLine {
   Output output_;
   double begin_;
   double shown_;
-  bool is_open_ = false;  ///< on the terminal, without its end
+  bool is_open_ = false;  ///< shown on the terminal without a line end
 };
 
-/// Takes a progress line off the terminal until it is shown anew: before anything is printed
-/// otherwise than by printLine().
+/// Clears a progress line from the terminal; call before printing by other means than printLine().
 void clearLine();
 
-/// Prints a line on stderr, printable(), where a progress line may be: in place of it, until that
-/// is shown anew. From any thread.
+/// Prints a line to stderr, made printable(), in place of a progress line, which reappears at its
+/// next update. Thread-safe.
 void printLine(const std::string& line);
 
 }  // namespace forge

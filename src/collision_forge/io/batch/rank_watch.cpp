@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 
 enum WatchTag : int { kThere, kGoodbye };
 
-constexpr std::chrono::milliseconds kInterval{100};  // from one word to the next
+constexpr std::chrono::milliseconds kInterval{100};  // between two heartbeats
 constexpr double kMostBetweenLooks = 1.0;            // s
 
 int sizeOf(MPI_Comm channel) {
@@ -34,9 +34,9 @@ std::vector<int> othersOf(MPI_Comm channel) {
   return others;
 }
 
-/// Process and machine of every rank. All must call it.
+/// Returns process and machine of every rank. Every rank must call it.
 std::vector<std::string> namesOn(MPI_Comm channel) {
-  constexpr std::size_t kBefore = 32;  // characters that stand before the machine's, at most
+  constexpr std::size_t kBefore = 32;  // largest number of characters before the machine's name
   using Name = std::array<char, kBefore + MPI_MAX_PROCESSOR_NAME>;
   std::array<char, MPI_MAX_PROCESSOR_NAME> machine = {};
   int length = 0;
@@ -78,9 +78,9 @@ void RankWatch::run() {
   while (!is_ending_ && !(has_left && haveOthersLeft())) {
     if (!has_left) {
       has_left = is_leaving_;
-      tell(has_left ? kGoodbye : kThere);
+      sendHeartbeats(has_left ? kGoodbye : kThere);
     }
-    hear();
+    receiveHeartbeats();
     const Clock::time_point before = std::exchange(looked, Clock::now());
     silence_.pass(std::chrono::duration<double>(looked - before).count());
     if (const auto silent = silence_.longerThan(max_silence_)) endRun(*silent);
@@ -88,22 +88,22 @@ void RankWatch::run() {
   }
 }
 
-void RankWatch::tell(int tag) {
+void RankWatch::sendHeartbeats(int tag) {
   for (const int other : others_) {
     MPI_Request sending = MPI_REQUEST_NULL;
     MPI_Isend(nullptr, 0, MPI_CHAR, other, tag, channel_, &sending);
-    MPI_Request_free(&sending);  // nobody waits for it
+    MPI_Request_free(&sending);  // completion is not awaited
   }
 }
 
-void RankWatch::hear() {
+void RankWatch::receiveHeartbeats() {
   while (true) {
     int has_arrived = 0;
     MPI_Status status;
     MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, channel_, &has_arrived, &status);
     if (has_arrived == 0) return;
     MPI_Recv(nullptr, 0, MPI_CHAR, status.MPI_SOURCE, status.MPI_TAG, channel_, MPI_STATUS_IGNORE);
-    silence_.hear(status.MPI_SOURCE);
+    silence_.reset(status.MPI_SOURCE);
     if (status.MPI_TAG == kGoodbye) silence_.leave(status.MPI_SOURCE);
   }
 }
@@ -116,8 +116,8 @@ bool RankWatch::haveOthersLeft() const {
 void RankWatch::endRun(int silent) const {
   std::fprintf(
       stderr,
-      "\nrank %d (%s) has not been heard of for %g s, so the run ends; what was done is kept: "
-      "run the same command again to go on\n",
+      "\nrank %d (%s) sent no heartbeat for %g s; the run ends. Finished results are kept: "
+      "run the same command again to continue\n",
       silent, names_[silent].c_str(), max_silence_);
   MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
   std::abort();

@@ -11,33 +11,33 @@
 
 namespace forge {
 
-/// A thread that tells the master, or of the master all others, that this rank is there, and that
-/// hears the same of them. When one has been silent for too long, it names that one on stderr and
-/// ends the run: MPI's own calls would wait for it for ever. MPI must be used from several threads.
+/// A heartbeat thread: each rank exchanges heartbeats with the master, the master with all ranks.
+/// If a rank is silent for too long, names it on stderr and ends the run, because MPI's own calls
+/// would block forever. Needs MPI_THREAD_MULTIPLE.
 class RankWatch {
  public:
-  /// Every rank must make one. `channel` is for the watch alone; `max_silence` in s.
+  /// Every rank must construct one. `channel`: used for heartbeats alone; `max_silence` in s.
   RankWatch(MPI_Comm channel, double max_silence);
-  /// Says nothing more to anybody.
+  /// Stops sending heartbeats.
   ~RankWatch();
   RankWatch(const RankWatch&) = delete;
   RankWatch& operator=(const RankWatch&) = delete;
 
-  /// Says goodbye, and returns when the others have done so, too.
+  /// Announces the end of this rank and returns when all other ranks have done so.
   void leave();
 
  private:
   void run();
-  void tell(int tag);
-  void hear();
+  void sendHeartbeats(int tag);
+  void receiveHeartbeats();
   bool haveOthersLeft() const;
   [[noreturn]] void endRun(int silent) const;
 
   MPI_Comm channel_;
   double max_silence_;
-  std::vector<int> others_;         // those that this rank talks with
-  std::vector<std::string> names_;  // of all ranks: process and machine
-  Silence silence_;                 // of all ranks
+  std::vector<int> others_;         // ranks that exchange heartbeats with this one
+  std::vector<std::string> names_;  // process and machine of all ranks
+  Silence silence_;                 // time since the last heartbeat of all ranks
   std::atomic<bool> is_leaving_{false};
   std::atomic<bool> is_ending_{false};
   std::thread thread_;

@@ -56,7 +56,7 @@ void Ranks::sum(std::vector<double>& numbers) const {
   if (size_ == 1) return;
   MPI_Allreduce(MPI_IN_PLACE, numbers.data(), static_cast<int>(numbers.size()), MPI_DOUBLE, MPI_SUM,
                 MPI_COMM_WORLD);
-  // rank 0 has the last word: an order of summing that differs among ranks would part them
+  // Sums may be added in another order on each rank; rank 0's bits are used everywhere.
   MPI_Bcast(numbers.data(), static_cast<int>(numbers.size()), MPI_DOUBLE, 0, MPI_COMM_WORLD);
 }
 

@@ -13,20 +13,20 @@
 namespace forge {
 namespace {
 
-/// With the version of the program, that of package.xml.
+/// Adds the version of the program, from package.xml.
 ResumableFile::Options withProgram(ResumableFile::Options options) {
   options["program"] = "collision_forge " COLLISION_FORGE_VERSION;
   return options;
 }
 
-/// What the master alone has.
+/// State of the master.
 class Results {
  public:
   explicit Results(const Run& run)
       : run_(run),
         file_(run.path, withProgram(run.options), run.layout),
-        notice_("\ninterrupted; what was done is in " + run.path +
-                ".part: run the same command again to go on\n"),
+        notice_("\ninterrupted; finished results are in " + run.path +
+                ".part: run the same command again to continue\n"),
         done_(resume()),
         progress_(run.items, static_cast<double>(done_) / static_cast<double>(run.count)) {}
 
@@ -43,26 +43,26 @@ class Results {
   }
 
  private:
-  /// How many items a run before left.
+  /// Returns the number of items that an earlier run left.
   std::size_t resume() {
     std::size_t index = 0;
     const std::size_t done = file_.resume(
         [&](const std::string& where, const std::string& lines) { take(index++, where, lines); });
     if (file_.isComplete() && done < run_.count) {
-      throw std::runtime_error(run_.path + ": holds " + std::to_string(done) + " of " +
+      throw std::runtime_error(run_.path + ": has " + std::to_string(done) + " of " +
                                std::to_string(run_.count) + " " + run_.items);
     }
     if (done > 0) {
       printLine(std::to_string(done) + " of " + std::to_string(run_.count) + " " + run_.items +
-                " were done before");
+                " were done in an earlier run");
     }
     return done;
   }
 
   void take(std::size_t index, const std::string& where, const std::string& lines) const {
     if (index >= run_.count) {
-      throw std::runtime_error(where + ": there are " + std::to_string(run_.count) + " " +
-                               run_.items + " only");
+      throw std::runtime_error(where + ": there are only " + std::to_string(run_.count) + " " +
+                               run_.items);
     }
     run_.take(index, where, lines);
   }
@@ -82,7 +82,7 @@ void carryOut(const Run& run) {
   try {
     if (isMaster()) results = std::make_unique<Results>(run);
   } catch (...) {
-    error = std::current_exception();  // the other ranks wait for items, or for the end
+    error = std::current_exception();  // the other ranks wait for items or the end
   }
   dispatch(error ? 0 : run.count, run.work,
            [&](std::size_t index, const std::string& lines) { results->add(index, lines); },
@@ -92,7 +92,7 @@ void carryOut(const Run& run) {
 }
 
 std::optional<std::size_t> agree(const std::function<std::size_t()>& decide) {
-  std::vector<double> numbers = {0.0, 0.0};  // the decision, and whether there is none
+  std::vector<double> numbers = {0.0, 0.0};  // the decision, and 1 if `decide` threw
   std::exception_ptr error;
   try {
     const std::size_t decision = decide();

@@ -6,25 +6,29 @@
 
 namespace forge {
 
-/// How long each of several others has been silent. Not thread-safe.
+/// Tracks for how long each of several ranks has been silent. Not thread-safe.
 class Silence {
  public:
-  /// Of no other anything is expected yet. `most`: s that pass between two looks at the most; more
-  /// means that this process slept, too.
+  /// Initially no rank is expected to send. `most`: s, upper bound for one call of pass(); a longer
+  /// gap means that this process was paused, too.
   Silence(int others, double most)
       : seconds_(others, 0.0), is_expected_(others, false), most_(most) {}
 
+  /// Marks a rank as expected to send.
   void expect(int other) { is_expected_[other] = true; }
-  /// From now on nothing is expected of it.
+  /// Marks a rank as gone: it is no longer expected to send.
   void leave(int other) { is_expected_[other] = false; }
   bool hasLeft(int other) const { return !is_expected_[other]; }
-  void hear(int other) { seconds_[other] = 0.0; }
+  /// Resets a rank's silence: a heartbeat has arrived.
+  void reset(int other) { seconds_[other] = 0.0; }
 
+  /// Adds elapsed time (s) to every rank's silence.
   void pass(double seconds) {
     for (double& silence : seconds_) silence += std::min(seconds, most_);
   }
 
-  /// One of whom something is expected, silent for longer than `seconds`.
+  /// Returns an expected rank that has been silent for longer than `seconds`; nullopt if there is
+  /// none.
   std::optional<int> longerThan(double seconds) const {
     for (std::size_t i = 0; i < seconds_.size(); ++i) {
       if (is_expected_[i] && seconds_[i] > seconds) return static_cast<int>(i);

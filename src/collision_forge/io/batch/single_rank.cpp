@@ -17,7 +17,7 @@ Ranks::Ranks() = default;
 Ranks::~Ranks() = default;
 
 void Ranks::watch(const RankOptions&) {
-  // mpirun would start as many runs over the same files.
+  // mpirun would start several runs that write the same files.
   if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) return;
   throw std::runtime_error("started by mpirun, but built without MPI (COLLISION_FORGE_STUDY=OFF)");
 }

@@ -14,24 +14,26 @@
 
 namespace forge {
 
-/// Threads that work on items in the order in which they are given. For one thread that gives and
-/// collects.
+/// A pool of threads that work on items in the order given. give() and collect() must be called
+/// from one thread.
 class WorkerPool {
  public:
   using Work = std::function<std::string(std::size_t)>;
 
-  /// `work` is called on `jobs` (> 0) threads at once.
+  /// Starts `jobs` (> 0) threads, which call `work` concurrently. Exceptions of `work` are returned
+  /// by collect().
   WorkerPool(int jobs, Work work);
-  /// Drops the items that no thread has begun, waits for the others and drops their results.
+  /// Drops items that no thread has begun, waits for the rest and drops their results.
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
 
-  /// True while an item more keeps the threads busy: one a thread and one in reserve.
+  /// Returns true if the pool holds less than one item per thread and one in reserve.
   bool wantsMore() const { return load_ <= threads_.size(); }
+  /// Adds an item.
   void give(std::size_t index);
 
-  /// What has been finished since the last call; waits at most `patience` for the first.
+  /// Returns the results finished since the last call; waits at most `patience` for the first.
   std::vector<ItemResult> collect(std::chrono::milliseconds patience);
 
  private:
@@ -39,7 +41,7 @@ class WorkerPool {
   ItemResult workOn(std::size_t index) const;
 
   Work work_;
-  std::size_t load_ = 0;  // given and not collected
+  std::size_t load_ = 0;  // items given and not collected
   std::mutex mutex_;
   std::condition_variable given_;
   std::condition_variable finished_;

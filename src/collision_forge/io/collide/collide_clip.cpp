@@ -55,7 +55,7 @@ std::optional<Number> toNumber(std::string_view text) {
 
 // ---- the file's name ----
 
-/// (FRAME - 8) / 12: the time to the collision as the paper feeds it to its network.
+/// Returns (FRAME - 8) / 12: the time to the collision as the paper gives it to its network.
 double normalizedTta(int collision_frame) { return (collision_frame - kMinCollisionFrame) / 12.0; }
 
 class NameParser {
@@ -86,7 +86,7 @@ class NameParser {
  private:
   [[noreturn]] void fail(const char* field, std::string_view value,
                          const std::string& problem) const {
-    throw CollideError(path_ + ": " + field + " = \"" + std::string(value) + "\" of the name " +
+    throw CollideError(path_ + ": file name: " + field + " = \"" + std::string(value) + "\" " +
                        problem);
   }
 
@@ -110,7 +110,7 @@ class NameParser {
     for (const auto& [type, name] : kTypeNames) {
       if (value == name) return type;
     }
-    fail("type", value, "is none of LC, HO, RE, JC, LTAP");
+    fail("type", value, "is not one of LC, HO, RE, JC, LTAP");
   }
 
   void parseCounts(std::string_view value, CollideName& name) const {
@@ -134,7 +134,7 @@ class NameParser {
   std::string stem_;
 };
 
-/// The shortest text that reads back as the same number, as Python writes it.
+/// Returns the shortest text that reads back as the same number, in Python's notation.
 std::string shortest(double value) {
   constexpr double kLeastFixed = 1e-4;
   const bool fixed = value == 0.0 || std::abs(value) >= kLeastFixed;
@@ -155,7 +155,7 @@ class RowReader {
   RowReader(const std::string& path, const InputLimits& limits, CollideClip& clip)
       : path_(path), limits_(limits), clip_(clip) {}
 
-  /// Where the line stands that is to be read next.
+  /// Returns the position of the next line, for messages.
   std::string nextWhere() const { return whereOf(line_ + 1); }
 
   void readHeader(std::string_view line) {
@@ -175,7 +175,7 @@ class RowReader {
     ++line_;
     values_ = split(line, ',');
     if (values_.size() != columns_) {
-      throw CollideError(where() + std::to_string(values_.size()) + " values, the header has " +
+      throw CollideError(where() + std::to_string(values_.size()) + " values, but the header has " +
                          std::to_string(columns_));
     }
     const double speed = within(kSpeed, limits_.max_speed);
@@ -187,7 +187,7 @@ class RowReader {
     const std::size_t frame = track.frames.size();
     if (frame > static_cast<std::size_t>(clip_.collision_frame)) {
       fail(kTrackId, "has more rows than the " + std::to_string(clip_.collision_frame + 1) +
-                         " of the name's frame");
+                         " of the file name's frame");
     }
     const bool is_missing = speed == 0.0 && pose.x == 0.0 && pose.y == 0.0 && pose.yaw == 0.0;
     if (is_missing && (track.id == kEgoId || track.id == clip_.attacker_id)) {
@@ -197,14 +197,14 @@ class RowReader {
     track.frames.push_back(is_missing ? std::nullopt : std::optional<CollideState>({pose, speed}));
   }
 
-  /// After the last row.
+  /// Checks the clip after the last row.
   void finish() {
     const auto frames = static_cast<std::size_t>(clip_.collision_frame) + 1;
     for (const CollideTrack& track : clip_.tracks) {
       if (track.frames.size() == frames) continue;
       throw CollideError(path_ + ": TRACK_ID = \"" + track.id + "\" has " +
                          std::to_string(track.frames.size()) + " rows, not the " +
-                         std::to_string(frames) + " of the name's frame");
+                         std::to_string(frames) + " of the file name's frame");
     }
     for (const std::string& id : {std::string(kEgoId), clip_.attacker_id}) {
       if (numbers_.count(id) == 0) {
@@ -235,7 +235,7 @@ class RowReader {
     return *number;
   }
 
-  /// To either side of 0.
+  /// Returns a number in [-largest, largest].
   double within(Column column, double largest) const {
     const double number = real(column);
     if (std::abs(number) > largest) {
@@ -253,15 +253,15 @@ class RowReader {
     return clip_.tracks[entry->second];
   }
 
-  /// All tracks share the instants of the frames.
+  /// Checks that all tracks have the same timestamp in a frame.
   void checkTimestamp(std::int64_t timestamp, std::size_t frame) {
     if (timestamps_.size() <= frame) timestamps_.resize(frame + 1);
     if (timestamps_[frame] && *timestamps_[frame] != timestamp) {
       fail(kTimestamp,
-           "is another than that of frame " + std::to_string(frame) + " of the tracks before");
+           "differs from the timestamp of frame " + std::to_string(frame) + " of earlier tracks");
     }
     if (frame > 0 && timestamps_[frame - 1] && timestamp <= *timestamps_[frame - 1]) {
-      fail(kTimestamp, "is not after that of the frame before");
+      fail(kTimestamp, "is not after the timestamp of the previous frame");
     }
     timestamps_[frame] = timestamp;
   }
@@ -277,7 +277,7 @@ class RowReader {
   std::vector<std::optional<std::int64_t>> timestamps_;
 };
 
-/// Degrees that read back as the same radians, with as few digits as it takes.
+/// Returns degrees that read back as the same radians, with as few digits as possible.
 std::string degreesText(double radians) {
   const double degrees = radians / kDegree;
   constexpr int kMaxDigits = 17;
@@ -290,7 +290,7 @@ std::string degreesText(double radians) {
         *toNumber<double>({buffer.data(), static_cast<std::size_t>(end - buffer.data())});
     if (rounded * kDegree == radians) return shortest(rounded);
   }
-  // The division may have been off by the last bit.
+  // The division may be off by one bit.
   for (const double near :
        {std::nextafter(degrees, -INFINITY), std::nextafter(degrees, INFINITY)}) {
     if (near * kDegree == radians) return shortest(near);
@@ -330,7 +330,7 @@ std::string composeCollideName(const CollideName& name) {
   }
   const auto* type = std::find_if(kTypeNames.begin(), kTypeNames.end(),
                                   [&](const auto& entry) { return entry.first == name.type; });
-  constexpr double kAngleSteps = 100.0;  // a degree
+  constexpr double kAngleSteps = 100.0;  // per degree
   const double degrees = std::round(name.angle / kDegree * kAngleSteps) / kAngleSteps;
   std::ostringstream text;
   text << "data_hcis_" << name.batch << "_trainval_" << name.city << '_' << type->second << '_'

@@ -22,7 +22,7 @@ constexpr EnumWord<ClipObstacle> kObstacleTexts[] = {
     {ClipObstacle::kTrajectoryEnds, "with a trajectory that ends before the collision frame"},
     {ClipObstacle::kNoCar, "by a motorcycle, which readers would take for a car"},
     {ClipObstacle::kUnfitName,
-     "with a name of map, scene or attacker that cannot be part of a file's"},
+     "with a name of map, scene or attacker that cannot be part of a file name"},
 };
 
 namespace fs = std::filesystem;
@@ -31,7 +31,7 @@ constexpr const char* kBatch = "collision-forge";
 
 CollideState recorded(const AgentState& state) { return {state.pose, state.velocity.norm()}; }
 
-/// The state of an agent in an annotated frame; agents have states there alone.
+/// Returns the state of an agent in an annotated frame; agents have states only there.
 std::optional<CollideState> stateInFrame(const Track& track, double time) {
   const auto found = std::find_if(
       track.states.begin(), track.states.end(),
@@ -40,14 +40,14 @@ std::optional<CollideState> stateInFrame(const Track& track, double time) {
   return recorded(*found);
 }
 
-/// The ego is recorded more often than agents are annotated.
+/// Interpolates: the ego is recorded more often than agents are annotated.
 std::optional<CollideState> egoInFrame(const Track& ego, double time) {
   const auto state = stateAt(ego, time);
   if (!state) return std::nullopt;
   return recorded(*state);
 }
 
-/// Linear between the points; empty before the first and after the last one.
+/// Returns the state on a trajectory, linear between points; nullopt outside its times.
 std::optional<CollideState> stateOnTrajectory(const AttackerTrajectory& trajectory, double time) {
   const auto& points = trajectory.points;
   const auto after = std::find_if(points.begin(), points.end(), [=](const TrajectoryPoint& point) {
@@ -78,7 +78,7 @@ int placementOf(CollisionType type, const CollisionReport& report) {
       return relativeTo(report.ego_at_contact, report.attacker_at_contact).y > 0.0 ? 0 : 1;
     case CollisionType::kJunctionCrossing:
     case CollisionType::kLtap:
-      return report.relative_heading < 0.0 ? 2 : 3;  // heading right: from the left
+      return report.relative_heading < 0.0 ? 2 : 3;  // heads right, so comes from the left
     case CollisionType::kRearEnd:
       return 4;
     case CollisionType::kOppositeDirection:
@@ -92,12 +92,12 @@ std::size_t frameAt(const Scene& scene, double time) {
       std::find_if(scene.frame_times.begin(), scene.frame_times.end(),
                    [=](double frame) { return std::abs(frame - time) <= kTimeEpsilon; });
   if (found == scene.frame_times.end()) {
-    throw std::invalid_argument("now = " + numberText(time) + " s is no frame of " + scene.name);
+    throw std::invalid_argument("now = " + numberText(time) + " s is not a frame of " + scene.name);
   }
   return static_cast<std::size_t>(found - scene.frame_times.begin());
 }
 
-/// Puts one clip together.
+/// Builds one clip.
 class ClipBuilder {
  public:
   ClipBuilder(const Scenario& scenario, const Scene& scene) : scenario_(scenario), scene_(scene) {}

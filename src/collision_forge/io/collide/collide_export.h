@@ -10,55 +10,56 @@
 
 namespace forge {
 
-/// Why an attack has no clip: the layout cannot hold it.
+/// Reasons why the layout cannot hold an attack.
 enum class ClipObstacle {
-  kShortHistory,      ///< fewer than kCollideNowFrame frames before now
-  kEgoMissing,        ///< the ego is not there in a frame of the clip
-  kAttackerMissing,   ///< the attacker is not there in a frame up to now
-  kNoCollisionFrame,  ///< the recording ends before the collision frame, or that is not after now
+  kShortHistory,      ///< fewer than kCollideNowFrame frames before t0
+  kEgoMissing,        ///< the ego is missing in a frame of the clip
+  kAttackerMissing,   ///< the attacker is missing in a frame up to t0
+  kNoCollisionFrame,  ///< the recording ends before the collision frame, or it is not after t0
   kTrajectoryEnds,    ///< the attacker's trajectory ends before the collision frame
   kNoCar,             ///< the attacker is a motorcycle: readers give every track a car's box
-  kUnfitName,         ///< map, scene or attacker have a '_' or '/' in their name, or none
+  kUnfitName,         ///< the name of map, scene or attacker is empty or contains '_' or '/'
 };
 
-/// For people, to stand after a number of attacks: "with fewer than 7 frames before now".
+/// Returns a text for people that follows a number of attacks: "with fewer than 7 frames before
+/// now".
 const char* toString(ClipObstacle obstacle);
 
-/// An attack in the layout of COLLIDE; `scene` is the recording that it was asked of.
+/// Converts an attack to the layout of COLLIDE; `scene` is the recording of its request.
 ///
-/// Frame kCollideNowFrame is now, the last one the recorded frame that lies TTA / 0.5 s, rounded,
-/// after it. In all frames ego and other vehicles (isCarLike()) are as recorded, the attacker up to
-/// now; after now it is on its trajectory. Poses are middles of boxes, the ego's too; a speed is
-/// the norm of the velocity, the attacker's after now that of its trajectory. Tracks are in the
-/// order of their ids; who is in no frame is left out.
+/// Frame kCollideNowFrame is t0; the last frame is TTA / 0.5 s, rounded, frames later. The ego and
+/// other car-like vehicles (isCarLike()) are as recorded in all frames; the attacker is as recorded
+/// up to t0 and on its trajectory after it. Poses are box centres, the ego's too. A speed is the
+/// norm of the velocity, the attacker's after t0 its trajectory's. Tracks are sorted by id;
+/// vehicles that are in no frame are left out.
 ///
-/// Of the name, the batch is "collision-forge", the angle that of the report; the placement is 4
-/// for rear_end and 5 for opposite_direction, for the other types told from the report: on which
-/// side of the ego the attacker's middle is (lane_change), from which side it comes by its heading
-/// (junction_crossing, ltap). Throws std::invalid_argument for a scenario that is no attack or
-/// whose now is no frame of the scene.
+/// Name: batch "collision-forge", angle from the report. Placement: 4 for rear_end, 5 for
+/// opposite_direction; lane_change by the side of the ego on which the attacker's centre is;
+/// junction_crossing and ltap by the attacker's relative heading. Throws std::invalid_argument for
+/// a scenario without an attack and for a t0 that is not a frame of the scene.
 std::variant<CollideClip, ClipObstacle> toCollideClip(const Scenario& scenario, const Scene& scene,
                                                       int variant);
 
-/// Writes attacks as clips into DIRECTORY/trajectory/SPLIT, where listCollideClips() finds them,
-/// and counts those that have none.
+/// Writes attacks as clips to DIRECTORY/trajectory/SPLIT, where listCollideClips() finds them, and
+/// counts attacks that have none. Not thread-safe.
 class CollideExporter {
  public:
-  /// Where the clips of a split lie.
+  /// Returns the folder of a split's clips.
   static std::string folderIn(const std::string& directory, const std::string& split = "val");
 
-  /// Makes the folder. Throws std::filesystem::filesystem_error.
+  /// Creates the folder. Throws std::filesystem::filesystem_error.
   explicit CollideExporter(const std::string& directory, const std::string& split = "val");
 
-  /// Writes the clip of an attack, aside and renamed, unless it is there already; a scenario that
-  /// is no attack is passed over. `variant` must be another for every call. Throws as
-  /// toCollideClip() and writeCollideClip().
+  /// Writes the clip of an attack with an AsideFile, unless it exists; ignores a scenario without
+  /// an attack. `variant` must differ between calls. Throws as toCollideClip() and
+  /// writeCollideClip().
   void add(const Scenario& scenario, const Scene& scene, int variant);
 
-  /// Attacks that have their clip now.
+  /// Returns the number of attacks that have a clip.
   int clips() const { return clips_; }
 
-  /// "3 of 9 attacks have no clip: 2 with ..., 1 without ..."; empty when all have one.
+  /// Returns "3 of 9 attacks have no clip of COLLIDE's layout: 2 with ..., 1 without ..."; "" if
+  /// all have one.
   std::string complaint() const;
 
  private:

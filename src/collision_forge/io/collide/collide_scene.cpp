@@ -9,7 +9,7 @@ AgentState stateOf(const CollideState& state, double time) {
   return {time, state.pose, state.speed * state.pose.heading()};
 }
 
-/// Velocity at the last frame, in which the track is there.
+/// Returns the velocity at the last frame; the track must be in it.
 Vector2 lastVelocity(const CollideTrack& track, const std::vector<double>& times) {
   const std::size_t last = times.size() - 1;
   const CollideState& state = *track.frames[last];
@@ -29,7 +29,7 @@ void goStraightOn(Track& track, const Vector2& velocity, double duration) {
   }
 }
 
-/// The frames from `first` on in which the track is there, then straight on.
+/// Returns the frames from `first` on in which the track is present, then constant velocity.
 Track recordedTrack(const CollideTrack& recorded, const CollideClip& clip, std::size_t first,
                     const CollideOptions& options) {
   Track track{recorded.id, AgentClass::kCar, options.box, {}};
@@ -43,7 +43,7 @@ Track recordedTrack(const CollideTrack& recorded, const CollideClip& clip, std::
   return track;
 }
 
-/// The state in the frame before now that the attacker would have come from at constant velocity.
+/// Returns the attacker's state one frame before t0, extrapolated backwards at constant velocity.
 AgentState straightBefore(const CollideClip& clip) {
   const CollideState& now = *clip.attacker().frames[kCollideNowFrame];
   const double frame_before = clip.times[kCollideNowFrame - 1];

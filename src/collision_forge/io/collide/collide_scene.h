@@ -8,15 +8,15 @@
 
 namespace forge {
 
-/// A clip as the core's recording; snapshotAt() and recordedFuture() at clip.now() give what is
-/// known then and what came after. Every box has `options.box`, and its middle is the recorded
-/// position. Ego and others are as recorded in all frames; whoever is there in the last one goes
-/// straight on for `options.tail` seconds at the velocity of the last interval (at the recorded
-/// speed along the heading without a frame before), in steps of half a second.
+/// Converts a clip to a Scene; snapshotAt() and recordedFuture() at clip.now() return history and
+/// future. Every box has size `options.box` and is centred at the recorded position. The ego and
+/// the other agents are as recorded in all frames. A vehicle that is in the last frame continues
+/// for `options.tail` seconds at the velocity of the last interval (without a previous frame, at
+/// the recorded speed along the heading), in steps of 0.5 s.
 ///
-/// The attacker's history in these files gives its future away: up to now only its state at now is
-/// used, as two states, now and in the frame before, that go straight at the recorded speed. From
-/// now on it is as recorded.
+/// In these files the attacker's history reveals its future. Therefore only its state at t0 is used
+/// up to t0: as two states, at t0 and one frame before, at constant recorded velocity. From t0 on
+/// it is as recorded.
 Scene toScene(const CollideClip& clip, const CollideOptions& options,
               std::shared_ptr<const LaneMap> map);
 

@@ -33,7 +33,7 @@ std::vector<std::string> listCollideClips(const std::string& directory, const st
     parseCollideName(path);
     paths.push_back(path);
   }
-  if (paths.empty()) throw CollideError(folder.string() + ": holds no clip");
+  if (paths.empty()) throw CollideError(folder.string() + ": has no clip");
   std::sort(paths.begin(), paths.end(), byFileName);
   return paths;
 }
@@ -67,7 +67,8 @@ ClipHalves halvesByScene(const std::vector<std::string>& paths) {
     half.insert(half.end(), clips.begin(), clips.end());
     is_first = !is_first;
   }
-  if (halves.second.empty()) throw CollideError("no two halves: all clips are of one scene");
+  if (halves.second.empty())
+    throw CollideError("cannot form two halves: all clips are of one scene");
   return halves;
 }
 

@@ -5,28 +5,28 @@
 
 namespace forge {
 
-/// True for a scene of the validation share of the split by scene: told from the scene's name alone
-/// (the FNV-1a hash of it, mixed), so that the share does not depend on which clips are there.
+/// Returns true if a scene is in the validation share (0..1) of the split by scene. Depends on a
+/// hash of the scene's name alone (FNV-1a, mixed), so not on which clips are present.
 bool isHeldOutScene(const std::string& scene, double share);
 
-/// Paths of the clips in DIRECTORY/trajectory/SPLIT, sorted. Throws CollideError for a folder that
-/// does not exist or has no clip, and for a file that is no clip by its name.
+/// Returns the paths of the clips in DIRECTORY/trajectory/SPLIT, sorted. Throws CollideError for a
+/// folder that does not exist or has no clip, and for a file whose name is not a clip's.
 std::vector<std::string> listCollideClips(const std::string& directory, const std::string& split);
 
-/// The split by scene: all clips of the published train and val, dealt anew so that no scene is in
-/// both. `split` is "train" or "val"; throws std::invalid_argument for another, CollideError where
-/// none is dealt to it, and as above.
+/// Returns the clips of a split by scene: all clips of the published train and val, redistributed
+/// so that no scene is in both. `split`: "train" or "val"; another throws std::invalid_argument.
+/// Throws CollideError as above, and if the split is empty.
 std::vector<std::string> listCollideClipsByScene(const std::string& directory,
                                                  const std::string& split, double held_out_share);
 
-/// Clips in two halves that share no scene.
+/// Paths of clips in two halves that share no scene.
 struct ClipHalves {
   std::vector<std::string> first;
   std::vector<std::string> second;
 };
 
-/// Deals clips by their scenes' names in order, the first scene to the first half, the next to the
-/// second. Throws CollideError where all are of one scene.
+/// Assigns the clips of scenes, sorted by name, alternately to the first and the second half.
+/// Throws CollideError if all clips are of one scene.
 ClipHalves halvesByScene(const std::vector<std::string>& paths);
 
 }  // namespace forge

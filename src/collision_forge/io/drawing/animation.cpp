@@ -15,7 +15,7 @@ constexpr int kPaletteColors = 255;
 void writeAnimation(std::ostream& stream, const std::vector<AnimationFrame>& frames,
                     const std::function<Image(double time)>& paint,
                     const PictureProgress& on_progress) {
-  if (frames.empty()) throw std::invalid_argument("an animation without frames");
+  if (frames.empty()) throw std::invalid_argument("animation has no frames");
   std::size_t painted = 0;
   const auto count = [&] {
     ++painted;

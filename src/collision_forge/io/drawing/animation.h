@@ -10,17 +10,16 @@ namespace forge {
 
 /// One picture of an animation.
 struct AnimationFrame {
-  double time = 0.0;  ///< seconds, on the clock of whoever paints it
-  int delay = 0;      ///< hundredths of a second for which it is shown
+  double time = 0.0;  ///< s, on the clock of `paint`
+  int delay = 0;      ///< display time, hundredths of a second
 };
 
-/// Called after each picture that was painted, with how many there are to paint.
+/// Receives the number of pictures painted so far and in total, after each one.
 using PictureProgress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// Writes a GIF, of frames that all have one size, to a binary stream. Every frame is painted
-/// twice, for the shared palette and for the file: that is quicker than it is big to keep them.
-/// Throws std::runtime_error for what giflib does not take, and std::invalid_argument for no
-/// frames.
+/// Writes a GIF of frames of equal size to a binary stream. Calls `paint` twice per frame, for the
+/// shared palette and for the file, which needs less memory than to keep the frames. Throws
+/// std::runtime_error for an error of giflib, std::invalid_argument if there are no frames.
 void writeAnimation(std::ostream& stream, const std::vector<AnimationFrame>& frames,
                     const std::function<Image(double time)>& paint,
                     const PictureProgress& on_progress = {});

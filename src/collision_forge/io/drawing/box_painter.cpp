@@ -14,7 +14,7 @@ constexpr double kMinDotRadius = 2.5;  // pixels
 
 Color darker(const Color& color) { return {0.6 * color.red, 0.6 * color.green, 0.6 * color.blue}; }
 
-/// Lies within the front third, so that the middle of the box keeps the body's colour.
+/// The wedge is within the front third, so that the middle of the box keeps the body's colour.
 void paintWedge(Canvas& canvas, const Viewport& viewport, const OrientedBox& box) {
   const auto pixel = [&](double forward, double left) {
     const Pose2 local{forward * box.size.length, left * box.size.width, 0.0};

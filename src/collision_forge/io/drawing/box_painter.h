@@ -7,26 +7,29 @@
 
 namespace forge {
 
-/// The box's corners in pixels.
+/// Returns the box's corners in pixels.
 std::vector<Vector2> boxPixels(const Viewport& viewport, const OrientedBox& box);
 
-/// A filled body with a dark rim and a light wedge that points ahead.
+// Line widths are in pixels.
+
+/// Paints a filled body with a dark rim and a light wedge that points ahead.
 void paintVehicle(Canvas& canvas, const Viewport& viewport, const OrientedBox& box,
                   const Color& color, double line_width);
 
-/// Like a vehicle; pedestrians and animals are dots, static objects have no wedge.
+/// Paints an agent by class: vehicles as paintVehicle(), pedestrians and animals as dots, static
+/// objects without a wedge.
 void paintAgent(Canvas& canvas, const Viewport& viewport, const AgentBox& agent, const Color& color,
                 double line_width);
 
-/// A see-through body.
+/// Paints a translucent body; `opacity` 0..1.
 void paintGhost(Canvas& canvas, const Viewport& viewport, const OrientedBox& box,
                 const Color& color, double opacity, double line_width);
 
-/// An outline on a light halo, so that it shows on any body.
+/// Paints an outline with a light halo, visible on any body.
 void paintOutline(Canvas& canvas, const Viewport& viewport, const OrientedBox& box,
                   const Color& color, const Color& halo, double line_width);
 
-/// A star of eight rays; `radius` in pixels.
+/// Paints a star of eight rays; `radius` in pixels.
 void paintStar(Canvas& canvas, const Vector2& pixel, double radius, const Color& color,
                const Color& rim, double line_width);
 

@@ -21,7 +21,7 @@ cairo_surface_t* makeSurface(int width, int height) {
   const cairo_status_t status = cairo_surface_status(surface);
   if (status != CAIRO_STATUS_SUCCESS) {
     cairo_surface_destroy(surface);
-    throw std::runtime_error("no image of " + std::to_string(width) + " x " +
+    throw std::runtime_error("cannot create an image of " + std::to_string(width) + " x " +
                              std::to_string(height) + " pixels: " + cairo_status_to_string(status));
   }
   return surface;

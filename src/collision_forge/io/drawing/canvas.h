@@ -22,8 +22,10 @@ struct LineStyle {
   bool closed = false;
 };
 
+/// Which end of a text is at its position.
 enum class TextAlign { kLeft, kCenter, kRight };
 
+/// How a text is drawn.
 struct TextStyle {
   Color color;
   double size = 0.0;  ///< pixels
@@ -31,7 +33,8 @@ struct TextStyle {
   TextAlign align = TextAlign::kLeft;
 };
 
-/// An opaque picture, row by row from the top. A copy is a copy of the pixels.
+/// An opaque RGB image. Copying copies the pixels. The constructor throws std::runtime_error if
+/// cairo cannot make an image of that size.
 class Image {
  public:
   Image(int width, int height, const Color& background);
@@ -42,10 +45,10 @@ class Image {
 
   int width() const;
   int height() const;
-  /// 0x00RRGGBB.
+  /// Returns a pixel as 0x00RRGGBB; (0, 0) is the upper left one.
   std::uint32_t pixel(int x, int y) const;
 
-  /// To a binary stream, which alone tells of a write that fails.
+  /// Writes a PNG to a binary stream. Failed writes are reported by the stream's state alone.
   void writePng(std::ostream& stream) const;
 
  private:
@@ -56,28 +59,30 @@ class Image {
   std::unique_ptr<cairo_surface_t, Destroy> surface_;
 };
 
-/// Draws on an image, which must outlive it. Coordinates in pixels, y down.
+/// Draws on an image, which must outlive the canvas. Coordinates in pixels, y down; opacity 0..1.
 class Canvas {
  public:
   explicit Canvas(Image& image);
 
-  /// Even-odd: a ring within a ring is a hole.
+  /// Fills rings by the even-odd rule: a ring within a ring is a hole.
   void fill(const std::vector<std::vector<Vector2>>& rings, const Color& color, double opacity = 1);
   void fillRect(const PixelRect& rect, const Color& color, double opacity = 1);
   void fillCircle(const Vector2& center, double radius, const Color& color);
-  /// Fewer than two points draw nothing.
+  /// Draws a line; nothing for fewer than two points.
   void stroke(const std::vector<Vector2>& points, const LineStyle& style);
 
-  /// `position` is on the baseline, at the left end, middle or right end of the text (UTF-8).
+  /// Draws UTF-8 text. `position`: on the baseline, at the text's left end, middle or right end by
+  /// `style.align`.
   void text(const Vector2& position, const std::string& text, const TextStyle& style);
+  /// Returns the width of a text, pixels.
   double textWidth(const std::string& text, const TextStyle& style);
-  /// `text`, cut and ended with an ellipsis when wider than `width`.
+  /// Returns `text`, cut and ended with an ellipsis if it is wider than `width` pixels.
   std::string fitted(const std::string& text, double width, const TextStyle& style);
 
-  /// Puts another image with its left upper corner at `position`.
+  /// Draws another image with its upper left corner at `position`.
   void image(const Vector2& position, const Image& image);
 
-  /// Nothing is drawn outside `rect` until the next call of unclip().
+  /// Restricts drawing to `rect` until unclip(). Calls do not nest.
   void clip(const PixelRect& rect);
   void unclip();
 
@@ -91,7 +96,7 @@ class Canvas {
   std::unique_ptr<cairo_t, Destroy> context_;
 };
 
-/// The line around the pixels at the edge of a rectangle of whole pixels.
+/// Returns the line through the outermost pixels of a rectangle of whole pixels.
 std::vector<Vector2> edgeOf(const PixelRect& rect);
 
 }  // namespace forge

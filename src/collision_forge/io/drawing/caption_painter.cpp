@@ -6,9 +6,9 @@ namespace forge {
 
 namespace {
 
-// Of the light ground below scale bar and north arrow; there may be somebody below.
+// Light ground below scale bar and north arrow, in case a vehicle is below them.
 constexpr double kScaleHeight = 2.6;  // multiples of the font's size
-constexpr double kArrowWidth = 3.2;   // the same
+constexpr double kArrowWidth = 3.2;   // multiples of the font's size
 constexpr double kScaleGround = 0.75;
 
 Color colorOf(const CaptionRow& row, const DrawingOptions& options) {

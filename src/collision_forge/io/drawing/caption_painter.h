@@ -7,31 +7,31 @@
 
 namespace forge {
 
-/// The one colour of a verdict.
+/// Returns the colour of a verdict.
 Color colorOf(Verdict verdict, const DrawingOptions& options);
 
-/// titleText(), detailsText(), and on the right verdictText().
+/// Paints titleText(), detailsText() and, on the right, verdictText().
 void paintHeader(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
                  const ScenarioView& view, const DrawingOptions& options);
 
-/// The time since now, in the header's right corner. `time` in seconds on the scene's clock.
+/// Paints the time since t0 in the header's right corner. `time`: s on the scene's clock.
 void paintClock(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
                 const ScenarioView& view, const DrawingOptions& options, double time);
 
-/// What the colours and marks mean, of a picture that stands still or of an animation.
+/// Paints the legend of colours and marks, for a still or an animation.
 enum class PictureKind { kStill, kAnimation };
 void paintLegend(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
                  const ScenarioView& view, PictureKind kind, const DrawingOptions& options);
 
-/// The figures of the report that are known.
+/// Paints the known values of the report, reportRows().
 void paintReport(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
                  const ScenarioView& view, const DrawingOptions& options);
 
-/// Metres of the scale bar: those of the options, or 2, 5 or 10 times as many where that would be
-/// shorter than its text.
+/// Returns the length of the scale bar in m: `options.scale_bar`, or 2, 5 or 10 times it if the bar
+/// would be shorter than its text. `font` in pixels.
 double scaleBarLength(const Viewport& viewport, double font, const DrawingOptions& options);
 
-/// Scale bar and north arrow in the lower corners of the map.
+/// Paints the scale bar and the north arrow in the lower corners of the map.
 void paintScale(Canvas& canvas, const Viewport& viewport, const FigureSize& size,
                 const DrawingOptions& options);
 

@@ -14,19 +14,19 @@ namespace {
 
 constexpr double kDegreesPerRadian = 57.29577951308232;
 
-/// The name as people read it, as "construction vehicle".
+/// Returns a name for people, as "construction vehicle".
 std::string plainName(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
   return name;
 }
 
-/// The first condition of verified() that does not hold; some does not.
+/// Returns the first condition of verified() that fails; at least one must fail.
 std::string shortcoming(const CollisionReport& report) {
   if (!report.contact) return "no contact";
   if (!report.type_kept) return "another type";
   if (!report.on_time) return "another time";
   if (!report.limits_kept) return "a limit broken";
-  return "touches " + shortId(report.first_other_id) + " first";
+  return "hits " + shortId(report.first_other_id) + " first";
 }
 
 std::string speedText(const std::optional<double>& now, const std::optional<double>& then,
@@ -49,7 +49,7 @@ std::vector<CaptionRow> speedRows(const ScenarioView& view) {
        std::nullopt}};
 }
 
-/// When the boxes touch, and how the attacker heads then.
+/// Returns the contact time and the relative heading at contact.
 std::vector<CaptionRow> impactRows(const ScenarioView& view) {
   const CollisionReport& report = view.report;
   const std::string time = signedSeconds(report.contact_time - view.snapshot.now, 2);
@@ -57,10 +57,10 @@ std::vector<CaptionRow> impactRows(const ScenarioView& view) {
   if (!view.planner.empty()) {
     return {{"Contact", time, false}, {"Relative heading", heading, std::nullopt}};
   }
-  return {
-      {"Contact", time + (report.on_time ? ", on time" : ", not on time"), report.on_time},
-      {"Relative heading", heading + (report.type_kept ? ", fits the type" : ", not of the type"),
-       report.type_kept}};
+  return {{"Contact", time + (report.on_time ? ", on time" : ", not on time"), report.on_time},
+          {"Relative heading",
+           heading + (report.type_kept ? ", fits the type" : ", does not fit the type"),
+           report.type_kept}};
 }
 
 std::vector<CaptionRow> contactRows(const ScenarioView& view) {
@@ -90,16 +90,16 @@ std::vector<CaptionRow> drivingRows(const ScenarioView& view) {
                         signedSeconds(report.manoeuvre_begin - now, 1),
                     std::nullopt});
   }
-  rows.push_back({"Believable", report.believable() ? "yes" : "no: it " + report.unbelievable,
+  rows.push_back({"Plausible", report.believable() ? "yes" : "no: it " + report.unbelievable,
                   report.believable()});
   rows.push_back({"Limits kept", report.limits_kept ? "yes" : "no", report.limits_kept});
   if (!report.broken_limit.empty()) rows.push_back({"", report.broken_limit, false});
-  const bool nobody = report.first_other_id.empty();
-  rows.push_back({"Touches first",
-                  nobody ? "nobody else"
+  const bool no_hit = report.first_other_id.empty();
+  rows.push_back({"Hits before ego",
+                  no_hit ? "none"
                          : signedSeconds(report.first_other_time - now, 1) + ", " +
                                shortId(report.first_other_id),
-                  nobody});
+                  no_hit});
   rows.push_back({"Off road", percentText(report.off_road_share), std::nullopt});
   rows.push_back({"Confidence", percentText(report.confidence), std::nullopt});
   return rows;
@@ -133,13 +133,13 @@ OutcomeText outcomeText(const ScenarioView& view) {
   const CollisionReport& report = view.report;
   if (!report.contact) return {"no contact", ""};
   OutcomeText text;
-  text.contact = "touches after " + decimalText(report.contact_time - view.snapshot.now, 1) +
+  text.contact = "contact after " + decimalText(report.contact_time - view.snapshot.now, 1) +
                  " s, " + decimalText(std::abs(report.relative_heading) * kDegreesPerRadian, 0) +
                  "°";
   if (report.verified()) {
-    text.verdict = "as asked";
+    text.verdict = "as requested";
   } else if (report.type_kept && report.on_time && report.limits_kept) {
-    text.verdict = "somebody else first";
+    text.verdict = "another agent first";
   } else {
     text.verdict = shortcoming(report);
   }
@@ -153,16 +153,16 @@ std::string titleText(const ScenarioView& view) {
 
 std::string detailsText(const ScenarioView& view) {
   const AttackerTrajectory& attacker = view.trajectory;
-  const std::string who = plainName(toString(attacker.agent_class));
+  const std::string vehicle = plainName(toString(attacker.agent_class));
   return "TTA " + decimalText(view.tta, 1) + " s  ·  " + toString(view.mode) + " mode  ·  by " +
-         (attacker.isAdded() ? "an added " + who
-                             : "a recorded " + who + ", " + shortId(attacker.attacker_id));
+         (attacker.isAdded() ? "an added " + vehicle
+                             : "a recorded " + vehicle + ", " + shortId(attacker.attacker_id));
 }
 
 std::string verdictText(const ScenarioView& view) {
-  if (view.escaped_hit) return "escapes the hit";
+  if (view.escaped_hit) return "avoids the hit";
   if (!view.planner.empty()) return view.report.contact ? "hit by the attacker" : "no contact";
-  if (view.report.verified()) return "crash as asked in the recording";
+  if (view.report.verified()) return "requested crash in the recording";
   if (!view.report.contact) return "no contact in the recording";
   return "other contact in the recording: " + shortcoming(view.report);
 }

@@ -10,44 +10,47 @@ namespace forge {
 
 /// One line of the report below a picture.
 struct CaptionRow {
-  std::string name;  ///< empty for a value that needs the whole line
+  std::string name;  ///< "" for a value that fills the line
   std::string value;
-  std::optional<bool> passed;  ///< of a condition; empty for a figure
+  std::optional<bool> passed;  ///< whether a condition holds; empty for a plain value
 };
 
-/// The type's name, as "Left turn across path".
+/// Returns the type's name for people, as "Left turn across path".
 std::string typeTitle(CollisionType type);
 
-/// How an outcome compares with what is wanted: of an attack the crash as asked, of a planner that
-/// nobody hits the ego.
+/// Rates an outcome. For an attack kWanted is the requested crash; for a planner test, no contact
+/// with the ego.
 enum class Verdict {
   kWanted,
-  kPartial,  ///< a contact that is not the crash as asked
+  kPartial,  ///< a contact, but not the requested crash
   kUnwanted
 };
+/// Returns the verdict on an attack, or on a planner if the view names one.
 Verdict verdictOf(const ScenarioView& view);
 
-/// What came of an attack, in few words.
+/// The outcome of an attack, in few words.
 struct OutcomeText {
-  std::string contact;  ///< as "touches after 3.9 s, 12°", the angle that between the headings
-  /// "as asked", or the first condition that fails; empty without a contact.
+  std::string contact;  ///< "contact after 3.9 s, 12°" (angle between the headings)
+  /// "as requested", or the first condition that fails; empty without a contact.
   std::string verdict;
 };
+/// Returns the outcome of an attack, for a grid of scenarios.
 OutcomeText outcomeText(const ScenarioView& view);
 
-/// Type and scene; of a test the planner before them.
+/// Returns type and scene; for a planner test, preceded by the planner.
 std::string titleText(const ScenarioView& view);
 
-/// Time to accident, mode, and the attacker: whether it was added, its class, and of a recorded one
-/// the first letters of its id.
+/// Returns TTA, mode and attacker: recorded or added, its class, and for a recorded one the short
+/// id.
 std::string detailsText(const ScenarioView& view);
 
-/// Returns the verdict in words. For an attack: whether the recording has the crash as asked, else
-/// the first condition that fails. For a planner's test: whether the ego is hit or escapes.
+/// Returns the verdict in words. For an attack: whether the recording shows the requested crash,
+/// else the first condition that fails. For a planner test: whether the ego is hit or avoids the
+/// hit.
 std::string verdictText(const ScenarioView& view);
 
-/// The figures of the report that are known, and how fast ego and attacker are now and at contact
-/// (at the pattern's time without one).
+/// Returns the known values of the report, and the speeds of ego and attacker at t0 and at contact
+/// (without one, at the pattern's time).
 std::vector<CaptionRow> reportRows(const ScenarioView& view);
 
 }  // namespace forge

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kNoGhosts = std::numeric_limits<double>::infinity();
 
-/// A square of `side` pixels that shows `extent` metres around `center`.
+/// Returns a square of `side` pixels that shows `extent` metres around `center`.
 Viewport closeUpOf(const ScenePainter& scene, const Vector2& center, double side, double extent) {
   return {{0.0, 0.0, side, side}, center, side / extent, scene.rightwards()};
 }

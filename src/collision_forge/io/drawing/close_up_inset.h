@@ -7,14 +7,14 @@
 
 namespace forge {
 
-/// The contact from near, in a corner of a picture where its vehicles are small; after the contact
-/// it follows them. The scene and the options must outlive it.
+/// Paints a close-up of the contact into a corner of a picture whose vehicles are small; after the
+/// contact it follows them. The scene and the options must outlive it.
 class CloseUpInset {
  public:
-  /// `area` is a square of whole pixels.
+  /// `area`: a square of whole pixels.
   CloseUpInset(const ScenePainter& scene, const PixelRect& area, const DrawingOptions& options);
 
-  /// Everybody at `time`, and around them a frame.
+  /// Paints the scene at `time` (s, scene's clock) with a frame around it.
   void paint(Canvas& canvas, double time) const;
 
  private:
@@ -22,11 +22,12 @@ class CloseUpInset {
   const DrawingOptions& options_;
   PixelRect area_;
   LineStyle frame_;
-  Image ground_;  ///< at the contact
+  Image ground_;  ///< map around the contact
 };
 
-/// The corner of `area` for a square of `side` pixels, `gap` off its edges, that covers the fewest
-/// of the points (pixels); of equal ones the upper right, then the upper left.
+/// Returns the place of a square of `side` pixels in a corner of `area`, `gap` pixels off the
+/// edges, that covers the fewest of the points (pixels); of equal ones the upper right, then upper
+/// left.
 PixelRect freeCorner(const PixelRect& area, double side, double gap,
                      const std::vector<Vector2>& points);
 

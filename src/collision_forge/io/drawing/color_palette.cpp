@@ -16,14 +16,14 @@ std::size_t binOf(std::uint32_t color) {
   return (channel(16) << (2 * kBits)) | (channel(8) << kBits) | channel(0);
 }
 
-/// The mean colour of one bin, and how often it occurs.
+/// The mean colour of one bin, and its frequency.
 struct WeightedColor {
   std::size_t bin = 0;
   double weight = 0.0;
   std::array<double, 3> channels = {0, 0, 0};
 };
 
-/// Colours that will share one entry of the palette.
+/// Colours that share one entry of the palette.
 struct Group {
   std::vector<WeightedColor> members;
   std::array<double, 3> mean = {0, 0, 0};
@@ -53,7 +53,7 @@ Group makeGroup(std::vector<WeightedColor> members) {
   return group;
 }
 
-/// Parts `group` at its mean; the upper part is returned.
+/// Splits `group` at its mean and returns the upper part.
 Group split(Group& group) {
   const std::size_t channel = group.channel;
   const double mean = group.mean[channel];

@@ -7,10 +7,11 @@
 
 namespace forge {
 
-/// Counts the colours of pictures, in 6 bits a channel.
+/// Counts the colours of images, at 6 bits per channel.
 class ColorHistogram {
  public:
   ColorHistogram();
+  /// Counts every pixel of an image.
   void add(const Image& image);
 
  private:
@@ -24,16 +25,17 @@ class ColorHistogram {
   std::vector<Bin> bins_;
 };
 
-/// The colours that stand for a histogram's: median cut in the manner of Wu 1991, which always
-/// splits the group of colours with the greatest squared error at its mean. Deterministic.
+/// Reduces a histogram to few colours: median cut in the manner of Wu 1991, which always splits the
+/// group with the greatest squared error at its mean. Deterministic.
 class ColorPalette {
  public:
-  /// At most `max_colors` (1 to 256) colours.
+  /// Makes at most `max_colors` (1 to 256) colours.
   ColorPalette(const ColorHistogram& histogram, int max_colors);
 
-  /// 0x00RRGGBB each.
+  /// Returns the colours, each 0x00RRGGBB.
   const std::vector<std::uint32_t>& colors() const { return colors_; }
-  /// Index of the colour that stands for 0x00RRGGBB; only colours of the histogram have a good one.
+  /// Returns the index of the palette colour for 0x00RRGGBB; meaningful only for colours of the
+  /// histogram.
   std::uint8_t indexOf(std::uint32_t color) const;
 
  private:

@@ -7,8 +7,8 @@
 
 namespace forge {
 
-/// A picture that `write` writes to a stream, aside and renamed, so that `path` never holds half of
-/// one. Throws std::runtime_error that names the file for whatever fails.
+/// Calls `write` with a stream to an AsideFile for `path`, so that `path` never holds half a
+/// picture. Throws std::runtime_error naming the file if anything fails.
 template <typename Write>
 void drawAside(const std::string& path, const Write& write) {
   AsideFile file(path);

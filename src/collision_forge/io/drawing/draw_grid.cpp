@@ -14,12 +14,13 @@ constexpr double kTimeTolerance = 1e-6;  // s
 
 void checkShape(const ScenarioGrid& grid) {
   if (grid.rows.empty() || grid.columns.empty()) {
-    throw std::invalid_argument("a grid of scenarios without rows or columns");
+    throw std::invalid_argument("scenario grid has no rows or no columns");
   }
   for (const std::vector<GridCell>& row : grid.rows) {
     if (row.size() == grid.columns.size()) continue;
-    throw std::invalid_argument("a row of " + std::to_string(row.size()) + " scenarios under " +
-                                std::to_string(grid.columns.size()) + " columns");
+    throw std::invalid_argument("row of " + std::to_string(row.size()) +
+                                " scenarios in a grid of " + std::to_string(grid.columns.size()) +
+                                " columns");
   }
 }
 
@@ -29,7 +30,7 @@ void checkCells(const ScenarioGrid& grid, const DrawingOptions& options) {
   }
 }
 
-/// Evenly spaced from now to the end, which is held.
+/// Returns evenly spaced frames from t0 to the end; the last one is held.
 std::vector<AnimationFrame> planFrames(double end, const DrawingOptions& options) {
   const double rate = options.gif_frames_per_second;
   const auto last = static_cast<int>(std::ceil(end * rate - kTimeTolerance));

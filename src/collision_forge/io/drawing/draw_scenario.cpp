@@ -15,14 +15,14 @@ namespace {
 
 constexpr double kTimeTolerance = 1e-6;  // s
 
-/// The first instant to show: not before the ego's first known state.
+/// Returns the first time to show: not before the ego's first known state.
 double startTime(const ScenarioView& view, const DrawingOptions& options) {
   const double earliest = view.snapshot.now - options.seconds_before_now;
   const std::vector<AgentState>& past = view.snapshot.ego.states;
   return past.empty() ? view.snapshot.now : std::max(earliest, past.front().time);
 }
 
-/// Evenly spaced around the contact, which is held.
+/// Returns evenly spaced frames around the contact; the frame at contact is held.
 std::vector<AnimationFrame> planFrames(const ScenarioView& view, const DrawingOptions& options) {
   const double rate = options.gif_frames_per_second;
   const ScenarioMotion motion(view);
@@ -86,8 +86,8 @@ void drawScenarioPng(const std::string& path, const ScenarioView& view,
 void drawScenarioSheet(const std::string& path, const std::vector<ScenarioView>& views, int columns,
                        const DrawingOptions& options) {
   if (views.empty() || columns < 1) {
-    throw std::invalid_argument("a sheet of " + std::to_string(views.size()) + " pictures in " +
-                                std::to_string(columns) + " columns");
+    throw std::invalid_argument("sheet of " + std::to_string(views.size()) + " pictures in " +
+                                std::to_string(columns) + " columns needs at least one of each");
   }
   drawAside(path, [&](std::ostream& file) { writeSheet(file, views, columns, options); });
 }

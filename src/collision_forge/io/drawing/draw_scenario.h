@@ -8,26 +8,26 @@
 
 namespace forge {
 
-/// Draws the scenario from above at ScenarioMotion::keyTime(), turned so that a straight road is
-/// level (ScenePainter::rightwards()). The picture is as wide as the options say, and at most as
-/// high: the map ends above and below what the drives need.
+/// Draws the scenario from above at ScenarioMotion::keyTime(), rotated by
+/// ScenePainter::rightwards(). The picture has the width of the options and at most their height:
+/// the map is cropped above and below the paths.
 ///
-/// Both functions write beside `path` and rename at the end, so `path` never holds half a picture.
-/// The same input gives the same bytes on the same machine. They throw std::runtime_error naming
-/// `path` when it cannot be written, when the attacker's trajectory or the ego's future is empty,
-/// or when the trajectory does not span now to contact.
+/// All functions write with drawAside(), so `path` never holds half a picture. The same input gives
+/// the same bytes on the same machine. They throw std::runtime_error naming `path` if it cannot be
+/// written, if the attacker's trajectory or the ego's future is empty, or if the trajectory does
+/// not cover t0 to contact.
 void drawScenarioPng(const std::string& path, const ScenarioView& view,
                      const DrawingOptions& options);
 
-/// Animates the scenario in a loop, from before now to ScenarioMotion::endTime(); one frame falls
-/// exactly on the contact and is held. From the contact on ego and attacker move as the view's
-/// PostCrashMotion, while the others go on as recorded.
+/// Animates the scenario in a loop, from before t0 to ScenarioMotion::endTime(); one frame is
+/// exactly at the contact and is held. After the contact ego and attacker follow the view's
+/// PostCrashMotion while the other agents continue as recorded.
 void drawScenarioGif(const std::string& path, const ScenarioView& view,
                      const DrawingOptions& options);
 
-/// Pictures as of drawScenarioPng(), each as wide as an animation, `columns` a row, in the order of
-/// `views`, row by row; all rows are as high as the highest picture. Throws as the others, and
-/// std::invalid_argument for no views or no columns.
+/// Draws pictures as drawScenarioPng(), each as wide as an animation, row by row with `columns` per
+/// row; all rows have the height of the highest picture. Throws as above, and std::invalid_argument
+/// for no views or no columns.
 void drawScenarioSheet(const std::string& path, const std::vector<ScenarioView>& views, int columns,
                        const DrawingOptions& options);
 

@@ -27,7 +27,7 @@ FigureLayout layoutFigure(const FigureSize& size) {
   const double footer_height = (kCaptionRows + 1) * line + 1.6 * pad;
   const double map_height = size.height - header_height - footer_height;
   if (font <= 0 || map_height < 0.3 * size.height || size.width < 30 * font) {
-    throw std::invalid_argument("no room to draw: " + std::to_string(size.width) + " x " +
+    throw std::invalid_argument("picture is too small: " + std::to_string(size.width) + " x " +
                                 std::to_string(size.height) + " pixels with a font of " +
                                 numberText(font));
   }

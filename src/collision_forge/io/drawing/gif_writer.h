@@ -12,14 +12,16 @@ struct GifFileType;
 namespace forge {
 
 /// Writes an animated GIF that loops forever. A frame stores only the rectangle that differs from
-/// the one before. A write that fails is told by the stream alone.
+/// the frame before. Failed writes are reported by the stream's state alone; errors of giflib throw
+/// std::runtime_error.
 class GifWriter {
  public:
-  /// `palette` has at most 255 colours: the last of GIF's 256 stands for "as before". It and the
-  /// stream, which is binary, must outlive the writer.
+  /// `palette`: at most 255 colours; the last of GIF's 256 means "unchanged". The palette and the
+  /// binary stream must outlive the writer.
   GifWriter(std::ostream& stream, int width, int height, const ColorPalette& palette);
 
-  /// Shows `image` for `delay` hundredths of a second.
+  /// Adds a frame that is shown for `delay` hundredths of a second. `image` must have the GIF's
+  /// size.
   void addFrame(const Image& image, int delay);
 
   /// Ends the file.
@@ -46,7 +48,7 @@ class GifWriter {
   int height_;
   const ColorPalette& palette_;
   std::unique_ptr<GifFileType, Close> file_;
-  std::vector<std::uint8_t> previous_;  ///< indices of the frame before, empty at first
+  std::vector<std::uint8_t> previous_;  ///< palette indices of the last frame, empty at first
 };
 
 }  // namespace forge

@@ -20,14 +20,14 @@ constexpr double kColumnGap = 0.9;
 constexpr double kRowGap = 0.8;
 constexpr double kAboveLegend = 0.5;
 constexpr double kPadding = 1.0;
-constexpr double kTextMargin = 0.5;  // left free beside the widest text of a cell
+constexpr double kTextMargin = 0.5;  // on each side of a cell's widest text
 
 }  // namespace
 
 GridLayout layoutGrid(const GridMeasures& measures) {
   const double font = measures.font_size;
   if (font <= 0) {
-    throw std::invalid_argument("no room to draw with a font of " + numberText(font));
+    throw std::invalid_argument("font size must be above 0, is " + numberText(font));
   }
   GridLayout layout;
   const auto pixels = [font](double fonts) { return std::round(fonts * font); };

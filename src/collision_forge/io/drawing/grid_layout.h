@@ -7,29 +7,29 @@
 
 namespace forge {
 
-/// How much a grid of scenarios holds, and how wide its texts are; pixels.
+/// Numbers of cells and widths of texts of a grid of scenarios; pixels.
 struct GridMeasures {
   std::size_t rows = 0;
   std::size_t columns = 0;
   double font_size = 0.0;
-  double label_width = 0.0;  ///< of what stands beside the rows
-  double text_width = 0.0;   ///< of what stands over or under a cell
+  double label_width = 0.0;  ///< width of the row labels
+  double text_width = 0.0;   ///< width of the texts above and below cells
 };
 
-/// Names over the columns, what a row is of on its left, and under each cell a line of text. Cells
-/// are as wide as their texts need; no two parts overlap. All in whole pixels but for the label's
-/// width.
+/// Areas of a grid: names above the columns, a label left of each row, and a line of text under
+/// each cell. Cells are as wide as their texts need; no two areas overlap. Whole pixels, except the
+/// width of the labels.
 struct GridLayout {
-  PixelRect corner;                           ///< over the labels, beside the names
-  std::vector<PixelRect> names;               ///< one a column
-  std::vector<PixelRect> labels;              ///< one a row
-  std::vector<std::vector<PixelRect>> cells;  ///< row by row, all of one size
+  PixelRect corner;                           ///< above the labels, beside the names
+  std::vector<PixelRect> names;               ///< one per column
+  std::vector<PixelRect> labels;              ///< one per row
+  std::vector<std::vector<PixelRect>> cells;  ///< row by row, all of equal size
   std::vector<std::vector<PixelRect>> captions;
-  PixelRect legend;  ///< from here on down; its height is 0
+  PixelRect legend;  ///< top of the legend; its height is 0
   double padding = 0.0;
 };
 
-/// Throws std::invalid_argument for a font without size.
+/// Returns the layout. Throws std::invalid_argument if the font size is not positive.
 GridLayout layoutGrid(const GridMeasures& measures);
 
 }  // namespace forge

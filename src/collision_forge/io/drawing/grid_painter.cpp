@@ -12,16 +12,17 @@ namespace {
 constexpr double kTimeTolerance = 1e-6;  // s
 
 // Multiples of the font's size.
-constexpr double kMarkSize = 0.75;  // of lines and marks in a cell
+constexpr double kMarkSize = 0.75;  // lines and marks in a cell
 constexpr double kLineHeight = 1.45;
 constexpr double kLegendLineHeight = 1.8;
-constexpr double kLegendSpace = 1.6;  // between two entries of a line
+constexpr double kLegendSpace = 1.6;  // between two entries of a legend line
 constexpr double kCloseUpGap = 0.4;   // between a close-up and the cell's edges
 
-constexpr double kCloseUpSide = 0.42;  // of a cell's height
-constexpr double kCloseUpBelow = 0.3;  // pixels a metre, per pixel of the font: no car is seen well
+constexpr double kCloseUpSide = 0.42;  // share of a cell's height
+constexpr double kCloseUpBelow = 0.3;  // pixels per m, per pixel of the font; below it vehicles are
+                                       // too small, so a close-up is added
 
-/// Baseline of a line of text in the middle of an area.
+/// Returns the baseline of a line of text in the middle of an area.
 double middleBaseline(const PixelRect& area, double font) {
   return area.center().y() + 0.36 * font;
 }
@@ -39,8 +40,8 @@ std::vector<GridRowTexts> textsOf(const ScenarioGrid& grid) {
   return texts;
 }
 
-/// Where the last animation of a cell ends, or before where somebody's motion is not known so long.
-/// Seconds from now.
+/// Returns the end of a row's animation, s from t0: the latest end of a cell, or the time until
+/// which the motion of all vehicles is known.
 double endOf(const std::vector<GridCell>& row) {
   double end = 0.0;
   double known = std::numeric_limits<double>::infinity();
@@ -63,7 +64,7 @@ std::vector<double> endsOf(const ScenarioGrid& grid) {
   return ends;
 }
 
-/// The same of one of several lines.
+/// Returns the baseline of one of several lines.
 double baselineOf(std::size_t line, std::size_t lines, const PixelRect& area, double font) {
   const double middle = 0.5 * static_cast<double>(lines - 1);
   return middleBaseline(area, font) + (static_cast<double>(line) - middle) * kLineHeight * font;
@@ -149,7 +150,7 @@ void GridPainter::placeCells() {
   }
 }
 
-/// In the same corner of all cells of a row that have a contact.
+/// Places close-ups in the same corner of all cells of a row that have a contact.
 void GridPainter::addCloseUps(std::vector<Cell>& cells, const std::vector<Vector2>& shown) const {
   const Viewport& first = cells.front().viewport;
   if (first.pixelsPerMetre() >= kCloseUpBelow * font_) return;
@@ -223,7 +224,7 @@ double GridPainter::legendWidth(Canvas& canvas, const LegendRow& row) const {
 
 GridPainter::LegendLines GridPainter::legendLines(Canvas& canvas, double width) const {
   LegendLines lines;
-  double left = 0.0;  // of the line that is begun
+  double left = 0.0;  // left over in the current line
   const LegendContents contents{kind_, hasCell(hasContact), hasCell(hasRest)};
   for (const LegendRow& row : legendRows(canvas, font_, contents, options_)) {
     if (row.is_of_pattern) continue;
@@ -238,7 +239,7 @@ GridPainter::LegendLines GridPainter::legendLines(Canvas& canvas, double width) 
   return lines;
 }
 
-/// As few lines as fit, none much longer than the others.
+/// Returns as few lines as fit, of similar length.
 GridPainter::LegendLines GridPainter::evenLegendLines(Canvas& canvas) const {
   const std::size_t fewest = legendLines(canvas, layout_.legend.width).size();
   double width = layout_.legend.width / static_cast<double>(fewest);

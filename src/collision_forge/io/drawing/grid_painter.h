@@ -13,22 +13,23 @@
 
 namespace forge {
 
-/// Paints a grid of scenarios at any instant. What stands still is painted once. The grid, which
-/// has at least a row and a column, and the options must outlive it.
+/// Paints a grid of scenarios at any time. Static parts are painted once, by the constructor. The
+/// grid, with at least one row and one column, and the options must outlive it.
 class GridPainter {
  public:
+  /// `font_size` in pixels. Throws std::invalid_argument if it is not positive.
   GridPainter(const ScenarioGrid& grid, const DrawingOptions& options, double font_size,
               PictureKind kind);
 
-  /// Every cell at its contact, with ghosts of ego and attacker from now on.
+  /// Paints every cell at its contact, with ghosts of ego and attacker from t0 on.
   Image paintContacts() const;
-  /// Every cell `seconds` after now, or at its row's end.
+  /// Paints every cell `seconds` after t0, at most at its row's end.
   Image paint(double seconds) const;
 
-  /// Seconds from now to the last end of a row.
+  /// Returns the time from t0 to the latest end of a row, s.
   double end() const;
 
-  /// Where the ground falls on the picture.
+  /// Returns the mapping from ground to pixels of a cell.
   const Viewport& viewport(std::size_t row, std::size_t column) const {
     return cells_[row][column].viewport;
   }
@@ -37,7 +38,7 @@ class GridPainter {
   struct Cell {
     std::unique_ptr<const ScenePainter> scene;
     Viewport viewport;
-    std::unique_ptr<const CloseUpInset> close_up;  ///< null where there is none
+    std::unique_ptr<const CloseUpInset> close_up;  ///< null if the cell has none
   };
   using LegendLines = std::vector<std::vector<LegendRow>>;
 
@@ -63,8 +64,8 @@ class GridPainter {
   const DrawingOptions& options_;
   double font_;
   PictureKind kind_;
-  std::vector<GridRowTexts> texts_;  ///< one a row
-  std::vector<double> ends_;         ///< of the rows, seconds from now
+  std::vector<GridRowTexts> texts_;  ///< one per row
+  std::vector<double> ends_;         ///< end of each row, s from t0
   GridLayout layout_;
   std::vector<std::vector<Cell>> cells_;
   Image background_;

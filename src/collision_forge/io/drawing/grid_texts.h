@@ -8,17 +8,19 @@
 
 namespace forge {
 
-/// Beside a row and under its cells.
+/// Texts beside a row and under its cells.
 struct GridRowTexts {
   std::vector<std::string> title;  ///< the type, in short lines
   std::string time;                ///< as "after 4.0 s"
   std::string scene;
-  std::vector<OutcomeText> outcomes;  ///< one a cell; of one without an attack why it has none
+  std::vector<OutcomeText> outcomes;  ///< one per cell; without an attack, the reason
 };
 
+/// `row` must not be empty.
 GridRowTexts gridRowTexts(const std::vector<GridCell>& row);
 
-/// Words in lines of at most so many letters; a longer word is a line of its own.
+/// Splits text at spaces into lines of at most `letters` characters; a longer word gets its own
+/// line.
 std::vector<std::string> inLines(const std::string& text, std::size_t letters);
 
 }  // namespace forge

@@ -6,17 +6,17 @@
 
 namespace forge {
 
-/// Finds room for short texts beside the points they name. Pixels throughout.
+/// Places labels beside the points that they name. Pixels throughout.
 class LabelPlacer {
  public:
   /// Labels are kept inside `area`.
   explicit LabelPlacer(const PixelRect& area) : area_(area) {}
 
-  /// Later labels keep off this pixel where they can.
+  /// Marks a pixel as an obstacle for later labels.
   void avoid(const Vector2& pixel) { obstacles_.push_back(pixel); }
 
-  /// A place of the given size near `anchor` that covers as few obstacles as possible, the nearest
-  /// such place. Later labels keep off it.
+  /// Returns a place of the given size near `anchor` that covers the fewest obstacles, the nearest
+  /// such place. It becomes an obstacle for later labels.
   PixelRect place(const Vector2& anchor, double width, double height);
 
  private:

@@ -8,7 +8,7 @@ namespace forge {
 
 namespace {
 
-/// The body of a small vehicle that heads right.
+/// Returns the outline of a small vehicle that heads right.
 std::vector<Vector2> markBox(const Vector2& center, double font) {
   const double half_length = 0.85 * font;
   const double half_width = 0.38 * font;
@@ -47,7 +47,7 @@ std::vector<LegendRow> legendRows(Canvas& canvas, double font, const LegendConte
       {body(options.attacker_color, 1.0), "Attacker"},
       {body(options.recorded_attacker_color, options.ghost_opacity), "Attacker as recorded"},
       {body(options.agent_color, 1.0),
-       is_still && contents.has_contact ? "Others at contact" : "Others at time t"},
+       is_still && contents.has_contact ? "Agents at contact" : "Agents at time t"},
       {line(0.0), "Driven up to now"},
       {line(0.45 * font), "From now to contact"},
       {body(options.muted_text_color, options.ghost_opacity),
@@ -58,7 +58,7 @@ std::vector<LegendRow> legendRows(Canvas& canvas, double font, const LegendConte
   };
   if (is_still) {
     rows.insert(rows.begin() + 4,
-                {body(options.agent_color, options.ghost_opacity), "Others when passed"});
+                {body(options.agent_color, options.ghost_opacity), "Agents when passed"});
   }
   if (is_still && contents.has_rest) {
     rows.push_back({body(options.muted_text_color, kRestGhosts * options.ghost_opacity),

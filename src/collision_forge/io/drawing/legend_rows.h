@@ -9,25 +9,26 @@
 
 namespace forge {
 
-/// Width of a mark of the legend, and of the gap before its meaning; multiples of the font's size.
+/// Width of a legend mark, and of the gap before its text; multiples of the font size.
 inline constexpr double kLegendMark = 2.0;
 inline constexpr double kLegendGap = 0.6;
 
-/// One line of the legend: a mark drawn around the given pixel, and what it means.
+/// One legend entry: a mark, drawn around the given pixel, and its meaning.
 struct LegendRow {
   std::function<void(const Vector2&)> paint_mark;
   std::string meaning;
-  bool is_of_pattern = false;  ///< of what was asked for, not of what is driven
+  bool is_of_pattern = false;  ///< a mark of the predicted pattern, not of the motion
 };
 
-/// What the pictures beside a legend have.
+/// Contents of the pictures that a legend explains.
 struct LegendContents {
   PictureKind kind = PictureKind::kStill;
   bool has_contact = false;
   bool has_rest = false;  ///< rest positions after a contact
 };
 
-/// All of them, from top to bottom. The canvas and the options must outlive them.
+/// Returns the legend entries from top to bottom. The canvas and the options must outlive them.
+/// `font` in pixels.
 std::vector<LegendRow> legendRows(Canvas& canvas, double font, const LegendContents& contents,
                                   const DrawingOptions& options);
 

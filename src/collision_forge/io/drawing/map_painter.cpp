@@ -40,8 +40,8 @@ void paintArrowHead(Canvas& canvas, const Viewport& viewport, const Pose2& pose,
               color);
 }
 
-/// One arrow head every kArrowSpacing metres, the first half a spacing in; a short lane has one in
-/// its middle.
+/// Paints an arrow head every kArrowSpacing metres, the first after half of it; a short lane has
+/// one in its middle.
 void paintArrowHeads(Canvas& canvas, const Viewport& viewport, const Lane& lane,
                      const Color& color) {
   double length = 0.0;

@@ -11,25 +11,25 @@ struct Color {
   double blue = 0.0;
 };
 
-/// config/drawing.yaml, where the unit of each of its keys stands, and the look of pictures.
+/// Size and look of pictures (config/drawing.yaml).
 struct DrawingOptions {
-  int png_width = 0;
-  int png_height = 0;
+  int png_width = 0;            ///< pixels
+  int png_height = 0;           ///< pixels, at most
   double png_font_size = 14.0;  ///< pixels; lines and marks scale with it
 
-  int gif_width = 0;
-  int gif_height = 0;
-  double gif_font_size = 10.5;  ///< pixels
-  double gif_frames_per_second = 0.0;
-  double gif_contact_hold = 1.0;  ///< s that the frame at contact is shown longer
+  int gif_width = 0;                   ///< pixels
+  int gif_height = 0;                  ///< pixels, at most
+  double gif_font_size = 10.5;         ///< pixels
+  double gif_frames_per_second = 0.0;  ///< 1/s
+  double gif_contact_hold = 1.0;       ///< s, extra display time of the frame at contact
 
-  double seconds_before_now = 0.0;
-  double view_margin = 8.0;       ///< m kept free around both paths
-  double min_extent = 45.0;       ///< m seen at least along the shorter side of the highest map
-  double close_up_extent = 16.0;  ///< m seen in the close-up of the contact
-  double scale_bar = 10.0;        ///< m
-  double ghost_interval = 1.0;    ///< s between the faded boxes from now to contact
-  double ghost_opacity = 0.22;    ///< 0 invisible, 1 solid; the boxes at now are twice as strong
+  double seconds_before_now = 0.0;  ///< s before t0 at which animations and trails start
+  double view_margin = 8.0;         ///< m, margin around both paths
+  double min_extent = 45.0;         ///< m, least ground along the shorter side of the highest map
+  double close_up_extent = 16.0;    ///< m, side of the ground in the close-up of the contact
+  double scale_bar = 10.0;          ///< m
+  double ghost_interval = 1.0;      ///< s between translucent boxes from t0 to contact
+  double ghost_opacity = 0.22;      ///< 0 invisible, 1 solid; doubled for the boxes at t0
 
   Color background_color{1.0, 1.0, 1.0};
   Color text_color{0.13, 0.15, 0.18};
@@ -41,13 +41,13 @@ struct DrawingOptions {
   Color agent_color{0.56, 0.63, 0.70};
   Color ego_color;
   Color attacker_color;
-  Color recorded_attacker_color{0.90, 0.45, 0.45};  ///< the attacker's drive in the recording
-  Color pattern_ego_color{0.52, 0.20, 0.68};        ///< outline of the ego's box in the pattern
-  Color pattern_attacker_color{0.98, 0.58, 0.10};   ///< outline of the attacker's box there
+  Color recorded_attacker_color{0.90, 0.45, 0.45};  ///< the attacker's recorded motion
+  Color pattern_ego_color{0.52, 0.20, 0.68};        ///< outline of the ego in the pattern
+  Color pattern_attacker_color{0.98, 0.58, 0.10};   ///< outline of the attacker in the pattern
   Color contact_color{1.0, 0.87, 0.12};
-  Color passed_color{0.10, 0.52, 0.25};   ///< as wanted: a condition holds, a planner not hit
-  Color partial_color{0.80, 0.47, 0.05};  ///< a contact, but not the wanted one
-  Color failed_color{0.78, 0.12, 0.12};   ///< not as wanted: no crash, a planner hit
+  Color passed_color{0.10, 0.52, 0.25};   ///< Verdict::kWanted, conditions that hold
+  Color partial_color{0.80, 0.47, 0.05};  ///< Verdict::kPartial
+  Color failed_color{0.78, 0.12, 0.12};   ///< Verdict::kUnwanted, conditions that fail
 };
 
 void readOptions(Section& section, DrawingOptions& options);

@@ -7,19 +7,19 @@
 
 namespace forge {
 
-/// One scenario among others. Its pattern's type and time say what was asked for; the boxes of the
-/// pattern are not shown, as not every method has one.
+/// One scenario of a grid. Its pattern holds the requested type and time; the pattern's boxes are
+/// not drawn, as not every method has any.
 struct GridCell {
   ScenarioView view;
-  /// Why there is no attack; empty: there is one. Without one the trajectory has an attacker's id
-  /// and no points, and everybody is drawn as recorded.
+  /// Reason why there is no attack; "" if there is one. Without an attack, the trajectory has an
+  /// attacker's id and no points, and all agents are drawn as recorded.
   std::string refusal;
 };
 
-/// Scenarios side by side: how several methods answer one request, a row a request.
+/// Scenarios side by side, to compare methods: one row per request, one column per method.
 struct ScenarioGrid {
-  std::vector<std::string> columns;         ///< what stands over them
-  std::vector<std::vector<GridCell>> rows;  ///< a cell a column; all of one request
+  std::vector<std::string> columns;         ///< names above the columns
+  std::vector<std::vector<GridCell>> rows;  ///< per row one cell per column, all of one request
 };
 
 }  // namespace forge

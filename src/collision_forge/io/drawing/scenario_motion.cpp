@@ -43,7 +43,7 @@ double ScenarioMotion::endTime() const {
   return std::max(standTime(), std::min(standTime() + view_.seconds_after_stand, lastKnownTime()));
 }
 
-/// Without a contact, the end of what ego and attacker drive; with one, the end of the recording.
+/// Without a contact, the end of the motion of ego and attacker; with one, of the recording.
 double ScenarioMotion::lastKnownTime() const {
   double last = view_.future.ego.states.back().time;
   if (!view_.report.contact) {
@@ -90,7 +90,7 @@ std::optional<OrientedBox> ScenarioMotion::attackerAt(double time) const {
   return past == nullptr ? std::nullopt : boxOf(*past, time);
 }
 
-std::vector<AgentBox> ScenarioMotion::othersAt(double time) const {
+std::vector<AgentBox> ScenarioMotion::otherAgentsAt(double time) const {
   std::vector<AgentBox> boxes;
   for (const Track& track : time <= now() ? view_.snapshot.agents : view_.future.agents) {
     if (track.id == view_.trajectory.attacker_id) continue;
@@ -131,7 +131,7 @@ std::optional<double> ScenarioMotion::lastPassing(const OrientedBox& box) const 
   return std::nullopt;
 }
 
-std::vector<ScenarioMotion::Passed> ScenarioMotion::passedOthers() const {
+std::vector<ScenarioMotion::Passed> ScenarioMotion::passedAgents() const {
   std::vector<Passed> passed;
   for (const Track& track : view_.future.agents) {
     if (track.id == view_.trajectory.attacker_id) continue;

@@ -7,69 +7,73 @@
 
 namespace forge {
 
-/// A box that belongs to an agent of a class.
+/// The box and class of an agent.
 struct AgentBox {
   AgentClass agent_class = AgentClass::kCar;
   OrientedBox box;
 };
 
-/// Who is where when, past and future joined at now. The view must outlive it.
+/// Poses of all vehicles of a view over time, past and future joined at t0. Times: s on the scene's
+/// clock. The view must outlive it.
 class ScenarioMotion {
  public:
   explicit ScenarioMotion(const ScenarioView& view) : view_(view) {}
 
+  /// Returns t0, s.
   double now() const { return view_.snapshot.now; }
-  /// The instant the picture is about: first contact. Without one: the time of the hit that the ego
-  /// escapes, else the pattern's time.
+  /// Returns the time that a picture shows: the contact time; without a contact, the time of the
+  /// hit that the ego avoids, else the pattern's time.
   double keyTime() const;
-  /// When both stand after the contact; keyTime() where the view has no such motion.
+  /// Returns the time at which both vehicles stand after the contact; keyTime() if the view has no
+  /// post-crash motion.
   double standTime() const;
-  /// When an animation ends: the view's seconds_after_stand after standTime(), or earlier, where
-  /// the view knows nothing later. Not before standTime().
+  /// Returns the end of an animation: standTime() plus the view's seconds_after_stand, at most the
+  /// last known time, at least standTime().
   double endTime() const;
 
-  /// Empty where nothing is known. From the contact on both move as the view's `crash` has it; they
-  /// stay where they are in a view without it.
+  /// Returns nullopt for unknown times. From the contact on, the vehicles move by the view's
+  /// `crash`; without it they stay at their contact poses.
   std::optional<OrientedBox> egoAt(double time) const;
   std::optional<OrientedBox> attackerAt(double time) const;
-  /// m/s; empty where nothing is known.
+  /// Returns the speed in m/s; nullopt for unknown times.
   std::optional<double> egoSpeedAt(double time) const;
   std::optional<double> attackerSpeedAt(double time) const;
-  /// Where the recording has an attacker that is not added, from now on.
+  /// Returns the recorded box of a recorded attacker, from t0 on; nullopt for an added one.
   std::optional<OrientedBox> recordedAttackerAt(double time) const;
-  /// Everybody else; agents unknown at `time` are left out.
-  std::vector<AgentBox> othersAt(double time) const;
+  /// Returns the other agents whose pose at `time` is known.
+  std::vector<AgentBox> otherAgentsAt(double time) const;
 
-  /// Those whose box at keyTime() stands where the ego or the attacker passed before: from where
-  /// they were at that instant, the latest, to where they are at keyTime().
+  /// Another agent whose box at keyTime() covers ground that the ego or the attacker passed
+  /// earlier: `then` is its box at the last such time.
   struct Passed {
     AgentBox then;
     AgentBox at_key_time;
   };
-  std::vector<Passed> passedOthers() const;
+  /// Returns all such agents. A still picture would otherwise seem to show overlaps.
+  std::vector<Passed> passedAgents() const;
 
-  /// Boxes every 0.1 s in [from, to], both ends included where known.
+  /// Return boxes every 0.1 s in [from, to], both ends included, where known.
   std::vector<OrientedBox> egoBoxes(double from, double to) const;
   std::vector<OrientedBox> attackerBoxes(double from, double to) const;
   std::vector<OrientedBox> recordedAttackerBoxes(double from, double to) const;
 
-  /// Where the boxes touch at contact. Without one: the middle between ego and attacker at the time
-  /// of the hit that the ego escapes, else the middle between the pattern's boxes.
+  /// Returns touchPoint() at contact. Without a contact: the middle between ego and attacker at the
+  /// time of the hit that the ego avoids, else between the pattern's boxes.
   Vector2 contactPoint() const;
-  /// What a close-up looks at: the contact point, from the contact on moved as ego and attacker are
-  /// in the mean.
+  /// Returns the centre of a close-up: the contact point, which after the contact moves by the mean
+  /// displacement of ego and attacker.
   Vector2 closeUpCenter(double time) const;
 
  private:
   bool isAfterContact(double time) const;
   double lastKnownTime() const;
-  /// The last instant before keyTime() at which the ego or the attacker covers some of `box`.
+  /// Returns the last time before keyTime() at which the ego or the attacker overlaps `box`.
   std::optional<double> lastPassing(const OrientedBox& box) const;
 
   const ScenarioView& view_;
 };
 
-/// The attacker's box as the pattern asks for it, global map frame.
+/// Returns the attacker's box in the predicted pattern, global map frame.
 OrientedBox patternAttackerBox(const ScenarioView& view);
 
 }  // namespace forge

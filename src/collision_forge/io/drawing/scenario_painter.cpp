@@ -14,8 +14,9 @@ namespace {
 
 constexpr double kTimeTolerance = 1e-6;  // s
 constexpr double kNoGhosts = std::numeric_limits<double>::infinity();
-constexpr double kMarginAside = 1.5;      // of the margin, above and below: shows more of the road
-constexpr double kLeastMapHeight = 0.22;  // of its width: leaves room for the labels
+constexpr double kMarginAside =
+    1.5;  // factor on the margin above and below: shows more of the road
+constexpr double kLeastMapHeight = 0.22;  // share of the map's width: leaves space for labels
 
 Viewport closeUp(const PixelRect& area, const ScenePainter& scene, const Vector2& center,
                  double extent) {
@@ -48,7 +49,7 @@ Viewport ScenarioPainter::fitMap(const PixelRect& area) const {
   points.push_back(scene_.motion().contactPoint());
   const Viewport whole =
       fitViewport(area, points, options_.view_margin, options_.min_extent, scene_.rightwards());
-  double reach = 0.0;  // pixels that the points are above the middle, or below
+  double reach = 0.0;  // largest distance of a point above or below the middle, pixels
   for (const Vector2& point : points) {
     reach = std::max(reach, area.center().y() - whole.toPixel(point).y());
   }
@@ -85,7 +86,7 @@ void ScenarioPainter::placeLabels() {
   const double key_time = motion.keyTime();
   for (const Vector2& corner : scene_.shownCorners(scene_.trailsFrom()))
     placer.avoid(map_viewport_.toPixel(corner));
-  for (const AgentBox& agent : motion.othersAt(key_time)) {
+  for (const AgentBox& agent : motion.otherAgentsAt(key_time)) {
     for (const Vector2& corner : boxPixels(map_viewport_, agent.box)) placer.avoid(corner);
     placer.avoid(map_viewport_.toPixel(agent.box.center.position()));
   }
@@ -117,7 +118,7 @@ ScenarioPainter::Label ScenarioPainter::makeLabel(Canvas& canvas, LabelPlacer& p
 
 void ScenarioPainter::paintLabel(Canvas& canvas, const Label& label) const {
   const double font = size_.font_size;
-  // The line to the label starts beside the mark that it names.
+  // The line to the label starts beside the mark.
   const Vector2 towards = (label.place.center() - label.anchor).normalized();
   canvas.stroke({label.anchor + 0.8 * font * towards, label.place.center()},
                 {label.color, 0.08 * font, 0.7, 0.0, false});

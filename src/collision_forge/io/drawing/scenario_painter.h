@@ -7,24 +7,25 @@
 
 namespace forge {
 
-/// Paints one scenario at any instant, turned by ScenePainter::rightwards(). The constructor paints
+/// Paints one scenario at any time, rotated by ScenePainter::rightwards(). The constructor paints
 /// the static parts once. The view and the options must outlive it.
 class ScenarioPainter {
  public:
-  /// `size` is the largest size of the picture, which is less high where its map needs no more.
+  /// `size`: largest size of the picture; it is less high if its map needs less height.
   ScenarioPainter(const ScenarioView& view, const DrawingOptions& options, const FigureSize& size,
                   PictureKind kind = PictureKind::kStill);
 
-  /// Everybody at `time`; ghosts show where ego and attacker are from `ghosts_from` to contact.
+  /// Paints all vehicles at `time` (s, scene's clock), and ghosts of ego and attacker from
+  /// `ghosts_from` to contact.
   Image paint(double time, double ghosts_from) const;
 
   /// Pixels.
   int width() const { return background_.width(); }
   int height() const { return background_.height(); }
 
-  /// Where the ground falls on the picture.
+  /// Returns the mapping from ground to pixels of the map.
   const Viewport& mapViewport() const { return map_viewport_; }
-  /// The square that shows the contact from near; after the contact it follows the vehicles.
+  /// Returns the mapping of the close-up at contact; after the contact it follows the vehicles.
   const Viewport& closeUpViewport() const { return close_up_viewport_; }
 
  private:
@@ -35,7 +36,7 @@ class ScenarioPainter {
     Color color;
   };
 
-  /// The viewport of the map in an area of this size, cropped above and below what is shown.
+  /// Returns the viewport of the map in `area`, cropped above and below the paths.
   Viewport fitMap(const PixelRect& area) const;
   void paintBackground();
   void placeLabels();
@@ -53,7 +54,7 @@ class ScenarioPainter {
   Viewport close_up_viewport_;
   Image background_;
   std::vector<Label> now_labels_;
-  std::vector<Label> contact_labels_;  ///< one, or none without contact
+  std::vector<Label> contact_labels_;  ///< one; none without a contact
 };
 
 }  // namespace forge

@@ -10,38 +10,37 @@
 
 namespace forge {
 
-/// Everything a picture of one generated collision shows. All times on the scene's clock, all poses
-/// in the global map frame.
+/// The content of a picture of one generated collision. Times on the scene's clock, poses in the
+/// global map frame.
 struct ScenarioView {
   std::string scene_name;
-  double tta = 0.0;  ///< seconds from now, as requested
+  double tta = 0.0;  ///< requested TTA, s from t0
   Mode mode = Mode::kHistory;
 
-  /// Up to now: the map and the driven trails of the ego, the attacker and the others. The
-  /// animation starts as early as these tracks allow, so give it more frames than the prediction
-  /// needs.
+  /// Up to t0: the map and the past of the ego, the attacker and the other agents. Animations start
+  /// as early as these tracks allow, so include more frames than the prediction needs.
   Snapshot snapshot;
-  /// From now on: the ego and the others. A track of the attacker's id in here
-  /// is drawn pale: what it did in the recording.
+  /// From t0 on: the ego and the other agents. A track with the attacker's id is drawn pale: its
+  /// recorded motion.
   Future future;
 
-  CollisionPattern pattern;       ///< the asked-for boxes, drawn as outlines
-  AttackerTrajectory trajectory;  ///< what the attacker drives instead
-  CollisionReport report;         ///< of that trajectory against `future`, the recording
-  /// What ego and attacker do after the contact of the report; without it the picture shows nothing
-  /// later than the contact.
+  CollisionPattern pattern;       ///< predicted boxes, drawn as outlines
+  AttackerTrajectory trajectory;  ///< the attacker's motion
+  CollisionReport report;         ///< report on `trajectory` against `future`
+  /// Motion of ego and attacker after the contact; without it the picture shows nothing later than
+  /// the contact.
   std::optional<PostCrashMotion> crash = {};
-  double seconds_after_stand = 0.0;  ///< that an animation goes on after both stand
+  double seconds_after_stand = 0.0;  ///< s of animation after both vehicles stand
 
-  /// Empty for an attack. For a test of a planner: the planner, as tables name it. `future.ego` is
-  /// then the ego as the planner drives it, and of the report only the contact is shown.
+  /// Planner test: the planner's name in tables; `future.ego` is then the ego driven by the
+  /// planner, and only the contact of the report is shown. "" for an attack.
   std::string planner = {};
-  /// For the escape from a hit, which has no contact: the time of the hit.
+  /// Avoided hit: the time at which the ego would have been hit; there is no contact.
   std::optional<double> escaped_hit = {};
 };
 
 inline bool hasContact(const ScenarioView& view) { return view.report.contact; }
-/// Whether the picture shows where ego and attacker come to a stand.
+/// Returns true if the picture shows where ego and attacker come to rest.
 inline bool hasRest(const ScenarioView& view) { return hasContact(view) && view.crash; }
 
 }  // namespace forge

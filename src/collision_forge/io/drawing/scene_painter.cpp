@@ -14,9 +14,9 @@ namespace forge {
 namespace {
 
 constexpr double kTimeTolerance = 1e-6;  // s
-constexpr double kFarLess = 0.8;         // of a height
+constexpr double kFarLess = 0.8;         // share of a height
 
-/// Metres between the lowest and the highest point where `rightwards` points to the right.
+/// Returns the extent of the points, m, across the direction `rightwards`.
 double heightOf(const std::vector<Vector2>& points, double rightwards) {
   const Vector2 up(-std::sin(rightwards), std::cos(rightwards));
   Eigen::AlignedBox<double, 1> extent;
@@ -36,7 +36,7 @@ std::vector<Vector2> centers(const Viewport& viewport, const std::vector<Oriente
 void checkDrawable(const ScenarioView& view, const DrawingOptions& options, bool has_attack) {
   if (options.gif_frames_per_second <= 0 || options.ghost_interval <= 0 ||
       options.min_extent <= 0 || options.close_up_extent <= 0) {
-    throw std::runtime_error("drawing options: rate, interval and extents must be above zero");
+    throw std::runtime_error("drawing options: rate, interval and extents must be above 0");
   }
   const std::vector<TrajectoryPoint>& points = view.trajectory.points;
   if (has_attack && points.empty()) throw std::runtime_error("the attacker's trajectory is empty");
@@ -46,7 +46,7 @@ void checkDrawable(const ScenarioView& view, const DrawingOptions& options, bool
   const bool spanned = key_time >= view.snapshot.now - kTimeTolerance &&
                        key_time <= points.back().time + kTimeTolerance;
   if (!spanned) {
-    throw std::runtime_error("the attacker's trajectory does not span now to the contact at " +
+    throw std::runtime_error("the attacker's trajectory does not cover now to the contact at " +
                              numberText(key_time) + " s");
   }
 }
@@ -131,7 +131,7 @@ void ScenePainter::paintGhosts(Canvas& canvas, const Viewport& viewport, double 
   for (int i = 0; motion_.now() + i * step < motion_.keyTime() - step / 4; ++i) {
     const double time = motion_.now() + i * step;
     if (time < from - kTimeTolerance) continue;
-    // The boxes at now stand out: they tell where the solid trail ends.
+    // The boxes at t0 are stronger: they mark the end of the solid trail.
     const double opacity = (i == 0 ? 2 : 1) * options_.ghost_opacity;
     const auto ego = motion_.egoAt(time);
     const auto attacker = motion_.attackerAt(time);
@@ -154,7 +154,7 @@ void ScenePainter::paintRecorded(Canvas& canvas, const Viewport& viewport, doubl
 
 void ScenePainter::paintPassed(Canvas& canvas, const Viewport& viewport) const {
   const double width = 0.08 * mark_size_;
-  for (const ScenarioMotion::Passed& other : motion_.passedOthers()) {
+  for (const ScenarioMotion::Passed& other : motion_.passedAgents()) {
     paintGhost(canvas, viewport, other.then.box, options_.agent_color, options_.ghost_opacity,
                width);
     canvas.stroke(centers(viewport, {other.then.box, other.at_key_time.box}),
@@ -177,7 +177,7 @@ void ScenePainter::paintRest(Canvas& canvas, const Viewport& viewport) const {
 
 void ScenePainter::paintVehicles(Canvas& canvas, const Viewport& viewport, double time) const {
   const double width = 0.09 * mark_size_;
-  for (const AgentBox& agent : motion_.othersAt(time)) {
+  for (const AgentBox& agent : motion_.otherAgentsAt(time)) {
     paintAgent(canvas, viewport, agent, options_.agent_color, width);
   }
   const auto ego = motion_.egoAt(time);

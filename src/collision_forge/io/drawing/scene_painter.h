@@ -8,40 +8,39 @@
 
 namespace forge {
 
-/// Throws std::runtime_error for what cannot be painted: an attacker's trajectory or an ego's
-/// future that is empty, a trajectory that does not span now to the contact, options that are not
-/// above zero. A scenario without an attack needs no trajectory.
+/// Throws std::runtime_error if the view cannot be painted: the attacker's trajectory (if
+/// `has_attack`) or the ego's future is empty, the trajectory does not cover t0 to contact, or an
+/// option is not positive.
 void checkDrawable(const ScenarioView& view, const DrawingOptions& options, bool has_attack);
 
-/// How much more opaque than ghosts the boxes at rest are.
+/// Factor on the ghosts' opacity for boxes at rest.
 inline constexpr double kRestGhosts = 1.5;
 
-/// Paints the scene of one scenario, without any text, into any part of a picture. The view and the
-/// options must outlive it. Who paints clips to the viewport's area.
+/// Paints the scene of one scenario, without text, into any part of a picture. The caller clips to
+/// the viewport's area. The view and the options must outlive it.
 class ScenePainter {
  public:
-  /// Lines and marks scale with `mark_size`, pixels.
+  /// `mark_size`: pixels; lines and marks scale with it.
   ScenePainter(const ScenarioView& view, const DrawingOptions& options, double mark_size,
                PictureKind kind, bool shows_pattern);
 
   const ScenarioMotion& motion() const { return motion_; }
   bool hasContact() const { return forge::hasContact(view_); }
 
-  /// The direction of the ground, radians from east, that points to the right in a picture, so that
-  /// a straight road fills the width: that of the ego at now, or at keyTime() if the picture is
-  /// then far less high, or the opposite one. At most a quarter turn from east: north is never
-  /// down.
+  /// Returns the direction on the ground, rad from east, that points right in the picture, so that
+  /// a straight road fills the width: the ego's axis at t0, or at keyTime() if the picture is then
+  /// far less high. Within a quarter turn of east: north never points down.
   double rightwards() const;
-  /// When the trails of the past begin.
+  /// Returns the time at which the trails of the past begin.
   double trailsFrom() const;
-  /// Corners of the boxes of ego and attacker, from then to standTime().
+  /// Returns the corners of the boxes of ego and attacker from `from` to standTime().
   std::vector<Vector2> shownCorners(double from) const;
 
-  /// The map, which stands still.
+  /// Paints the map.
   void paintGround(Canvas& canvas, const Viewport& viewport) const;
 
-  /// Everybody at `time`; ghosts show where ego and attacker are from `ghosts_from` to contact, and
-  /// in a still where they come to rest.
+  /// Paints all vehicles at `time`, ghosts of ego and attacker from `ghosts_from` to contact, and
+  /// in a still their rest positions.
   void paint(Canvas& canvas, const Viewport& viewport, double time, double ghosts_from) const;
 
  private:

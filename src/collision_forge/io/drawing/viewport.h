@@ -7,7 +7,7 @@
 
 namespace forge {
 
-/// A rectangle of the picture, pixels, y down.
+/// A rectangle of a picture, pixels, y down.
 struct PixelRect {
   double x = 0.0;  ///< left edge
   double y = 0.0;  ///< upper edge
@@ -15,22 +15,24 @@ struct PixelRect {
   double height = 0.0;
 
   Vector2 center() const { return {x + width / 2, y + height / 2}; }
+  /// Returns true if the pixel is in the rectangle, edges included.
   bool contains(const Vector2& pixel) const;
 };
 
-/// Maps the ground (metres, y north) onto a rectangle of the picture (pixels, y down), at the same
-/// scale along both axes.
+/// Maps the ground (map frame, metres) to a rectangle of a picture (pixels, y down), with one scale
+/// for both axes.
 class Viewport {
  public:
-  /// `center` (metres) falls on the middle of `area`. The direction `rightwards` (radians from
-  /// east) points to the right in the picture; with 0 north is up.
+  /// `center` (m) maps to the middle of `area`. `rightwards`: direction on the ground, rad from
+  /// east, that points right in the picture; with 0, north is up.
   Viewport(const PixelRect& area, const Vector2& center, double pixels_per_metre,
            double rightwards = 0.0);
 
+  /// Convert between ground (map frame, m) and picture (pixels).
   Vector2 toPixel(const Vector2& world) const;
   Vector2 toWorld(const Vector2& pixel) const;
 
-  /// The same ground at the same scale around the middle of another area.
+  /// Returns the mapping with the same scale and centre in another area.
   Viewport movedTo(const PixelRect& area) const;
 
   const PixelRect& area() const { return area_; }
@@ -43,9 +45,9 @@ class Viewport {
   Eigen::Rotation2Dd to_picture_;
 };
 
-/// The largest scale at which all `points` lie at least `margin` metres inside `area`, never
-/// showing less than `min_extent` metres along the shorter side. `rightwards`: as of Viewport.
-/// Throws std::invalid_argument for no points.
+/// Returns the mapping with the largest scale at which all `points` are at least `margin` (m)
+/// inside `area` and the shorter side shows at least `min_extent` (m). `rightwards` as in Viewport.
+/// Throws std::invalid_argument if there are no points.
 Viewport fitViewport(const PixelRect& area, const std::vector<Vector2>& points, double margin,
                      double min_extent, double rightwards = 0.0);
 

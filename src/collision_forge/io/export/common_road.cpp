@@ -25,17 +25,18 @@ using pugi::xml_node;
 constexpr int kEgoNumber = 1;
 constexpr int kAttackerNumber = 2;
 constexpr int kProblemNumber = 3;
-constexpr int kDecimals = 6;               // of m, rad, m/s and s
-constexpr double kSamePoint = 1e-3;        // m; nearer points of a centreline are one
-constexpr double kLargestBendShare = 0.9;  // of a bend's radius, for its inner bound
-constexpr double kBesideTolerance = 0.25;  // of a lane's width
+constexpr int kDecimals = 6;         // for m, rad, m/s and s
+constexpr double kSamePoint = 1e-3;  // m; closer points of a centreline are merged
+constexpr double kLargestBendShare =
+    0.9;  // largest offset of an inner bound, share of the bend's radius
+constexpr double kBesideTolerance = 0.25;  // share of the lane's width
 constexpr double kBesideHeading = 0.2;     // rad
-constexpr double kStandDistance = 0.1;     // m from the first place
+constexpr double kStandDistance = 0.1;     // m from the first position
 constexpr double kStandTurn = 0.05;        // rad from the first heading
-constexpr double kUnknownDegrees = 999.0;  // what the format has for a place that is not known
+constexpr double kUnknownDegrees = 999.0;  // the format's value for an unknown place
 constexpr const char* kUnknownGeoName = "-999";
 
-/// xs:decimal has no exponent, whatever the size of the number.
+/// Returns a number as xs:decimal, which has no exponent.
 std::string decimal(double value) {
   if (!std::isfinite(value)) throw std::invalid_argument("a number for XML is not finite");
   std::array<char, 512> buffer;
@@ -66,13 +67,13 @@ void addPoint(xml_node parent, const char* name, const Vector2& point) {
   addDecimal(element, "y", point.y());
 }
 
-/// A lane as it is written.
+/// A lane and the data of its lanelet.
 struct Lanelet {
   int number = 0;
   const Lane* lane = nullptr;
-  std::vector<Pose2> middle;  ///< at least two, apart from each other
+  std::vector<Pose2> middle;  ///< two or more distinct poses
   double width = 0.0;         ///< m
-  int left = 0;               ///< number of who is beside it; 0: nobody
+  int left = 0;               ///< number of the adjacent lanelet; 0: none
   int right = 0;
 };
 
@@ -94,8 +95,8 @@ double lengthOf(const std::vector<Pose2>& poses) {
   return length;
 }
 
-/// The line beside the middle, to the left for +1 and to the right for -1. On the inner side of a
-/// bend it stays before the bend's centre, so that it never runs backwards.
+/// Returns the left (+1) or right (-1) bound. On the inner side of a bend it stays before the
+/// bend's centre, so that it never runs backwards.
 std::vector<Vector2> boundOf(const Lanelet& lanelet, double side) {
   const std::vector<Pose2>& middle = lanelet.middle;
   std::vector<double> offsets(middle.size(), 0.5 * lanelet.width);
@@ -114,7 +115,7 @@ std::vector<Vector2> boundOf(const Lanelet& lanelet, double side) {
   return bound;
 }
 
-/// True when `left` at this place is just left of `right`, heading the same way.
+/// Returns true if the pose `left` is next to `right`, `distance` to its left, with equal heading.
 bool isBeside(const Pose2& left, const Pose2& right, double distance) {
   if (std::abs(angleBetween(left.yaw, right.yaw)) > kBesideHeading) return false;
   const Pose2 between = interpolate(left, right, 0.5);
@@ -130,7 +131,7 @@ Pose2 middleOf(const std::vector<Pose2>& poses) {
   return line.poseAt(0.5 * line.length());
 }
 
-/// Side by side from the beginning to the end.
+/// Returns true if the lanelets are side by side from start to end.
 bool areBeside(const Lanelet& left, const Lanelet& right) {
   const double distance = 0.5 * (left.width + right.width);
   return isBeside(left.middle.front(), right.middle.front(), distance) &&
@@ -138,10 +139,10 @@ bool areBeside(const Lanelet& left, const Lanelet& right) {
          isBeside(middleOf(left.middle), middleOf(right.middle), distance);
 }
 
-/// Fills in who is beside whom; where two could be, as where lanes lie on each other, nobody is.
+/// Sets adjacent lanelets; none on a side with two candidates, for instance where lanes overlap.
 void findNeighbours(std::vector<Lanelet>& lanelets) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;  // left, right
-  std::map<std::size_t, int> lefts;                        // of a lanelet
+  std::map<std::size_t, int> lefts;                        // number of candidates by lanelet
   std::map<std::size_t, int> rights;
   for (std::size_t left = 0; left < lanelets.size(); ++left) {
     for (std::size_t right = 0; right < lanelets.size(); ++right) {
@@ -158,7 +159,7 @@ void findNeighbours(std::vector<Lanelet>& lanelets) {
   }
 }
 
-/// The lanes with a course, numbered from `first` on.
+/// Returns the lanes that have a centreline as lanelets, numbered from `first`.
 std::vector<Lanelet> laneletsOf(const LaneMap& map, double lane_width, int first) {
   std::vector<Lanelet> lanelets;
   for (const Lane& lane : map.lanes) {
@@ -172,7 +173,7 @@ std::vector<Lanelet> laneletsOf(const LaneMap& map, double lane_width, int first
   return lanelets;
 }
 
-/// "" for those who are dynamic even where they stand: a static type would not tell what they are.
+/// Returns "" for classes that are dynamic obstacles even at rest: no static type describes them.
 const char* staticTypeOf(AgentClass agent_class) {
   switch (agent_class) {
     case AgentClass::kPedestrian:
@@ -222,14 +223,14 @@ double speedAlongHeading(const AgentState& state) {
   return state.velocity.dot(state.pose.heading());
 }
 
-/// The country of a location, by the beginning of its name; else Zamunda, CommonRoad's made-up one.
+/// Returns the country of a location by its prefix; else Zamunda, CommonRoad's fictitious country.
 const char* countryOf(const std::string& location) {
   if (location.rfind("boston", 0) == 0) return "USA";
   if (location.rfind("singapore", 0) == 0) return "SGP";
   return "ZAM";
 }
 
-/// The letters and digits of a name, words beginning with capitals.
+/// Returns the letters and digits of a name in camel case.
 std::string joinedWords(const std::string& name) {
   std::string joined;
   bool is_first = true;
@@ -241,8 +242,8 @@ std::string joinedWords(const std::string& name) {
   return joined;
 }
 
-/// "SGP_SingaporeOnenorthScene0061-1_17_T-1": the map's part, the line of the scenario, one
-/// prediction of trajectories.
+/// Returns the benchmark id, as "SGP_SingaporeOnenorthScene0061-1_17_T-1": map, line of the
+/// scenario, trajectory prediction.
 std::string benchmarkOf(const CrashRecord& record) {
   const std::string& location = record.lanes.location;
   const std::string line = record.name.substr(record.name.rfind('_') + 1);
@@ -250,7 +251,7 @@ std::string benchmarkOf(const CrashRecord& record) {
          joinedWords(record.scenario.asked.scene) + "-1_" + line + "_T-1";
 }
 
-/// What the format has no place for.
+/// Returns facts for which the format has no field.
 std::string sourceOf(const CrashRecord& record) {
   const SceneRequest& asked = record.scenario.asked;
   std::string source = "scene=" + asked.scene + "; type=" + toString(asked.request.type) +
@@ -302,7 +303,7 @@ class CommonRoadFile {
     const xml_node tags = addElement(root, "scenarioTags");
     for (const std::string& tag : tagsOf(record_)) addElement(tags, tag.c_str());
     addLanelets(root);
-    for (const Track& other : record_.others) {
+    for (const Track& other : record_.other_agents) {
       if (isStatic(other)) addStatic(root, other);
     }
     addMoving(root);
@@ -371,7 +372,7 @@ class CommonRoadFile {
     addElement(lanelet, name, {{"ref", std::to_string(number)}, {"drivingDir", "same"}});
   }
 
-  /// A vehicle may come and go, a thing does not.
+  /// A vehicle is static only if it is in sight throughout; an object always is.
   bool isStatic(const Track& track) const {
     if (track.agent_class == AgentClass::kStaticObject) return true;
     if (*staticTypeOf(track.agent_class) == '\0') return false;
@@ -390,9 +391,9 @@ class CommonRoadFile {
   void addMoving(xml_node root) {
     if (!plan_.ego_free) addStretch(root, record_.ego, record_.ego.states, kEgoNumber);
     addStretch(root, record_.attacker, record_.attacker.states, kAttackerNumber);
-    for (const Track& other : record_.others) {
+    for (const Track& other : record_.other_agents) {
       if (isStatic(other)) continue;
-      for (const std::vector<AgentState>& states : seenStretches(other, record_.step)) {
+      for (const std::vector<AgentState>& states : splitAtGaps(other, record_.step)) {
         if (states.size() > 1) addStretch(root, other, states, next_number_++);
       }
     }

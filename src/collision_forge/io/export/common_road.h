@@ -6,22 +6,22 @@
 
 namespace forge {
 
-/// CommonRoad XML 2020a (TU Munich; XML_commonRoad_XSD.xsd of commonroad-io): NAME.xml, a scenario
-/// with one planning problem. The record's map frame in metres, radians and steps of the record.
+/// Returns a writer of CommonRoad XML 2020a (TU Munich; XML_commonRoad_XSD.xsd of commonroad-io):
+/// NAME.xml, a scenario with one planning problem, in the record's map frame, metres, radians and
+/// steps.
 ///
-/// Lanelets are the lanes that have a centreline; their bounds are half a width off it on either
-/// side. The ego is dynamic obstacle 1, the attacker 2 and the planning problem 3. Whoever is out
-/// of sight for a time is an obstacle a stretch, and at a single step left out. A vehicle that
-/// stands all the time is a static obstacle, as are things, which stay where they are first seen.
-/// Poses are the middles of boxes, velocities are along the heading.
+/// - Lanelets: the lanes with a centreline; the bounds are half a lane width to either side.
+/// - Obstacles: the ego is dynamic obstacle 1, the attacker 2; the planning problem has id 3. An
+///   agent that is out of sight for a time becomes one obstacle per stretch; a stretch of one step
+///   is left out. Vehicles at rest throughout and objects are static obstacles at their first pose.
+/// - States: poses are box centres, velocities are along the heading.
+/// - Planning problem: starts at t0; its goal is the ego's last pose. With a free ego, the ego is
+///   not an obstacle and the goal is the end time alone.
+/// - Attributes: `source` holds type, TTA, manoeuvre, seed, t0 and contact time; `date` is the day
+///   of the recording.
 ///
-/// The planning problem begins at now; its goal is the ego's last place at the end of the record.
-/// A free ego is no obstacle, and its goal is the end alone. The attribute `source` tells type,
-/// TTA, manoeuvre, seed, now and contact; `date` is the day of the recording.
-///
-/// Two things the schema does not allow, but commonroad-io reads: an initial state that is not at
-/// step 0, of those who are seen later and of a problem that begins later; and no lanelet, where no
-/// lane is near.
+/// Two deviations from the schema, which commonroad-io accepts: initial states after step 0, and no
+/// lanelet if no lane is near.
 std::unique_ptr<CrashWriter> makeCommonRoadWriter(const ExportPlan& plan);
 
 }  // namespace forge

@@ -16,8 +16,8 @@
 namespace forge {
 namespace {
 
-constexpr double kTouchDepth = 5e-3;   // m that boxes overlap at least after the contact
-constexpr double kCropSpacing = 10.0;  // m between the points that lanes are sought around
+constexpr double kTouchDepth = 5e-3;   // m, least overlap of the boxes after contact
+constexpr double kCropSpacing = 10.0;  // m between the points around which lanes are selected
 
 bool isPlainWord(const std::string& text) {
   const auto isPlain = [](unsigned char letter) {
@@ -26,14 +26,14 @@ bool isPlainWord(const std::string& text) {
   return !text.empty() && text.front() != '.' && std::all_of(text.begin(), text.end(), isPlain);
 }
 
-/// Adds the lanes that connectors of a crop come from and lead to: a connector to nowhere is no
-/// road.
+/// Adds the lanes before and after each connector of a crop: a connector without them is not a
+/// valid road.
 void completeConnectors(const LaneMap& map, LaneMap& crop) {
   std::unordered_map<std::string, const Lane*> lanes;
   for (const Lane& lane : map.lanes) lanes.emplace(lane.id, &lane);
   std::unordered_set<std::string> kept;
   for (const Lane& lane : crop.lanes) kept.insert(lane.id);
-  for (std::size_t i = 0; i < crop.lanes.size(); ++i) {  // grows
+  for (std::size_t i = 0; i < crop.lanes.size(); ++i) {  // the list grows
     if (!crop.lanes[i].is_connector) continue;
     const Lane& whole = *lanes.at(crop.lanes[i].id);
     for (const auto* ids : {&whole.incoming, &whole.outgoing}) {
@@ -53,7 +53,7 @@ void completeConnectors(const LaneMap& map, LaneMap& crop) {
   }
 }
 
-/// Puts one record together.
+/// Builds one record.
 class RecordBuilder {
  public:
   RecordBuilder(const Scenario& scenario, double history, const RecordContext& context)
@@ -64,8 +64,8 @@ class RecordBuilder {
         step_(context.options.step) {
     const double now = scenario.asked.now;
     if (!stateAt(scene_.ego, now)) {
-      throw std::runtime_error("the ego is not in " + scene_.name + " at now = " + numberText(now) +
-                               " s");
+      throw std::runtime_error("the ego has no pose in " + scene_.name +
+                               " at now = " + numberText(now) + " s");
     }
     const double known = std::min(history, now - scene_.ego.states.front().time);
     now_step_ = static_cast<std::size_t>(std::floor(known / step_ + kTimeEpsilon));
@@ -84,7 +84,7 @@ class RecordBuilder {
     if (contact_) record.contact = *contact_ - begin_;
     record.ego = egoTrack();
     record.attacker = attackerTrack();
-    record.others = otherTracks(record);
+    record.other_agents = otherTracks(record);
     addLanes(record);
     return record;
   }
@@ -108,27 +108,27 @@ class RecordBuilder {
                                                    : std::floor(steps + kTimeEpsilon));
   }
 
-  /// The attacker's pose, moved towards the ego until their boxes overlap: the contact is found to
-  /// a tolerance, and readers test the boxes as they are.
+  /// Returns the attacker's pose, moved towards the ego until their boxes overlap: the contact is
+  /// found within a tolerance, but readers test exact boxes.
   Pose2 overlapping(const Pose2& ego, Pose2 attacker) const {
     const auto gaps = axisGaps({ego, scene_.ego.size}, {attacker, drive_.size});
     const auto widest = std::max_element(
         gaps.begin(), gaps.end(), [](const AxisGap& a, const AxisGap& b) { return a.gap < b.gap; });
-    const double way = std::max(0.0, widest->gap + kTouchDepth);
-    attacker.x -= way * widest->axis.x();
-    attacker.y -= way * widest->axis.y();
+    const double shift = std::max(0.0, widest->gap + kTouchDepth);
+    attacker.x -= shift * widest->axis.x();
+    attacker.y -= shift * widest->axis.y();
     return attacker;
   }
 
-  /// s of the record, to the microsecond.
+  /// Returns the record's time of a step, s, to the microsecond.
   double timeOf(std::size_t index) const {
     return std::round(static_cast<double>(index) * step_ * 1e6) / 1e6;
   }
 
-  /// s of the scene.
+  /// Returns the scene's time of a step, s.
   double sceneTime(std::size_t index) const { return begin_ + static_cast<double>(index) * step_; }
 
-  /// The track's states at the steps at which `at` has one.
+  /// Returns the states at the steps for which `at` returns one.
   template <class StateAtTime>
   Track sampled(const Track& like, const StateAtTime& at) const {
     Track track{like.id, like.agent_class, like.size, {}};
@@ -149,7 +149,7 @@ class RecordBuilder {
       return stateAt(scene_.ego, time);
     });
     if (track.states.size() < count_) {
-      throw std::runtime_error("the ego is lost for a time in " + scene_.name);
+      throw std::runtime_error("the ego's track has a gap in " + scene_.name);
     }
     track.id = kEgoId;
     return track;
@@ -163,7 +163,7 @@ class RecordBuilder {
       const bool is_attacking = time >= now - kTimeEpsilon;
       return is_attacking ? stateAt(drive_, std::max(time, now)) : stateAt(past, time);
     });
-    track.states = seenStretches(track, step_).back();
+    track.states = splitAtGaps(track, step_).back();
     return track;
   }
 
@@ -215,17 +215,17 @@ class RecordBuilder {
   const Scene& scene_;
   const RecordContext& context_;
   double step_;
-  double begin_ = 0.0;  // s of the scene
+  double begin_ = 0.0;  // s, scene's clock
   std::size_t now_step_ = 0;
   std::size_t count_ = 0;
   Track drive_;
-  std::optional<double> contact_;         // s of the scene
-  std::optional<PostCrashMotion> crash_;  // with a contact
+  std::optional<double> contact_;         // s, scene's clock
+  std::optional<PostCrashMotion> crash_;  // set with a contact
 };
 
 }  // namespace
 
-std::vector<std::vector<AgentState>> seenStretches(const Track& track, double step) {
+std::vector<std::vector<AgentState>> splitAtGaps(const Track& track, double step) {
   std::vector<std::vector<AgentState>> stretches;
   for (const AgentState& state : track.states) {
     if (stretches.empty() || state.time - stretches.back().back().time > 1.5 * step) {
@@ -241,8 +241,8 @@ CrashRecord crashRecord(const Scenario& scenario, std::size_t line, double histo
   const std::string& scene = scenario.asked.scene;
   if (!isPlainWord(scene)) {
     throw std::runtime_error("scene = \"" + scene +
-                             "\" cannot be part of a file's name: letters, digits, '-', '_' and "
-                             "'.' can");
+                             "\" cannot be part of a file name: use letters, digits, '-', '_' and "
+                             "'.'");
   }
   return RecordBuilder(scenario, history, context).build(scene + "_" + std::to_string(line));
 }

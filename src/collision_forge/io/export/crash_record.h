@@ -14,36 +14,37 @@
 
 namespace forge {
 
-/// The course of lanes as their map has it, by their ids; empty where a map tells points alone.
+/// Arcs of lanes by lane id; empty for maps that have points only.
 using LaneArcs = std::unordered_map<std::string, std::vector<ArcPath>>;
 
-/// One crash as other tools are told it: how everybody moves, on one clock that begins at 0 s, on
-/// the lanes around. Global map frame, metres, radians. Poses are the middles of boxes.
+/// One crash for export: the motion of all vehicles on one clock that starts at 0 s, and the lanes
+/// around. Global map frame, metres, radians. Poses are box centres.
 ///
-/// Up to the contact ego and others are as recorded, and the attacker drives its attack. After it
-/// ego and attacker move as of PostCrashMotion, with boxes that overlap by 5 mm.
+/// Until contact the ego and the other agents are as recorded and the attacker follows its
+/// trajectory. After it, ego and attacker move by PostCrashMotion, with boxes that overlap by at
+/// least 5 mm.
 struct CrashRecord {
-  std::string name;   ///< of the files; a plain word, "scene-0061_17"
-  Scenario scenario;  ///< what was asked for and answered; its times are on the scene's clock
-  double step = 0.0;  ///< s between states
-  double now = 0.0;   ///< s, when the attack begins; a multiple of `step`
-  std::optional<double> contact;  ///< s, of the attacker with the recorded ego; empty: none
+  std::string name;               ///< base name of the files, as "scene-0061_17"
+  Scenario scenario;              ///< request and result; times on the scene's clock
+  double step = 0.0;              ///< s between states
+  double now = 0.0;               ///< t0, s; a multiple of `step`
+  std::optional<double> contact;  ///< s, contact time with the recorded ego; empty: none
   Track ego;                      ///< a state every step from 0 s to the end; its id is kEgoId
-  Track attacker;                 ///< the same, from its first state on
-  /// Those near, in the order of their ids, who move or stand; states at those steps at which they
-  /// were seen.
-  std::vector<Track> others;
-  LaneMap lanes;  ///< those near, with the links among them
-  LaneArcs arcs;  ///< of these
-  GeoPoint origin;
+  Track attacker;                 ///< a state every step from its first state on
+  /// Other agents within ExportOptions::radius, sorted by id; states at the steps at which they
+  /// were in sight.
+  std::vector<Track> other_agents;
+  LaneMap lanes;    ///< lanes within the radius, with the links among them
+  LaneArcs arcs;    ///< arcs of `lanes`
+  GeoPoint origin;  ///< of the map frame
 
-  double end() const { return ego.states.back().time; }  ///< s
+  double end() const { return ego.states.back().time; }  ///< s, end of the record
 };
 
-/// Runs of states without a gap: a track that was out of sight for a time has several.
-std::vector<std::vector<AgentState>> seenStretches(const Track& track, double step);
+/// Splits a track's states into stretches without a gap; `step` in s.
+std::vector<std::vector<AgentState>> splitAtGaps(const Track& track, double step);
 
-/// What a record is made of beside the scenario.
+/// Inputs of crashRecord() beside the scenario.
 struct RecordContext {
   const IndexedScene& indexed;
   const LaneArcs& arcs;
@@ -51,9 +52,9 @@ struct RecordContext {
   const VerificationOptions& verification;
 };
 
-/// The record of an attack; `line` is its number in its file, from 1. `history`: s before now.
-/// Throws std::runtime_error for a scene whose name is no plain word, and for one in which the ego
-/// is not there at now.
+/// Builds the record of an attack. `line`: number of the attack in its file, from 1; `history`: s
+/// before t0. Throws std::runtime_error if the scene's name has characters other than letters,
+/// digits, '-', '_' and '.', and if the ego is missing at t0 or for a time after it.
 CrashRecord crashRecord(const Scenario& scenario, std::size_t line, double history,
                         const RecordContext& context);
 

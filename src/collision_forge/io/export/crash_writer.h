@@ -7,33 +7,36 @@
 
 namespace forge {
 
-/// What is known of a crash that was exported, for what a writer makes of all of them together.
+/// Summary of an exported crash, for files that a writer makes of all crashes together.
 struct ExportedCrash {
-  std::string name;
+  std::string name;  ///< CrashRecord::name
   std::string scene;
   std::string location;
-  std::size_t states = 0;  ///< of the ego
+  std::size_t states = 0;  ///< number of the ego's states
 };
 
-/// Writes crashes in a format of other tools. write() is called on many threads.
+/// Extension point: writes crashes in the format of another tool (registered in
+/// export_formats.cpp).
 class CrashWriter {
  public:
   virtual ~CrashWriter() = default;
 
-  /// Writes the files of a crash, each aside and renamed, and returns their paths as seen from the
-  /// folder. The same record gives the same bytes.
+  /// Writes the files of one crash, each with an AsideFile, and returns their paths relative to the
+  /// folder. Called once per crash, concurrently from several threads: must be thread-safe, and the
+  /// same record must give the same bytes. An exception ends the export.
   virtual std::vector<std::string> write(const CrashRecord& record) const = 0;
 
-  /// What the format wants of all crashes together; called once, when all are written.
+  /// Writes files over all crashes, if the format has any. Called once, after the last write(),
+  /// from one thread. An exception ends the export.
   virtual void finish(const std::vector<ExportedCrash>& crashes) const { (void)crashes; }
 };
 
-/// What writers are made for.
+/// Configuration of a writer.
 struct ExportPlan {
-  std::string folder;     ///< exists
-  bool ego_free = false;  ///< the ego has a start alone: the tool drives it
+  std::string folder;     ///< output folder; must exist
+  bool ego_free = false;  ///< export only the ego's start: the tool drives the ego
   ExportOptions options;
-  DriveLimitOptions limits;
+  DriveLimitOptions limits;  ///< vehicle limits by class, for formats that have them
 };
 
 }  // namespace forge

@@ -12,8 +12,8 @@ namespace {
 using Box = Eigen::AlignedBox2d;
 using Line = std::vector<Vector2>;
 
-constexpr double kBeside = 0.05;  // m from an edge to where its sides are looked at
-constexpr double kSame = 0.01;    // m; so near lie the middles of pieces that are the same
+constexpr double kBeside = 0.05;  // m from an edge to the points that test its sides
+constexpr double kSame = 0.01;    // m; pieces whose middles are closer count as the same
 
 Box boxAround(const Line& points) {
   Box box;
@@ -21,7 +21,7 @@ Box boxAround(const Line& points) {
   return box;
 }
 
-/// Finds the lines of one area.
+/// Finds the boundary lines of one area.
 class EdgeFinder {
  public:
   EdgeFinder(const std::vector<Polygon>& area, const Line& points, double radius)
@@ -45,7 +45,7 @@ class EdgeFinder {
     }
   }
 
-  /// Goes on with a line, or begins one, piece by piece of a side of a ring.
+  /// Continues or starts a line, piece by piece along a side of a ring.
   void followSide(const Vector2& from, const Vector2& to) {
     const double length = (to - from).norm();
     if (length == 0.0) return;
@@ -63,7 +63,7 @@ class EdgeFinder {
     }
   }
 
-  /// `is_straight`: the last piece was of the same side.
+  /// `is_straight`: the previous piece is of the same side.
   void extend(const Vector2& begin, const Vector2& end, bool is_straight) {
     if (!is_open_) lines_.push_back({begin});
     if (is_straight) lines_.back().pop_back();
@@ -75,9 +75,9 @@ class EdgeFinder {
            isDrivable(middle + kBeside * left) != isDrivable(middle - kBeside * left);
   }
 
-  /// Not told of another polygon with the same edge.
+  /// Returns true if no other polygon contributed this piece of edge before.
   bool isNew(const Vector2& middle) {
-    return told_.emplace(std::lround(middle.x() / kSame), std::lround(middle.y() / kSame)).second;
+    return found_.emplace(std::lround(middle.x() / kSame), std::lround(middle.y() / kSame)).second;
   }
 
   bool isNear(const Vector2& place) const {
@@ -98,10 +98,10 @@ class EdgeFinder {
   const Line& points_;
   double radius_;
   Box reach_;
-  std::vector<Box> boxes_;  // one a polygon
+  std::vector<Box> boxes_;  // one per polygon
   std::vector<Line> lines_;
-  std::set<std::pair<long, long>> told_;  // middles of pieces
-  bool is_open_ = false;                  // the last line goes on
+  std::set<std::pair<long, long>> found_;  // middles of the pieces found
+  bool is_open_ = false;                   // the last line continues
 };
 
 }  // namespace

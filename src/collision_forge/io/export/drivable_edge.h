@@ -6,10 +6,10 @@
 
 namespace forge {
 
-/// The lines at which drivable ground ends, as far as they are within `radius` metres of one of
-/// `points`: the edges of the polygons with drivable ground to one side alone, an edge of several
-/// once. A line is cut where it leads into another polygon, to `kEdgePiece`; one all the way around
-/// ends where it begins.
+/// Returns the boundary lines of the union of `area` within `radius` (m) of any of `points`: edges
+/// with drivable ground on one side only, shared edges once. Edges are tested in pieces of
+/// kEdgePiece, so lines that enter another polygon are cut to that accuracy. A closed line ends at
+/// its first point.
 inline constexpr double kEdgePiece = 0.5;  // m
 std::vector<std::vector<Vector2>> drivableEdges(const std::vector<Polygon>& area,
                                                 const std::vector<Vector2>& points, double radius);

@@ -32,7 +32,7 @@ std::unique_ptr<CrashWriter> makeCrashWriter(const std::string& format, const Ex
   for (const Format& known : kFormats) {
     if (format == known.name) return known.make(plan);
   }
-  throw std::invalid_argument("format \"" + format + "\" is not known");
+  throw std::invalid_argument("unknown format \"" + format + "\"");
 }
 
 }  // namespace forge

@@ -8,10 +8,11 @@
 
 namespace forge {
 
-/// The formats by their names: "openscenario", ...
+/// Returns the names of the export formats: "openscenario", "commonroad", "scenarionet".
 std::vector<std::string> exportFormats();
 
-/// Throws std::invalid_argument for an unknown name, and for a plan that the format cannot keep.
+/// Makes the writer of a format. Throws std::invalid_argument for an unknown format, and for a plan
+/// that the format does not support.
 std::unique_ptr<CrashWriter> makeCrashWriter(const std::string& format, const ExportPlan& plan);
 
 }  // namespace forge

@@ -107,7 +107,7 @@ class OpenDriveWriter {
     }
   }
 
-  /// The reference line is the middle of the one lane.
+  /// The reference line is the centre of the only lane.
   void addLane(xml_node road_node, const Road& road) const {
     xml_node lanes = addElement(road_node, "lanes");
     const auto addPolynomial = [](xml_node parent, const char* name, const char* at, double value) {

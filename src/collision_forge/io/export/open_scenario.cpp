@@ -12,18 +12,18 @@ namespace {
 
 using pugi::xml_node;
 
-// What nobody recorded and no reader computes with here.
+// Values that are not recorded and not used by readers here.
 constexpr double kWheelDiameter = 0.65;    // m
 constexpr double kTrackWidthShare = 0.85;  // of a vehicle's width
 constexpr double kWalkerMass = 75.0;       // kg
 constexpr double kThingMass = 100.0;       // kg
 
-/// Somebody in the scenario: a track while it is seen without a gap.
+/// An entity of the scenario: a stretch of a track without a gap.
 struct Entity {
   std::string name;
   const Track* track = nullptr;
   std::vector<AgentState> states;
-  double axle_to_middle = 0.0;  ///< m, from the entity's origin ahead to the middle of its box
+  double axle_to_middle = 0.0;  ///< m, from the entity's origin forward to the box centre
 };
 
 const char* categoryOf(AgentClass agent_class) {
@@ -50,7 +50,7 @@ const char* categoryOf(AgentClass agent_class) {
   }
 }
 
-/// Readers take text that begins with '$' for the name of a parameter.
+/// Escapes a leading '$', which readers take for a parameter.
 std::string literal(const std::string& text) {
   return !text.empty() && text.front() == '$' ? "_" + text : text;
 }
@@ -62,8 +62,8 @@ class ScenarioWriter {
       : record_(record), plan_(plan), origin_(localOrigin(record)) {
     addEntity("ego", record.ego, record.ego.states, record.scenario.ego.center_offset);
     addTrack("attacker", record.attacker);
-    for (std::size_t i = 0; i < record.others.size(); ++i) {
-      addTrack("other_" + std::to_string(i + 1), record.others[i]);
+    for (std::size_t i = 0; i < record.other_agents.size(); ++i) {
+      addTrack("other_" + std::to_string(i + 1), record.other_agents[i]);
     }
   }
 
@@ -88,14 +88,14 @@ class ScenarioWriter {
     entities_.push_back({name, &track, std::move(states), axle_to_middle});
   }
 
-  /// An entity for each time that it is seen; one state alone is no motion.
+  /// Adds an entity per stretch in sight; a stretch of one state has no motion.
   void addTrack(const std::string& name, const Track& track) {
     const double ahead =
         isVehicle(track.agent_class)
             ? driveLimitsOf(track.agent_class, track.size, plan_.limits).axle_to_middle
             : 0.0;
     int number = 0;
-    for (std::vector<AgentState>& states : seenStretches(track, record_.step)) {
+    for (std::vector<AgentState>& states : splitAtGaps(track, record_.step)) {
       if (states.size() < 2) continue;
       const std::string again = number++ == 0 ? "" : "_" + std::to_string(number);
       addEntity(name + again, track, std::move(states), ahead);
@@ -244,7 +244,7 @@ class ScenarioWriter {
                {{"value", xmlNumber(state.velocity.norm())}});
   }
 
-  /// A group of manoeuvres with one event, to which an action is added.
+  /// Adds a manoeuvre group with one event and returns its action.
   static xml_node addEvent(xml_node act, const std::string& name, const std::string& actor,
                            double time) {
     xml_node group =
@@ -274,8 +274,8 @@ class ScenarioWriter {
     addElement(follow, "TrajectoryFollowingMode", {{"followingMode", "position"}});
   }
 
-  /// Headings go on over pi, so that a reader that interpolates them takes the shorter turn. Of who
-  /// stands first and last state tell all.
+  /// Headings are unwrapped, so that readers that interpolate take the shorter turn. States at rest
+  /// are reduced to the first and the last.
   void addVertices(xml_node polyline, const Entity& entity) const {
     const std::vector<AgentState>& states = entity.states;
     double yaw = states.front().pose.yaw;

@@ -6,12 +6,13 @@
 
 namespace forge {
 
-/// OpenSCENARIO XML 1.2 (ASAM, 2022) with its roads in OpenDRIVE 1.6: NAME.xosc and NAME.xodr.
+/// Returns a writer of OpenSCENARIO XML 1.2 (ASAM, 2022) with roads in OpenDRIVE 1.6: NAME.xosc and
+/// NAME.xodr.
 ///
-/// Ego, attacker and others follow polylines of timed places, `position` mode and absolute times;
-/// a car's origin is the middle of its rear axle, everybody else's the middle of the box. Who comes
-/// later or goes earlier is added and deleted. Type, TTA, manoeuvre and seed are parameters. The
-/// storyboard stops at the end of the record.
+/// All entities follow timed polylines (following mode `position`, absolute times). The origin of a
+/// vehicle is the centre of its rear axle, of another entity the box centre. Entities that appear
+/// later or disappear earlier are added and deleted. Type, TTA, manoeuvre and seed are parameters.
+/// The storyboard stops at the end of the record.
 std::unique_ptr<CrashWriter> makeOpenScenarioWriter(const ExportPlan& plan);
 
 }  // namespace forge

@@ -10,21 +10,21 @@ namespace forge {
 
 class Section;
 
-/// Degrees north and east.
+/// Degrees, north and east positive.
 struct GeoPoint {
   double latitude = 0.0;
   double longitude = 0.0;
 };
 
-/// config/export.yaml, where the unit and source of each of its keys stand.
+/// Content of exported crashes (config/export.yaml).
 struct ExportOptions {
-  double step = 0.1;  ///< s between states: the sampling of attacks
-  double history = 0.0;
-  double tail = 1.0;  ///< s after the contact: enough to see the crash, short of made-up motion
-  double radius = 0.0;
-  double lane_width = kLaneWidth;  ///< m
-  /// m, of every class: medians of nuScenes' annotations (anchors of mmdetection3d's nuScenes
-  /// models). Most emergency vehicles are cars and have no anchor; that of animals is a guess.
+  double step = 0.1;     ///< s between states: the sampling of attacks
+  double history = 0.0;  ///< s before t0, if recorded
+  double tail = 1.0;     ///< s after contact: shows the crash, little of the simulated motion
+  double radius = 0.0;   ///< m around the paths of ego and attacker: lanes and other agents
+  double lane_width = kLaneWidth;  ///< m, of lanes without an outline
+  /// m, box height by class: medians of nuScenes' annotations (anchors of mmdetection3d's nuScenes
+  /// models). Emergency vehicles, mostly cars, have no anchor; animals are an estimate.
   std::map<AgentClass, double> heights = {
       {AgentClass::kCar, 1.73},
       {AgentClass::kTruck, 2.84},
@@ -38,7 +38,7 @@ struct ExportOptions {
       {AgentClass::kAnimal, 0.5},
       {AgentClass::kStaticObject, 0.98},
   };
-  std::map<std::string, GeoPoint> origins;  ///< of maps, by location; others are at 0, 0
+  std::map<std::string, GeoPoint> origins;  ///< by map location; default 0, 0
 };
 
 void readOptions(Section& section, ExportOptions& options);

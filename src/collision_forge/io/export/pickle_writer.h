@@ -9,22 +9,23 @@
 
 namespace forge {
 
-/// Writes a dict for PickleWorkers::write(): plain values as a JsonLineWriter does, and NumPy's
-/// arrays. Texts must be UTF-8.
+/// Writes a dict for PickleWorkers::write(): plain values as JsonLineWriter, and NumPy arrays.
+/// Texts must be UTF-8.
 class PickleWriter : public JsonLineWriter {
  public:
   PickleWriter() { beginObject(); }
 
-  /// A float: an array without dimensions, as JSON does not tell 1 from 1.0. Throws as array().
+  /// Writes a float, as an array without dimensions because JSON does not distinguish 1 and 1.0.
+  /// Throws as array().
   void number(const char* key, double value);
-  /// An array of float64; with `columns` a matrix, given row by row. Without a key it is an element
-  /// of the list that was begun. Throws std::invalid_argument naming the key for a number that is
-  /// not finite.
+  /// Writes an array of float64; with `columns`, a matrix given row by row. If `key` is null it is
+  /// an element of the current list. Throws std::invalid_argument naming the key for a number that
+  /// is not finite.
   void array(const char* key, const std::vector<double>& values, std::size_t columns = 0);
-  /// An array of bool.
+  /// Writes an array of bool.
   void flags(const char* key, const std::vector<bool>& values);
 
-  /// The dict. Every beginObject() and beginArray() has had its end.
+  /// Returns the dict. Every beginObject() and beginArray() must have been ended.
   PickleContent content() const { return {line() + "}", items_}; }
 
  private:

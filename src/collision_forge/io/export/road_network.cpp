@@ -10,7 +10,7 @@ namespace forge {
 namespace {
 
 constexpr double kMinPiece = 1e-6;   // m; shorter pieces are rounding
-constexpr double kMinLength = 0.05;  // m of a course
+constexpr double kMinLength = 0.05;  // m, of a reference line
 constexpr double kMinWidth = 2.0;    // m
 constexpr double kMaxWidth = 8.0;    // m
 
@@ -30,7 +30,7 @@ void addArcs(const ArcPath& path, std::vector<RoadPiece>& course) {
   }
 }
 
-/// The arc that leaves a pose along its heading and goes through a point.
+/// Adds the arc that leaves a pose along its heading and ends at a point.
 void addArcThrough(const Pose2& from, const Vector2& to, std::vector<RoadPiece>& course) {
   const Vector2 chord = to - from.position();
   const double distance = chord.norm();
@@ -44,8 +44,8 @@ void addArcThrough(const Pose2& from, const Vector2& to, std::vector<RoadPiece>&
   }
 }
 
-/// Parts a course at an arc length that is less than its own.
-std::pair<std::vector<RoadPiece>, std::vector<RoadPiece>> parted(
+/// Splits a reference line at an arc length below its length.
+std::pair<std::vector<RoadPiece>, std::vector<RoadPiece>> splitAt(
     const std::vector<RoadPiece>& course, double at) {
   std::vector<RoadPiece> head, rest;
   for (const RoadPiece& piece : course) {
@@ -61,7 +61,7 @@ std::pair<std::vector<RoadPiece>, std::vector<RoadPiece>> parted(
   return {head, rest};
 }
 
-/// Puts one network together. Lanes are told by their place among those that are roads.
+/// Builds one network. Lanes are identified by their index among the lanes that become roads.
 class NetworkBuilder {
  public:
   NetworkBuilder(const LaneMap& map, const LaneArcs& arcs, double lane_width) {
@@ -122,8 +122,9 @@ class NetworkBuilder {
     return next_[from].size() == 1 && previous_[to].size() == 1;
   }
 
-  /// Connecting roads: connectors between two lanes of which one forks or merges. A connector
-  /// beside a connector is a plain road, as a connecting road comes from no connecting road.
+  /// Finds connecting roads: connectors between two lanes where either forks or merges. A
+  /// connector next to a connector becomes a plain road, as a connecting road must not follow
+  /// another.
   void findConnectors() {
     is_connecting_.resize(network_.roads.size(), false);
     for (std::size_t i = 0; i < network_.roads.size(); ++i) {
@@ -148,8 +149,8 @@ class NetworkBuilder {
     }
   }
 
-  /// Lanes that are followed without a connector lose their beginning to the connecting roads that
-  /// lead into them.
+  /// At forks without a connector, the start of the following lane becomes the connecting roads
+  /// that lead into it.
   void addForkPieces() {
     heads_.resize(next_.size());
     for (std::size_t to = 0; to < next_.size(); ++to) {
@@ -160,7 +161,7 @@ class NetworkBuilder {
       if (from.empty()) continue;
       Road& road = network_.roads[to];
       const double piece = std::min(kForkPiece, road.length() / 3.0);
-      std::tie(heads_[to], road.course) = parted(road.course, piece);
+      std::tie(heads_[to], road.course) = splitAt(road.course, piece);
       for (const std::size_t place : from) addConnecting(place, to, heads_[to]);
     }
   }
@@ -186,7 +187,7 @@ class NetworkBuilder {
     }
   }
 
-  /// Ends of lanes are nodes 2 i, beginnings 2 i + 1; each connection joins two.
+  /// Union-find: lane ends are nodes 2 i, lane starts 2 i + 1; each connection joins two.
   void groupJunctions() {
     std::vector<std::size_t> parent(2 * next_.size());
     std::iota(parent.begin(), parent.end(), 0);
@@ -225,11 +226,11 @@ class NetworkBuilder {
 
   RoadNetwork network_;
   std::unordered_map<std::string, std::size_t> places_;
-  std::vector<bool> is_connector_;  // of the lanes that are roads, as these all
+  std::vector<bool> is_connector_;  // this and the lists below: one per lane that becomes a road
   std::vector<bool> is_connecting_;
   std::vector<Places> next_;
   std::vector<Places> previous_;
-  std::vector<std::vector<RoadPiece>> heads_;  // what lanes lost to connecting roads
+  std::vector<std::vector<RoadPiece>> heads_;  // start pieces moved to connecting roads
   std::vector<Connection> connections_;
 };
 

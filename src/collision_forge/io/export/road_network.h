@@ -7,64 +7,66 @@
 
 namespace forge {
 
-/// A piece of a road's course: a line where the curvature is 0, else an arc.
+/// A piece of a road's reference line: a line if the curvature is 0, else an arc.
 struct RoadPiece {
   Pose2 start;
   double length = 0.0;     ///< m, > 0
   double curvature = 0.0;  ///< 1/m, positive to the left
 };
 
-/// What a road's beginning or end is joined to.
+/// The element to which the start or end of a road is linked.
 struct RoadJoint {
   enum class To { kNothing, kRoad, kJunction };
   To to = To::kNothing;
   int id = 0;
 };
 
-/// One lane or lane connector as a road of its own. The course is the lane's middle, in driving
-/// direction.
+/// A lane or lane connector as a road of its own. The reference line is the lane's centreline, in
+/// driving direction.
 struct Road {
   int id = 0;                         ///< from 1
-  std::string lane;                   ///< id of the lane that it is of
+  std::string lane;                   ///< id of the map's lane
   std::vector<RoadPiece> course;      ///< at least one
   double width = 0.0;                 ///< m
-  int junction = 0;                   ///< of a connecting road; 0: a plain one
-  RoadJoint before;                   ///< a road is met at its end
-  RoadJoint after;                    ///< a road is met at its start
+  int junction = 0;                   ///< id, for connecting roads; 0: not in a junction
+  RoadJoint before;                   ///< predecessor; a road is joined at its end
+  RoadJoint after;                    ///< successor; a road is joined at its start
   std::optional<double> speed_limit;  ///< m/s
 
+  /// Returns the length of the reference line, m.
   double length() const;
 };
 
-/// Where roads part and meet. Connecting roads that share an incoming or an outgoing road are of
-/// one junction.
+/// A fork or merge of roads. Connecting roads that share an incoming or an outgoing road belong to
+/// the same junction.
 struct Junction {
   struct Connection {
-    int incoming = 0;    ///< a road
-    int connecting = 0;  ///< a road
+    int incoming = 0;    ///< id of a road
+    int connecting = 0;  ///< id of a road
   };
-  int id = 0;  ///< from 1 above the roads' ids
+  int id = 0;  ///< above all road ids
   std::vector<Connection> connections;
 };
 
+/// Roads and junctions of one OpenDRIVE file.
 struct RoadNetwork {
   std::vector<Road> roads;
   std::vector<Junction> junctions;
 };
 
-/// The pieces of a lane: its arcs, or where the map has none the arcs through its centreline's
-/// poses. Empty for a lane without a course.
+/// Returns the reference line of a lane: its arcs, or arcs through the centreline's poses if the
+/// map has none. Empty for a lane shorter than 5 cm.
 std::vector<RoadPiece> courseOf(const Lane& lane, const LaneArcs& arcs);
 
-/// m: the outline's area over the course's length, from 2 to 8; `otherwise` without an outline.
+/// Returns the lane width in m: the outline's area over `length`, clamped to 2 to 8 m; `otherwise`
+/// if there is no outline.
 double widthOf(const Lane& lane, double length, double otherwise);
 
-/// Roads as ASAM OpenDRIVE 1.6 joins them (Sec. 8.2 and 10). A lane whose one successor has it as
-/// its one predecessor is joined to it. All else goes through junctions: there a connector between
-/// two lanes is a connecting road. Between lanes that follow each other at a fork without a
-/// connector the first `kForkPiece` of the following lane is one.
-/// Links between lanes that do not meet within `kMaxJointGap` are left out, as are lanes without a
-/// course.
+/// Returns the lanes as roads linked by the rules of ASAM OpenDRIVE 1.6 (Sec. 8.2 and 10). A lane
+/// whose only successor has no other predecessor is linked to it directly. All other links go
+/// through junctions: a connector between two lanes is the connecting road; between lanes at a fork
+/// without a connector, the first `kForkPiece` of the following lane is. Links between lanes more
+/// than `kMaxJointGap` apart and lanes without a reference line are left out.
 inline constexpr double kForkPiece = 0.3;    // m
 inline constexpr double kMaxJointGap = 0.1;  // m
 RoadNetwork roadNetwork(const LaneMap& lanes, const LaneArcs& arcs, double lane_width);

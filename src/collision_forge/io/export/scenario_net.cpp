@@ -32,15 +32,15 @@ void writeOwn(PickleWriter& own, const CrashRecord& record) {
 PickleContent scenarioOf(const CrashRecord& record, const ExportOptions& options) {
   TrackTable table{{}, {record.ego, record.attacker}};
   for (const AgentState& state : record.ego.states) table.times.push_back(state.time);
-  std::vector<Vector2> ways;
+  std::vector<Vector2> path_points;
   for (const Track& track : table.tracks) {
-    for (const AgentState& state : track.states) ways.push_back(state.pose.position());
+    for (const AgentState& state : track.states) path_points.push_back(state.pose.position());
   }
-  table.tracks.insert(table.tracks.end(), record.others.begin(), record.others.end());
+  table.tracks.insert(table.tracks.end(), record.other_agents.begin(), record.other_agents.end());
   const auto now = static_cast<std::size_t>(std::lround(record.now / record.step));
   return describe({record.name, std::move(table), record.step, now, record.lanes,
                    [&](PickleWriter& own) { writeOwn(own, record); }},
-                  ways, options);
+                  path_points, options);
 }
 
 class ScenarioNetWriter : public CrashWriter {
@@ -69,8 +69,8 @@ class ScenarioNetWriter : public CrashWriter {
 std::unique_ptr<CrashWriter> makeScenarioNetWriter(const ExportPlan& plan) {
   if (plan.ego_free) {
     throw std::invalid_argument(
-        "format scenarionet has no free ego: its tracks have a state at every step; who replays "
-        "them may leave the ego's out");
+        "format scenarionet does not support a free ego: its tracks need a state at every step; "
+        "leave out the ego's track when replaying");
   }
   return std::make_unique<ScenarioNetWriter>(plan);
 }

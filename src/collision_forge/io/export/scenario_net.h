@@ -6,12 +6,10 @@
 
 namespace forge {
 
-/// Scenario descriptions of ScenarioNet, which MetaDrive replays, a file a crash
-/// (scenario_net_description.h), and the summaries of all.
-///
-/// Tracks are those of the ego, which is the self-driving car, of the attacker and of the others.
-/// What was asked for and answered is in the metadata below "collision_forge". Throws
-/// std::invalid_argument for a free ego: every track needs its states.
+/// Returns a writer of ScenarioNet scenario descriptions, which MetaDrive replays: one file per
+/// crash (scenario_net_description.h) and summaries of all. Tracks: the ego (the self-driving car),
+/// the attacker and the other agents. Request and result are in the metadata under
+/// "collision_forge". Throws std::invalid_argument for a free ego: every track needs its states.
 std::unique_ptr<CrashWriter> makeScenarioNetWriter(const ExportPlan& plan);
 
 }  // namespace forge

@@ -12,7 +12,7 @@
 namespace forge {
 namespace {
 
-// What the names of files are made of, as the format wants it.
+// Parts of the file names that the format prescribes.
 constexpr const char* kDataset = "collision_forge";
 constexpr const char* kVersion = "v1";
 constexpr const char* kEnding = ".pkl";
@@ -55,7 +55,7 @@ void writeMetadata(PickleWriter& metadata, const ScenarioDescription& scenario,
 
 }  // namespace
 
-PickleContent describe(const ScenarioDescription& scenario, const std::vector<Vector2>& ways,
+PickleContent describe(const ScenarioDescription& scenario, const std::vector<Vector2>& path_points,
                        const ExportOptions& options) {
   PickleWriter writer;
   writer.text("id", scenario.name);
@@ -65,7 +65,7 @@ PickleContent describe(const ScenarioDescription& scenario, const std::vector<Ve
   writer.beginObject("dynamic_map_states");
   writer.endObject();
   const std::size_t features = writeMapFeatures(
-      writer, scenario.map, drivableEdges(scenario.map.drivable_area, ways, options.radius));
+      writer, scenario.map, drivableEdges(scenario.map.drivable_area, path_points, options.radius));
   writeMetadata(writer, scenario, features);
   return writer.content();
 }

@@ -13,32 +13,32 @@
 
 namespace forge {
 
-/// What a scenario description of ScenarioNet (Li et al., NeurIPS 2023) is made of, whatever it is
-/// of. Everything lies at z = 0.
+/// Content of a ScenarioNet scenario description (Li et al., NeurIPS 2023), for crashes and
+/// recordings. All at z = 0.
 struct ScenarioDescription {
-  std::string name;             ///< of the scenario; a plain word
-  TrackTable table;             ///< from 0 s on; the first track is the self-driving car's
-  std::optional<double> step;   ///< s between rows, where they are even
-  std::size_t current_row = 0;  ///< what is before it is history
+  std::string name;             ///< name of the scenario, valid in file names
+  TrackTable table;             ///< from 0 s on; the first track is the ego's
+  std::optional<double> step;   ///< s between rows; empty if uneven
+  std::size_t current_row = 0;  ///< row of t0; rows before it are history
   const LaneMap& map;
-  /// Writes the metadata's "collision_forge", to which writeGround() adds.
+  /// Writes fields of the metadata's "collision_forge"; writeGround() adds more.
   std::function<void(PickleWriter&)> write_own;
 };
 
-/// What a scenario's file holds. Lines where drivable ground ends are told within
-/// `options.radius` of `ways`.
-PickleContent describe(const ScenarioDescription& scenario, const std::vector<Vector2>& ways,
+/// Returns the content of a scenario file. It includes the boundary lines of the drivable area
+/// within `options.radius` of `path_points`.
+PickleContent describe(const ScenarioDescription& scenario, const std::vector<Vector2>& path_points,
                        const ExportOptions& options);
 
-/// The name of a scenario's file: sd_collision_forge_v1_NAME.pkl.
+/// Returns the file name of a scenario: sd_collision_forge_v1_NAME.pkl.
 std::string scenarioNetFile(const std::string& name);
 
-/// The names of the scenarios that have their files in a folder, sorted.
+/// Returns the names of the scenarios whose files are in a folder, sorted.
 std::vector<std::string> scenarioNetNames(const std::string& folder);
 
-/// Writes what the format wants of all scenarios of a folder: dataset_summary.pkl, from the
-/// metadata in their files, and dataset_mapping.pkl. Throws PickleError naming a file that is
-/// missing or no scenario description.
+/// Writes the format's files over all scenarios of a folder: dataset_summary.pkl, from the metadata
+/// in their files, and dataset_mapping.pkl. Throws PickleError naming a file that is missing or is
+/// not a scenario description.
 void writeScenarioNetSummary(const std::string& folder, const std::vector<std::string>& names,
                              PickleWorkers& workers);
 

@@ -6,8 +6,8 @@
 namespace forge {
 namespace {
 
-constexpr double kMostApart = 100.0;       // m between the middles of a lane's line and its outline
-constexpr double kKilometresAnHour = 3.6;  // in a metre a second
+constexpr double kMostApart = 100.0;  // m between the centroids of a lane's centreline and outline
+constexpr double kKilometresAnHour = 3.6;  // km/h in 1 m/s
 
 std::vector<double> flat(const std::vector<Vector2>& points) {
   std::vector<double> numbers;
@@ -50,7 +50,7 @@ class FeatureWriter {
     }
     writer_.texts("entry_lanes", known(lane.incoming));
     writer_.texts("exit_lanes", known(lane.outgoing));
-    writer_.texts("left_neighbor", {});  // not known, as in ScenarioNet's own of nuScenes
+    writer_.texts("left_neighbor", {});  // unknown, as in ScenarioNet's own conversion of nuScenes
     writer_.texts("right_neighbor", {});
     if (lane.speed_limit) {
       writer_.number("speed_limit_kmh", kKilometresAnHour * *lane.speed_limit);
@@ -88,8 +88,8 @@ class FeatureWriter {
   }
 
   PickleWriter& writer_;
-  std::unordered_set<std::string> lanes_;  // ids of those with a line
-  std::size_t others_ = 0;                 // features that are no lanes
+  std::unordered_set<std::string> lanes_;  // ids of the lanes with a centreline
+  std::size_t others_ = 0;                 // number of features other than lanes
 };
 
 }  // namespace

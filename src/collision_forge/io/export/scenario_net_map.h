@@ -8,12 +8,12 @@
 
 namespace forge {
 
-/// Writes the scenario's "map_features": lanes that have a centreline with the links among them,
-/// walkways, and the lines at which drivable ground ends. Returns how many they are.
+/// Writes "map_features": lanes that have a centreline, with the links among them, walkways, and
+/// the boundary lines `road_edges` of the drivable area. Returns the number of features.
 std::size_t writeMapFeatures(PickleWriter& scenario, const LaneMap& map,
                              const std::vector<std::vector<Vector2>>& road_edges);
 
-/// Writes what the format has no word for: "driving_side" and "drivable_area".
+/// Writes map data that the format does not define: "driving_side" and "drivable_area".
 void writeGround(PickleWriter& writer, const LaneMap& map);
 
 }  // namespace forge

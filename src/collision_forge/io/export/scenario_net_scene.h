@@ -6,25 +6,24 @@
 
 namespace forge {
 
-/// At which times a recording is told.
+/// The times of the rows of an exported recording.
 enum class RowTimes {
-  kEveryStep,  ///< of the options, from the first frame on: what MetaDrive replays
-  /// At the frames and at the ego's poses, agents where they were annotated: all comes back
-  /// exactly.
+  kEveryStep,  ///< every ExportOptions::step from the first frame on: what MetaDrive replays
+  /// At the frames and at the ego's poses, agents only where annotated: lossless.
   kAsRecorded,
 };
 
-/// A recording, without an attack, as a scenario description of ScenarioNet; its name
-/// is the scene's (scenarioNetFile()). It goes from the first to the last frame at which the ego is
-/// known; frames without it are left out. States are those of stateAt(), the map is whole, and
-/// lines where drivable ground ends are told within `options.radius` of the ego's way.
+/// Returns a recording, without an attack, as a ScenarioNet scenario description named after the
+/// scene (scenarioNetFile()). Covers the first to the last frame at which the ego is known; leaves
+/// out frames without it. States are from stateAt(); the map is complete, with the boundary lines
+/// of the drivable area within `options.radius` of the ego's path.
 ///
-/// The metadata have below "collision_forge": "scene", "start" (s, the scene's clock at ts 0),
-/// "frame_times" (of ts), and those of writeGround(). At rows as recorded start + ts is the time to
-/// the last bit.
+/// The metadata has under "collision_forge": "scene", "start" (s on the scene's clock at ts = 0),
+/// "frame_times" (as ts) and the fields of writeGround(). With kAsRecorded, start + ts is exactly
+/// the recorded time.
 ///
-/// Throws std::runtime_error for a scene without such a frame, and where the ego is lost for a time
-/// that has steps.
+/// Throws std::runtime_error for a scene without such a frame, and if the ego is missing at a row
+/// between them.
 PickleContent scenarioNetOf(const Scene& scene, RowTimes rows, const ExportOptions& options);
 
 }  // namespace forge

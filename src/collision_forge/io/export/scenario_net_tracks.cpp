@@ -6,8 +6,8 @@
 namespace forge {
 namespace {
 
-constexpr double kLongestCone = 1.0;    // m; static objects that are longer are barriers
-constexpr double kLeastDistance = 1.0;  // m; what drives less does not count as moving
+constexpr double kLongestCone = 1.0;    // m; longer static objects are barriers
+constexpr double kLeastDistance = 1.0;  // m; shorter motion does not count as moving
 
 const char* typeOf(const Track& track) {
   switch (track.agent_class) {
@@ -31,7 +31,7 @@ std::size_t rowOf(const AgentState& state, const std::vector<double>& times) {
   return static_cast<std::size_t>(found - times.begin());
 }
 
-/// A track's states, a row a time; zeros where it is not seen.
+/// A track's states, one row per time; zeros in rows without a state.
 struct StateRows {
   StateRows(const Track& track, const std::vector<double>& times);
 
@@ -86,7 +86,7 @@ void writeTrack(PickleWriter& writer, const Track& track, const std::vector<doub
   writer.endObject();
 }
 
-/// m, from each state to the next.
+/// Returns the length of a track's path, m.
 double distanceOf(const Track& track) {
   double distance = 0.0;
   for (std::size_t i = 1; i < track.states.size(); ++i) {
@@ -96,7 +96,7 @@ double distanceOf(const Track& track) {
   return distance;
 }
 
-/// Rows from the first at which the track is seen to the first at which it is not.
+/// Returns the number of rows of the track's first stretch without a gap.
 std::size_t firstStretch(const Track& track, const std::vector<double>& times) {
   const std::size_t first = rowOf(track.states.front(), times);
   std::size_t count = 1;

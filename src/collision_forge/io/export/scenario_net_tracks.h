@@ -8,20 +8,20 @@
 
 namespace forge {
 
-/// How everybody moves, as ScenarioNet tells it: in rows on one clock.
+/// The motion of all agents as ScenarioNet stores it: rows on one clock.
 struct TrackTable {
-  std::vector<double> times;  ///< s, a row each, ascending
-  std::vector<Track> tracks;  ///< none without a state; each state's time is one of `times`
+  std::vector<double> times;  ///< s, one per row, ascending
+  std::vector<Track> tracks;  ///< non-empty; each state's time is in `times`
 };
 
-/// Writes the scenario's "tracks", with zeros where one is not seen. `heights`: m, of boxes.
+/// Writes "tracks", with zeros in rows without a state. `heights`: m, box height by class.
 void writeTracks(PickleWriter& scenario, const TrackTable& table,
                  const std::map<AgentClass, double>& heights);
 
 /// Writes the metadata's "object_summary".
 void writeObjectSummary(PickleWriter& metadata, const TrackTable& table);
 
-/// Writes what the metadata's "number_summary" says of tracks.
+/// Writes the fields on tracks of the metadata's "number_summary".
 void writeObjectNumbers(PickleWriter& metadata, const TrackTable& table);
 
 }  // namespace forge

@@ -8,11 +8,11 @@
 
 namespace forge {
 
-/// Throws InputError, naming `where`, for a line of more bytes than limits.max_line.
+/// Throws InputError, naming `where`, for a line longer than limits.max_line bytes.
 void checkLineLength(const std::string& where, std::size_t length, const InputLimits& limits);
 
-/// std::getline() of what others wrote: throws as checkLineLength(), without holding the whole
-/// line. The stream is then behind it, and the next can be read.
+/// Reads a line of untrusted input; returns false at the end. Throws as checkLineLength() without
+/// holding the whole line in memory; the stream is then at the next line.
 bool readInputLine(std::istream& stream, std::string& line, const std::string& where,
                    const InputLimits& limits);
 

@@ -21,7 +21,7 @@ using rapidjson::Value;
 
 std::string stringOf(const Value& value) { return {value.GetString(), value.GetStringLength()}; }
 
-/// A zero would end the message: it is written as in the file.
+/// Escapes zero bytes, which would end the message.
 std::string withoutZeros(std::string name) {
   for (std::size_t at = 0; (at = name.find('\0', at)) != std::string::npos;) {
     name.replace(at, 1, "\\u0000");
@@ -29,7 +29,7 @@ std::string withoutZeros(std::string name) {
   return name;
 }
 
-/// A value as it stands in the file, cut where it is long or nested.
+/// Returns a value as in the file, shortened if it is long or nested.
 std::string excerpt(const Value& value) {
   if (value.IsObject()) return "{...}";
   if (value.IsArray()) return "[...]";
@@ -51,7 +51,7 @@ JsonObject::JsonObject(std::string where, std::string path, const Value& value)
   }
   for (const auto& member : value.GetObject()) {
     const std::string key = stringOf(member.name);
-    if (!unread_.insert(key).second) fail(key, "is there twice");
+    if (!unread_.insert(key).second) fail(key, "is a duplicate");
   }
 }
 

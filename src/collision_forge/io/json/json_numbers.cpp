@@ -10,7 +10,7 @@
 namespace forge {
 namespace {
 
-/// Of a text that is nothing else.
+/// Parses an integer; nullopt if the text is anything else.
 template <typename Integer>
 std::optional<Integer> integerOf(std::string_view text) {
   Integer value = 0;
@@ -28,7 +28,7 @@ std::optional<double> nearestDouble(std::string_view text) {
   const auto [read_to, error] = std::from_chars(text.data(), end, value);
   if (read_to != end || error == std::errc::invalid_argument) return std::nullopt;
   if (error == std::errc()) return value;
-  // Too large, or so small that 0 is nearest: from_chars() does not tell which.
+  // Overflow or underflow to 0: from_chars() does not distinguish them.
   value = std::strtod(std::string(text).c_str(), nullptr);
   if (std::isinf(value)) return std::nullopt;
   return value;
@@ -38,7 +38,8 @@ bool ExactNumbers::RawNumber(const char* text, rapidjson::SizeType size, bool /*
   const std::string_view number(text, size);
   if (const auto natural = integerOf<std::uint64_t>(number)) return document_.Uint64(*natural);
   const auto integer = integerOf<std::int64_t>(number);
-  if (integer && *integer != 0) return document_.Int64(*integer);  // none has the sign of "-0"
+  if (integer && *integer != 0)
+    return document_.Int64(*integer);  // an integer would lose the sign of "-0"
   const auto value = nearestDouble(number);
   return value && document_.Double(*value);
 }

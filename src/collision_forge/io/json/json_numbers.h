@@ -8,13 +8,13 @@
 
 namespace forge {
 
-/// The double nearest to a number of JSON, exactly; NaN and infinite where the text says so.
-/// Nothing for a text that is no number, or one beyond the largest double.
+/// Returns the double nearest to a JSON number, correctly rounded; NaN and infinity if the text
+/// says so. Returns nullopt if the text is not a number, or exceeds the largest double.
 std::optional<double> nearestDouble(std::string_view text);
 
-/// What RapidJSON reads, into a document, with its numbers made here: its own conversion reads
-/// beyond its memory for some long numbers. Integers stay integers where 64 bits hold them, but for
-/// -0.
+/// RapidJSON handler that fills a document and converts the numbers itself: RapidJSON's own
+/// conversion reads out of bounds for some long numbers. Integers stay integers if 64 bits hold
+/// them, except -0.
 class ExactNumbers : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, ExactNumbers> {
  public:
   explicit ExactNumbers(rapidjson::Document& document) : document_(document) {}
@@ -39,8 +39,8 @@ class ExactNumbers : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Exac
   rapidjson::Document& document_;
 };
 
-/// Reads JSON with exact numbers. The parse is iterative: a text nested a million deep does not
-/// exhaust the stack. A number beyond the largest double is kParseErrorNumberTooBig.
+/// Parses JSON with correctly rounded numbers. Iterative: a text nested a million levels deep does
+/// not exhaust the stack. A number beyond the largest double gives kParseErrorNumberTooBig.
 template <unsigned kMoreFlags, typename Stream>
 rapidjson::ParseResult parseExactly(Stream& stream, rapidjson::Document& document) {
   constexpr unsigned kFlags =

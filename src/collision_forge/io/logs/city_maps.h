@@ -12,16 +12,18 @@
 
 namespace forge {
 
-/// Called with a subject and what is odd about it; on any thread, one at a time.
+/// Receives warnings about a subject (a scene or a map). Called from any thread, one call at a
+/// time; must not call back into the object that called it.
 using OnWarnings =
     std::function<void(const std::string& subject, const std::vector<std::string>& warnings)>;
 
-/// The maps of a nuScenes root, each read when it is first asked for. Thread-safe.
+/// The maps of a nuScenes root, each read on first use and kept. Thread-safe.
 class CityMaps {
  public:
+  /// `dataroot`: folder of a nuScenes root, with maps/expansion.
   CityMaps(const std::string& dataroot, const DataOptions& options, OnWarnings on_warnings = {});
 
-  /// Throws as readNuScenesMap() and drivingSide().
+  /// Returns the index of a city's map. Throws as readNuScenesMap() and drivingSide().
   std::shared_ptr<const LaneIndex> at(const std::string& city);
 
  private:

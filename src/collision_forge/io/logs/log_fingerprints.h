@@ -5,9 +5,9 @@
 
 namespace forge {
 
-/// What results depend on in logs, by what it is, as fingerprintOfTree() tells it. Of a nuScenes
-/// root "tables", those of `version` (none where it is empty), and "maps", the expansion; of
-/// another folder, or a file, "logs". Throws std::runtime_error for what cannot be read.
+/// Returns fingerprintOfTree() of the log data that results depend on, by kind. For a nuScenes
+/// root: "tables" (folder `version`; left out if it is "") and "maps" (the map expansion); for
+/// another folder or a file: "logs". Throws std::runtime_error for a file that cannot be read.
 std::map<std::string, std::string> logFingerprints(const std::string& path,
                                                    const std::string& version);
 

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kScenes = "scene.json";
 
-/// The folders with tables, sorted.
+/// Returns the names of the folders that have tables, sorted.
 std::vector<std::string> versionsIn(const std::string& path) {
   std::vector<std::string> found;
   std::error_code ignored;
@@ -32,7 +32,7 @@ std::vector<std::string> versionsIn(const std::string& path) {
 bool isNuScenesRoot(const std::string& path) { return fs::is_directory(fs::path(path) / "maps"); }
 
 std::vector<std::string> namesIn(const LogSource& source) {
-  constexpr std::size_t kName = 1;  // position among the fields read
+  constexpr std::size_t kName = 1;  // index in the list of fields
   std::vector<std::string> names;
   readTable(source.path + "/" + versionOf(source) + "/" + kScenes, {"token", "name"},
             [&](const JsonRow& row) { names.emplace_back(row.text(kName)); });
@@ -83,12 +83,12 @@ std::string versionOf(const LogSource& source) {
   const std::vector<std::string> found = versionsIn(source.path);
   if (found.size() == 1) return found.front();
   if (found.empty()) {
-    throw NuScenesError(source.path + ": no folder in it has tables (" + kScenes + ")");
+    throw NuScenesError(source.path + ": no subfolder has tables (" + kScenes + ")");
   }
   std::string names;
   for (const std::string& name : found) names += (names.empty() ? "" : ", ") + name;
   throw NuScenesError(source.path +
-                      ": has tables of several versions; --version says which: " + names);
+                      ": has tables of several versions; choose one with --version: " + names);
 }
 
 std::map<std::string, std::string> fingerprintsOf(const LogSource& source) {

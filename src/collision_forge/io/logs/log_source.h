@@ -19,78 +19,85 @@ struct LoggedScene {
   std::shared_ptr<const LaneIndex> lanes;
 };
 
-/// The wanted scenes of a log source, each read when it is asked for. Thread-safe.
+/// Extension point: reads the selected scenes of a log source on demand. SceneSource calls read()
+/// from several threads, for different scenes at the same time; implementations must be
+/// thread-safe.
 class SceneReader {
  public:
   virtual ~SceneReader() = default;
 
-  /// Of the wanted scenes, in the source's order.
+  /// Returns the names of the selected scenes, in the source's order. Must not throw.
   virtual std::vector<std::string> names() const = 0;
-  /// Within the limits of input. Throws what is wrong with the scene.
+  /// Returns a selected scene on the ground plane; values must be within the input limits. Called
+  /// each time a scene is not cached. Throws any std::exception for a scene that cannot be used;
+  /// callers report it and may go on with other scenes.
   virtual IndexedScene read(const std::string& name) = 0;
-  /// The same before it is flattened to the ground; throws also where the source has it flat alone.
+  /// Returns the same scene before flattening, for conversion to bags. Throws as read(), and if the
+  /// source has flat scenes only.
   virtual LoggedScene recording(const std::string& name) = 0;
 };
 
-/// What is wanted of a log source, and how it is read.
+/// Which scenes of a log source to read, and how.
 struct SceneReading {
-  std::vector<std::string> scenes;  ///< the wanted ones; empty: all
+  std::vector<std::string> scenes;  ///< names of the selected scenes; empty: all
   DataOptions options;
+  // Callbacks; may be empty. Called while open(), read() or recording() runs, in its thread.
   OnWarnings on_warnings;
   NuScenesProgress on_progress;
 };
 
 struct LogSource;
 
-/// A kind of log source.
+/// Extension point: a kind of log source, as functions. Called by the thread that opens the source.
 struct LogFormat {
-  const char* name;  ///< for people, as "a nuScenes root"
-  /// True for a path that looks like one.
+  const char* name;  ///< for messages, as "a nuScenes root"
+  /// Returns true if `path` looks like a source of this kind, false if it cannot be read.
   bool (*accepts)(const std::string& path);
-  /// The names of all scenes. Throws for a source that cannot be read.
+  /// Returns the names of all scenes. Throws std::exception for a source that cannot be read.
   std::vector<std::string> (*names)(const LogSource& source);
-  /// Throws as names(), and for a wanted scene that is not there.
+  /// Opens the source. Throws as names(), and for a selected scene that does not exist.
   std::unique_ptr<SceneReader> (*open)(const LogSource& source, const SceneReading& reading);
 };
 
-/// Tables and maps as nuScenes has them. read() gives scenes as NuScenesRoot::readScene(),
-/// toScene() and CityMaps do.
+/// The format of nuScenes roots (tables and map expansion); reads scenes with
+/// NuScenesRoot::readScene(), toScene() and CityMaps.
 const LogFormat& nuScenesFormat();
 
-/// Where recorded scenes are read from.
+/// The place of recorded scenes.
 struct LogSource {
   std::string path;
-  /// Of a nuScenes root: the folder of its tables; empty: the only one.
+  /// nuScenes root: folder of the tables, as "v1.0-mini"; empty: the only one there.
   std::string version;
   const LogFormat* format = &nuScenesFormat();
 
-  /// For messages.
+  /// Returns the path with the version, for messages.
   std::string described() const { return version.empty() ? path : path + "/" + version; }
-  /// For headlines: the version, else the last part of the path.
+  /// Returns the version, or else the last component of the path, for headings.
   std::string title() const;
 };
 
-/// The names of all scenes of a source, in its order.
+/// Returns the names of all scenes of a source, in its order. Throws as LogFormat::names().
 std::vector<std::string> readSceneNames(const LogSource& source);
 
-/// Those of `wanted`, in the source's order; all if it is empty. Throws std::runtime_error naming
-/// one that the source does not have.
+/// Returns the names in `wanted` (empty: all scenes) in the source's order. Throws
+/// std::runtime_error naming a scene that the source does not have.
 std::vector<std::string> wantedScenes(const LogSource& source,
                                       const std::vector<std::string>& wanted);
 
-/// Leaves out instances that are beyond the limits of input as an agent; `warnings`, if given, gets
-/// one line a kind. Throws InputError as checkScene(), naming the recording.
+/// Removes instances that are beyond the input limits as agents. Appends one line per kind of
+/// problem to `warnings`, if given. Throws InputError as checkScene(), naming the recording.
 void keepWithin(NuScenesRecording& recording, const DataOptions& options,
                 std::vector<std::string>* warnings);
 
-/// What read() gives of what recording() gave: on the ground.
+/// Converts the result of SceneReader::recording() to the result of read(): projects the recording
+/// to the ground plane.
 IndexedScene flattened(const LoggedScene& logged, const SceneReading& reading);
 
-/// The folder of the tables: `source.version`, or the only one that there is. Throws NuScenesError
-/// where there is none, or more than one.
+/// Returns the folder of a nuScenes root's tables: `source.version`, or the only one. Throws
+/// NuScenesError if there is none, or more than one.
 std::string versionOf(const LogSource& source);
 
-/// What results depend on in a source: where it is, and logFingerprints().
+/// Returns "source" (path), "version" and logFingerprints(): the inputs on which results depend.
 std::map<std::string, std::string> fingerprintsOf(const LogSource& source);
 
 }  // namespace forge

@@ -21,7 +21,7 @@ constexpr std::size_t kBufferBytes = 1 << 18;
 constexpr std::uint64_t kProgressBytes = 1 << 22;
 constexpr int kDeepestNesting = 64;
 
-// Numbers stay text until they are asked for: most are never, and conversion is then exact.
+// Numbers stay text until they are used: most never are, and conversion is then exact.
 constexpr unsigned kParseFlags =
     rapidjson::kParseNumbersAsStringsFlag | rapidjson::kParseNanAndInfFlag;
 
@@ -89,7 +89,7 @@ void JsonRow::fail(std::size_t field, const std::string& problem) const {
   throw NuScenesError(path_ + ": " + row + ": field " + fields_[field] + " " + problem);
 }
 
-/// Gathers RapidJSON's events into rows: depth 1 is the table, 2 a row, 3 an array in a field.
+/// Collects RapidJSON's events into rows: depth 1 is the table, 2 a row, 3 an array in a field.
 class JsonTableHandler : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, JsonTableHandler> {
  public:
   JsonTableHandler(const std::string& path, const std::vector<std::string>& fields,
@@ -183,7 +183,7 @@ class JsonTableHandler : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, 
 
   JsonRow row_;
   const std::function<void(const JsonRow&)>& on_row_;
-  JsonRow::Value* current_ = nullptr;  ///< the value of the key last read; null when not wanted
+  JsonRow::Value* current_ = nullptr;  ///< value of the last key; null if the field is skipped
   int depth_ = 0;
 };
 

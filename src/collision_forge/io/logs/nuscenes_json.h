@@ -11,15 +11,15 @@
 
 namespace forge {
 
-/// Files that are not what nuScenes says they are. The message names the file and, where it is
-/// known, the token of the row, the field and the value.
+/// Thrown for files that violate the nuScenes format. The message names the file and, if known, the
+/// token of the row, the field and the value.
 struct NuScenesError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// One row of a table: the values of the fields asked for, by their position in the list given to
-/// readTable(). The first field is the row's token. An accessor throws NuScenesError when the row
-/// lacks the field or holds something else there. Views are valid until the next row is read.
+/// One row of a table, with the fields that readTable() was given; accessors take a field's index
+/// in that list. Field 0 must be the token. Accessors throw NuScenesError if the field is missing
+/// or has another type. Views are valid until the next row is read.
 class JsonRow {
  public:
   JsonRow(std::string path, std::vector<std::string> fields);
@@ -28,7 +28,7 @@ class JsonRow {
   std::string_view text(std::size_t field) const;
   std::vector<std::string_view> texts(std::size_t field) const;
   std::int64_t integer(std::size_t field) const;
-  /// An array of N finite numbers.
+  /// Returns an array of N finite numbers.
   template <std::size_t N>
   std::array<double, N> numbers(std::size_t field) const {
     std::array<double, N> values;
@@ -59,10 +59,10 @@ class JsonRow {
   std::size_t number_ = 0;  ///< position in the file, for rows without a token
 };
 
-/// Reads a JSON array of objects row by row in constant memory. Fields other than `fields` are
-/// skipped, their order is free, NaN and Infinity are taken as numbers. `on_progress`, if any, gets
-/// the number of bytes read so far every few megabytes and at the end.
-/// Throws NuScenesError for a file that is absent, cut off (with the byte offset) or no such array.
+/// Reads a JSON array of objects row by row in constant memory and calls `on_row` for each. Skips
+/// other fields; accepts any order, and NaN and Infinity as numbers. Calls `on_progress`, if set,
+/// with the number of bytes read every few megabytes and at the end. Throws NuScenesError for a
+/// file that is missing, truncated (with the byte offset) or malformed.
 void readTable(const std::string& path, const std::vector<std::string>& fields,
                const std::function<void(const JsonRow&)>& on_row,
                const std::function<void(std::uint64_t)>& on_progress = {});

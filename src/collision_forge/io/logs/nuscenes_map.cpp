@@ -12,7 +12,7 @@
 namespace forge {
 namespace {
 
-/// Middle of the enclosed area.
+/// Returns the centroid of the enclosed area.
 Vector2 centroid(const std::vector<Vector2>& ring) {
   Vector2 sum = Vector2::Zero();
   double twice_area = 0.0;
@@ -26,7 +26,7 @@ Vector2 centroid(const std::vector<Vector2>& ring) {
   return ring[0] + sum / (3.0 * twice_area);
 }
 
-/// The polygons that a list of tokens names; those that are absent or unusable are left out.
+/// Returns the polygons of a list of tokens, without missing or unusable ones.
 std::vector<Polygon> polygonsOf(const NuScenesMapLayers& layers,
                                 const std::vector<std::string>& tokens, const std::string& what,
                                 WarningCounter& warnings) {
@@ -42,9 +42,9 @@ std::vector<Polygon> polygonsOf(const NuScenesMapLayers& layers,
   return polygons;
 }
 
-/// False for more poses than a centreline may have.
+/// Returns false if the centreline would have too many poses.
 bool isShort(const std::vector<ArcPath>& arcline, const NuScenesMapOptions& options) {
-  constexpr double kPosesOfAnArc = 2.5;  // and one every resolution; see discretize()
+  constexpr double kPosesOfAnArc = 2.5;  // besides one per resolution; see discretize()
   double poses = 0.0;
   for (const ArcPath& arc : arcline) poses += arc.length() / options.resolution + kPosesOfAnArc;
   return poses <= options.limits.max_points;
@@ -86,7 +86,7 @@ void addOnce(std::vector<std::string>& ids, const std::string& id) {
   if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
 }
 
-/// A link that either of two lanes names is known to both afterwards.
+/// Makes links mutual: a link in either lane's record is added to both.
 void linkLanes(std::vector<Lane>& lanes, const NuScenesMapLayers& layers,
                WarningCounter& warnings) {
   std::unordered_map<std::string, Lane*> lane_of_id;

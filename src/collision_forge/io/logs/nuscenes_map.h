@@ -9,33 +9,33 @@
 
 namespace forge {
 
+/// How a map expansion file is read.
 struct NuScenesMapOptions {
-  double resolution = 1.0;  ///< metres between the poses of a centreline, > 0
+  double resolution = 1.0;  ///< m between the poses of a centreline, > 0
   InputLimits limits;
 };
 
-/// Reads DATAROOT/maps/expansion/LOCATION.json, map expansion 1.3 or later: lanes and lane
-/// connectors with their links made mutual, and the drivable area with its holes. A lane lies in an
-/// intersection when the middle of its outline or of its centreline does.
+/// Reads DATAROOT/maps/expansion/LOCATION.json (map expansion 1.3 or later): lanes and lane
+/// connectors with mutual links, drivable area with holes, and walkways. A lane counts as part of
+/// an intersection if the centroid of its outline or the middle of its centreline is in one.
 ///
-/// Known defects of the published maps (links to tokens that do not exist, lanes without links,
-/// arclines or outlines, unusable arclines and polygons, those beyond the limits among them) are
-/// left out of the result; `warnings`, if given, gets one line a kind with the number of cases and
-/// the first of them.
-/// Throws NuScenesError for a file that is missing, no JSON or of another version, a layer that is
-/// missing, and a row that lacks a field or holds another type there; InputError for more lanes or
-/// points than the limits have.
+/// Leaves out known defects of the published maps: links to missing tokens, lanes without links,
+/// arclines or outlines, unusable arclines and polygons, and values beyond the limits. Appends one
+/// line per kind to `warnings`, if given, with the number of cases and the first token. Throws
+/// NuScenesError for a file that is missing, not JSON or of another version, a missing layer, and a
+/// row with a missing field or a field of another type; InputError for more lanes or points than
+/// the limits allow.
 LaneMap readNuScenesMap(const std::string& dataroot, const std::string& location,
                         DrivingSide driving_side, const NuScenesMapOptions& options,
                         std::vector<std::string>* warnings = nullptr);
 
-/// The same of a file LOCATION.json anywhere.
+/// As readNuScenesMap(), from a file LOCATION.json at any path.
 LaneMap readNuScenesMapFile(const std::string& path, DrivingSide driving_side,
                             const NuScenesMapOptions& options,
                             std::vector<std::string>* warnings = nullptr);
 
-/// The lanes (by outline or centreline) and drivable polygons within `radius` metres of any of the
-/// points. Links to lanes that are left out go too.
+/// Returns the lanes (by outline or centreline), drivable polygons and walkways within `radius` (m)
+/// of any of the points (map frame). Removes links to lanes that are left out.
 LaneMap cropped(const LaneMap& map, const std::vector<Vector2>& points, double radius);
 
 }  // namespace forge

@@ -16,7 +16,7 @@ double squaredDistanceToSegment(const Vector2& point, const Vector2& a, const Ve
   return (point - a - std::clamp(ratio, 0.0, 1.0) * along).squaredNorm();
 }
 
-/// True when some point is within `radius` of the line through `shape`; a ring is closed first.
+/// Returns true if a point is within `radius` of the line through `shape`; closes rings first.
 bool isNear(std::vector<Vector2> shape, bool is_ring, const std::vector<Vector2>& points,
             double radius) {
   if (shape.empty()) return false;

@@ -26,7 +26,7 @@ constexpr std::pair<int, int> kOldestVersion = {1, 3};
 
 std::string textOf(const Value& value) { return {value.GetString(), value.GetStringLength()}; }
 
-/// "1.3" or later, by its two first numbers: "1.10" is later than "1.3".
+/// Returns true for "1.3" or later, compared by the first two numbers: "1.10" is later than "1.3".
 bool isSupported(std::string_view version) {
   std::pair<int, int> numbers;
   const char* const end = version.data() + version.size();
@@ -101,7 +101,8 @@ std::vector<MapRow> NuScenesMapDocument::rows(const char* layer_name) const {
 
 std::vector<MapRow> NuScenesMapDocument::entries(const char* layer_name) const {
   const Value& object = layer(layer_name);
-  if (!object.IsObject()) throw NuScenesError(path_ + ": layer " + layer_name + " is no object");
+  if (!object.IsObject())
+    throw NuScenesError(path_ + ": layer " + layer_name + " is not an object");
   std::vector<MapRow> entries;
   entries.reserve(object.MemberCount());
   for (const auto& entry : object.GetObject()) {

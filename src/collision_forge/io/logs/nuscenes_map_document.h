@@ -7,27 +7,28 @@
 
 namespace forge {
 
-/// Where a value of a map file stands, for messages.
+/// A value of a map file and its position, for messages.
 struct MapRow {
   const rapidjson::Value& value;
   const char* layer;
   std::string token;
 };
 
-/// A map expansion file in memory, and typed access to it. Every accessor throws NuScenesError,
-/// naming file, layer, token and field, when the value is missing or of another type.
+/// A parsed map expansion file with typed access. Every accessor throws NuScenesError, naming file,
+/// layer, token and field, if the value is missing or has another type.
 class NuScenesMapDocument {
  public:
-  /// Throws NuScenesError for a file that is missing, no JSON, or of a version before 1.3.
+  /// Throws NuScenesError for a file that is missing, not JSON, or of a version before 1.3.
   explicit NuScenesMapDocument(const std::string& path);
 
-  /// The rows of a layer that is an array of objects with a "token" each.
+  /// Returns the rows of a layer that is an array of objects, each with a "token".
   std::vector<MapRow> rows(const char* layer) const;
-  /// The entries of a layer that is a dictionary by token.
+  /// Returns the entries of a layer that is a dictionary keyed by token.
   std::vector<MapRow> entries(const char* layer) const;
-  /// The elements of an array, for instance the arcs of an arcline.
+  /// Returns the elements of an array, for instance the arcs of an arcline; `name` is for messages.
   std::vector<MapRow> elements(const MapRow& array, const char* name) const;
 
+  // Return the field `name` of a row with the given type.
   const rapidjson::Value& field(const MapRow& row, const char* name) const;
   bool flag(const MapRow& row, const char* name) const;
   double number(const MapRow& row, const char* name) const;

@@ -25,7 +25,7 @@ double signedArea(const Ring& ring) {
   return 0.5 * twice;
 }
 
-/// Turns a file's layers into NuScenesMapLayers.
+/// Converts a file's layers to NuScenesMapLayers.
 class LayerReader {
  public:
   LayerReader(const std::string& path, const InputLimits& limits, WarningCounter& warnings)
@@ -52,7 +52,7 @@ class LayerReader {
     return nodes;
   }
 
-  /// An open ring of distinct neighbours; empty when the nodes do not enclose some area.
+  /// Returns an open ring without repeated nodes; empty if the nodes do not enclose an area.
   Ring ringOf(const Nodes& nodes, const std::vector<std::string>& tokens) const {
     Ring ring;
     for (const std::string& token : tokens) {
@@ -91,7 +91,7 @@ class LayerReader {
     for (const MapRow& row : document_.rows(layer)) {
       if (!lane_tokens_.insert(row.token).second) {
         throw NuScenesError(path_ + ": " + layer + ": token " + row.token +
-                            ": field token is there twice");
+                            ": field token is a duplicate");
       }
       const auto polygon = row.value.FindMember("polygon_token");
       const bool has_polygon = polygon != row.value.MemberEnd() && !polygon->value.IsNull();
@@ -121,7 +121,7 @@ class LayerReader {
     }
   }
 
-  /// Empty when it cannot be driven: a value beyond the limits, no such shape, a negative length.
+  /// Returns nullopt for an arc beyond the limits, of unknown shape or of negative length.
   std::optional<ArcPath> arcOf(const MapRow& row) const {
     const std::vector<double> start = document_.numbers(row, "start_pose", 3);
     const std::vector<double> lengths = document_.numbers(row, "segment_length", 3);
@@ -141,7 +141,7 @@ class LayerReader {
     return path;
   }
 
-  /// One unusable arc spoils the lane's whole line: half a line would end where no lane does.
+  /// One unusable arc drops the lane's whole line: a part of it would end where no lane ends.
   void readArclines() {
     for (const MapRow& entry : document_.entries("arcline_path_3")) {
       std::vector<ArcPath> paths;
@@ -152,7 +152,7 @@ class LayerReader {
         if (path && path->length() > 0.0) paths.push_back(*path);
       }
       if (!is_usable) {
-        warnings_.add("unusable arclines (numbers out of range, or no such shape)", entry.token);
+        warnings_.add("unusable arclines (number out of range, or unknown shape)", entry.token);
       } else if (!paths.empty()) {
         layers_.arclines[entry.token] = std::move(paths);
       }

@@ -11,11 +11,12 @@
 
 namespace forge {
 
-/// Counts cases of each kind of trouble and remembers the first token of each.
+/// Counts the cases of each kind of defect and keeps the first token of each.
 class WarningCounter {
  public:
+  /// Adds a case; `kind` is a plural noun phrase, as "degenerate polygons".
   void add(const std::string& kind, const std::string& token);
-  /// One line a kind, "PATH: 12 lanes without arcline (first: TOKEN)".
+  /// Returns one line per kind, as "PATH: 12 lanes without a usable arcline (first: TOKEN)".
   std::vector<std::string> lines(const std::string& path) const;
 
  private:
@@ -26,11 +27,11 @@ class WarningCounter {
   std::map<std::string, Cases> cases_;
 };
 
-/// The layers of a map expansion file that a LaneMap is made of, as the file has them.
+/// The layers of a map expansion file from which a LaneMap is built, as in the file.
 struct NuScenesMapLayers {
   struct Lane {
     std::string token;
-    std::string polygon_token;  ///< empty when the row has none
+    std::string polygon_token;  ///< "" if the row has none
     bool is_connector = false;
   };
   struct Links {
@@ -43,12 +44,13 @@ struct NuScenesMapLayers {
   std::unordered_map<std::string, Polygon> polygons;  ///< usable ones only
   std::vector<std::string> drivable_area;             ///< polygon tokens
   std::vector<std::string> walkways;                  ///< polygon tokens
-  std::vector<std::string> intersections;             ///< polygon tokens of such road segments
+  std::vector<std::string> intersections;             ///< polygon tokens of road segments
   std::vector<Links> connectivity;                    ///< in the file's order
   std::unordered_map<std::string, std::vector<ArcPath>> arclines;  ///< usable ones only
 };
 
-/// Throws NuScenesError as readNuScenesMap() does.
+/// Reads the layers of a file; adds defects to `warnings`. Throws NuScenesError as
+/// readNuScenesMap().
 NuScenesMapLayers readNuScenesMapLayers(const std::string& path, const InputLimits& limits,
                                         WarningCounter& warnings);
 

@@ -12,9 +12,9 @@ namespace forge {
 namespace {
 
 constexpr double kSecondsPerMicrosecond = 1e-6;
-constexpr double kMaxVelocityTimeDifference = 1.5;  // seconds, to one side
+constexpr double kMaxVelocityTimeDifference = 1.5;  // s, to one side
 
-/// One annotation of an instance, and when.
+/// One annotation of an instance and its time.
 struct Sighting {
   std::int64_t timestamp_us = 0;
   NuScenesAnnotation* annotation = nullptr;
@@ -28,7 +28,7 @@ Eigen::Vector3d velocityBetween(const Sighting& a, const Sighting& b) {
   return (b.annotation->translation - a.annotation->translation) / secondsBetween(a, b);
 }
 
-/// `sightings` are one instance's, times strictly increasing.
+/// Returns the velocity of one instance at sighting `i`; times must increase strictly.
 Eigen::Vector3d velocityAt(const std::vector<Sighting>& sightings, std::size_t i) {
   const bool has_previous = i > 0;
   const bool has_next = i + 1 < sightings.size();
@@ -44,7 +44,7 @@ Eigen::Vector3d velocityAt(const std::vector<Sighting>& sightings, std::size_t i
   return velocityBetween(sightings[first], sightings[first + 1]);
 }
 
-/// Every class has one at least.
+/// Has at least one entry per class.
 constexpr std::pair<const char*, AgentClass> kCategories[] = {
     {"vehicle.car", AgentClass::kCar},
     {"vehicle.truck", AgentClass::kTruck},
@@ -59,7 +59,7 @@ constexpr std::pair<const char*, AgentClass> kCategories[] = {
     {"movable_object", AgentClass::kStaticObject},
     {"static_object", AgentClass::kStaticObject}};
 
-/// True when the category is `name` or one of its subcategories.
+/// Returns true if the category is `name` or one of its subcategories.
 bool isKindOf(const std::string& category, const std::string& name) {
   return category.compare(0, name.size(), name) == 0 &&
          (category.size() == name.size() || category[name.size()] == '.');
@@ -69,7 +69,7 @@ Track egoTrack(const NuScenesRecording& recording, const EgoVehicle& ego) {
   Track track;
   track.id = kEgoId;
   track.agent_class = AgentClass::kCar;
-  track.size = ego.size;
+  track.size = recording.ego_size.value_or(ego.size);
   track.states.reserve(recording.ego_poses.size());
   for (const NuScenesEgoPose& recorded : recording.ego_poses) {
     const Pose2 base{recorded.translation.x(), recorded.translation.y(), yawOf(recorded.rotation)};
@@ -152,7 +152,7 @@ Scene toScene(const NuScenesRecording& recording, const EgoVehicle& ego,
   for (const auto& [category, found] : unknown_categories) {
     if (warnings == nullptr) break;
     warnings->push_back(recording.name + ": unknown category '" + category + "' of " +
-                        std::to_string(found.size()) + " instances taken as static objects");
+                        std::to_string(found.size()) + " instances treated as static objects");
   }
   return scene;
 }

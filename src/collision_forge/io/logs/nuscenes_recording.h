@@ -18,21 +18,21 @@ struct NuScenesEgoPose {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
 };
 
-/// One object in one frame. Global map frame, metres.
+/// One annotated object in one frame. Global map frame, metres.
 struct NuScenesAnnotation {
   std::string token;
-  std::string instance;                 ///< token of the object, the same in every frame
+  std::string instance;                 ///< token of the object, equal in all frames
   std::string category;                 ///< for instance "vehicle.car"
   std::vector<std::string> attributes;  ///< for instance "vehicle.moving"
-  Eigen::Vector3d translation = Eigen::Vector3d::Zero();  ///< middle of the box
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();  ///< centre of the box
   Eigen::Vector3d size = Eigen::Vector3d::Zero();         ///< length, width, height (all > 0)
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< m/s
 };
 
-/// A keyframe.
+/// A keyframe (sample) with its annotations.
 struct NuScenesFrame {
-  std::string token;  ///< of the sample
+  std::string token;  ///< token of the sample
   std::int64_t timestamp_us = 0;
   std::vector<NuScenesAnnotation> annotations;  ///< in the table's order
 };
@@ -42,28 +42,30 @@ struct NuScenesRecording {
   std::string name;
   std::string description;
   std::string location;                    ///< name of the map, for instance "boston-seaport"
+  std::optional<BoxSize> ego_size;         ///< of the ego's box, if the log contains it
   std::vector<NuScenesEgoPose> ego_poses;  ///< timestamps strictly increasing
   std::vector<NuScenesFrame> frames;       ///< timestamps strictly increasing
 };
 
-/// Heading of the x axis on the ground, radians.
+/// Returns the heading (rad) of the rotated x axis, projected on the ground.
 double yawOf(const Eigen::Quaterniond& rotation);
 
-/// The class for a category's name ("vehicle.bus.rigid" -> kBus); empty for an unknown one.
+/// Returns the class of a category ("vehicle.bus.rigid" -> kBus); nullopt for an unknown one.
 std::optional<AgentClass> agentClassOfCategory(const std::string& category);
 
-/// The plainest category of a class, as "vehicle.car".
+/// Returns the most general category of a class, as "vehicle.car".
 const char* categoryOf(AgentClass agent_class);
 
-/// Fills in every annotation's velocity as the nuScenes devkit does: from the instance's previous
-/// frame to its next (at most 3 s apart), at the ends of its track one-sided (at most 1.5 s). Where
-/// the devkit answers NaN: one-sided towards the nearer neighbour within 1.5 s, else zero.
+/// Sets every annotation's velocity as the nuScenes devkit does: from the instance's previous to
+/// its next frame (at most 3 s apart), one-sided at the ends of its track (at most 1.5 s). If the
+/// devkit would return NaN: one-sided to the nearer neighbour within 1.5 s, else zero.
 void deriveVelocities(NuScenesRecording& recording);
 
-/// The recording on the ground plane. Times are timestamp_us * 1e-6 s; the ego's states are the
-/// middle of its box, `ego.center_offset` ahead of the recorded poses; agents' ids are instance
-/// tokens, in the order they appear, each as large as first annotated. An unknown category becomes
-/// a static object, and `warnings`, if given, gets a line for it.
+/// Projects the recording to the ground plane. Times are timestamp_us * 1e-6 s. Ego states are the
+/// box centre, `ego.center_offset` ahead of the recorded poses; their size is the recording's
+/// ego_size, or else `ego.size`. Agent ids are instance tokens, in
+/// order of appearance; an agent keeps the size of its first annotation. An unknown category
+/// becomes a static object and adds a line to `warnings`, if given.
 Scene toScene(const NuScenesRecording& recording, const EgoVehicle& ego,
               std::shared_ptr<const LaneMap> map, std::vector<std::string>* warnings = nullptr);
 

@@ -24,7 +24,7 @@ constexpr const char* kEgoPoseChannel = "LIDAR_TOP";
 
 std::string inQuotes(std::string_view text) { return "'" + std::string(text) + "'"; }
 
-/// Reads table after table into `tables_`; each step needs those before it.
+/// Reads the tables into `tables_`, in order; each step needs the earlier ones.
 class TableReader {
  public:
   TableReader(const std::string& folder, const std::vector<std::string>& only,
@@ -65,14 +65,14 @@ class TableReader {
 
   static std::uint32_t addNew(TokenIndex& index, const JsonRow& row) {
     const auto [number, is_new] = index.add(row.token());
-    if (!is_new) row.fail(0, "is there twice");
+    if (!is_new) row.fail(0, "is a duplicate");
     return number;
   }
 
   static std::uint32_t follow(const TokenIndex& index, const JsonRow& row, std::size_t field,
                               std::string_view token, const char* table) {
     const auto number = index.find(token);
-    if (!number) row.fail(field, inQuotes(token) + " is no row of " + table + ".json");
+    if (!number) row.fail(field, inQuotes(token) + " is not a row of " + table + ".json");
     return *number;
   }
 
@@ -81,7 +81,7 @@ class TableReader {
     return follow(index, row, field, row.text(field), table);
   }
 
-  /// A text that becomes part of the names of files.
+  /// Returns a text that becomes part of file names; fails if it is not valid there.
   static std::string nameOfFiles(const JsonRow& row, std::size_t field) {
     std::string name(row.text(field));
     const std::string fault = nameFault(name);
@@ -89,7 +89,8 @@ class TableReader {
     return name;
   }
 
-  /// A table of tokens with one text each, for instance names; the texts by token number.
+  /// Reads a table of tokens with one text each, for instance names; returns the texts by token
+  /// number.
   std::vector<std::string> readTexts(const std::string& table, const std::string& field,
                                      TokenIndex& index) {
     std::vector<std::string> texts;
@@ -117,7 +118,7 @@ class TableReader {
       scene.location = locations[follow(logs, row, kLog, "log")];
       scene.is_wanted = only_.empty();
       if (!scene_of_name.emplace(scene.name, number).second) {
-        row.fail(kName, inQuotes(scene.name) + " is another scene's too");
+        row.fail(kName, inQuotes(scene.name) + " is also the name of another scene");
       }
       tables_.scenes.push_back(std::move(scene));
     });
@@ -217,7 +218,7 @@ class TableReader {
       const auto number = tables_.ego_pose_tokens.find(row.token());
       if (!number) return;
       NuScenesTables::EgoPose& pose = tables_.ego_poses[*number];
-      if (pose.is_read) row.fail(kToken, "is there twice");
+      if (pose.is_read) row.fail(kToken, "is a duplicate");
       pose.is_read = true;
       pose.timestamp_us = row.integer(kTimestamp);
       pose.translation = row.numbers<3>(kTranslation);
@@ -229,7 +230,7 @@ class TableReader {
       throw NuScenesError(pathOf("sample_data") + ": token " + tables_.sweep_tokens.text(sweep) +
                           ": field ego_pose_token " +
                           inQuotes(tables_.ego_pose_tokens.text(number)) +
-                          " is no row of ego_pose.json");
+                          " is not a row of ego_pose.json");
     }
   }
 
@@ -255,7 +256,7 @@ void throwUnknownScene(const NuScenesTables& tables, const std::string& name) {
   }
   std::sort(nearest.begin(), nearest.end());
   std::string message = tables.folder + "/scene.json: no scene is named " + inQuotes(name) +
-                        "; nearest of " + std::to_string(nearest.size()) + ":";
+                        "; the most similar of " + std::to_string(nearest.size()) + ":";
   for (std::size_t i = 0; i < std::min(kNamed, nearest.size()); ++i) {
     message += " " + nearest[i].second;
   }

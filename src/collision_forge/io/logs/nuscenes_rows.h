@@ -10,12 +10,13 @@
 
 namespace forge {
 
-/// Bytes read so far and in all, over all tables.
+/// Receives the number of bytes read so far and in total, over all tables.
 using NuScenesProgress = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
-/// What a recording needs of the tables, as rows that point to each other by number. Samples,
-/// annotations and ego poses are only those of wanted scenes.
+/// The parts of the tables that recordings need, as rows that refer to each other by index. Samples
+/// are complete; annotations and ego poses are limited to the selected scenes.
 struct NuScenesTables {
+  // Numbers below are indices into the lists at the end, whose order is the order of the tables.
   struct Scene {
     std::string name;
     std::string description;
@@ -44,12 +45,12 @@ struct NuScenesTables {
     std::array<double, 4> rotation{};  ///< w, x, y, z
   };
 
-  std::string folder;  ///< where the tables lie
+  std::string folder;  ///< folder of the tables
   TokenIndex scene_tokens;
   TokenIndex sample_tokens;
   TokenIndex instance_tokens;
   TokenIndex annotation_tokens;
-  TokenIndex sweep_tokens;  ///< rows of sample_data: only those of LIDAR_TOP
+  TokenIndex sweep_tokens;  ///< rows of sample_data with channel LIDAR_TOP
   TokenIndex ego_pose_tokens;
   std::vector<Scene> scenes;
   std::vector<Sample> samples;  ///< of all scenes
@@ -61,14 +62,14 @@ struct NuScenesTables {
   std::vector<EgoPose> ego_poses;
 };
 
-/// Reads the tables in `folder`, each once. `only`: names of the wanted scenes, all when empty.
-/// Throws NuScenesError for a table that is missing or malformed, a row that lacks a field or holds
-/// another type, a token that is there twice or points to no row, a box that is not finite or has
-/// no size, and for a name in `only` that does not exist. Rows of other scenes go unchecked.
+/// Reads the tables in `folder`, each once. `only`: names of the selected scenes; empty: all.
+/// Throws NuScenesError for a table that is missing or malformed, a row with a missing field or a
+/// field of another type, a token that is duplicate or refers to no row, a box that is not finite
+/// or has no size, and an unknown name in `only`. Does not check rows of other scenes.
 NuScenesTables readNuScenesTables(const std::string& folder, const std::vector<std::string>& only,
                                   const NuScenesProgress& on_progress);
 
-/// The error for a scene that is not there: names those with the most similar names.
+/// Throws NuScenesError for an unknown scene; the message lists the most similar names.
 [[noreturn]] void throwUnknownScene(const NuScenesTables& tables, const std::string& name);
 
 }  // namespace forge

@@ -17,15 +17,15 @@ Eigen::Quaterniond quaternionOf(const std::array<double, 4>& wxyz) {
   return Eigen::Quaterniond(wxyz[0], wxyz[1], wxyz[2], wxyz[3]).normalized();
 }
 
-/// Refuses two neighbours of the same instant; `rows` are in order of time.
+/// Throws if two consecutive `rows`, sorted by time, have the same timestamp.
 template <typename TimestampOf>
 void checkInstantsDiffer(const std::vector<std::uint32_t>& rows, const TimestampOf& timestamp_of,
                          const std::string& path, const TokenIndex& tokens) {
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (timestamp_of(rows[i]) != timestamp_of(rows[i - 1])) continue;
     throw NuScenesError(path + ": token " + tokens.text(rows[i]) + ": field timestamp " +
-                        std::to_string(timestamp_of(rows[i])) + " is that of " +
-                        tokens.text(rows[i - 1]) + " in the same scene too");
+                        std::to_string(timestamp_of(rows[i])) + " is also the timestamp of " +
+                        tokens.text(rows[i - 1]) + " in the same scene");
   }
 }
 
@@ -62,7 +62,7 @@ NuScenesAnnotation annotationOf(const NuScenesTables& tables, std::uint32_t row)
   return annotation;
 }
 
-/// The scene's keyframes in order of time, without annotations yet; `frame_of_sample` is filled.
+/// Returns the scene's keyframes by time, still without annotations; fills `frame_of_sample`.
 std::vector<NuScenesFrame> emptyFramesOf(
     const NuScenesTables& tables, const NuScenesTables::Scene& scene,
     std::unordered_map<std::uint32_t, std::size_t>& frame_of_sample) {
@@ -80,7 +80,7 @@ std::vector<NuScenesFrame> emptyFramesOf(
   return frames;
 }
 
-/// Refuses an instance annotated twice in one sample.
+/// Throws if an instance is annotated twice in one sample.
 void checkInstancesDiffer(const NuScenesTables& tables, const NuScenesTables::Scene& scene) {
   std::vector<std::uint32_t> rows = scene.annotations;
   const auto key = [&](std::uint32_t row) {
@@ -121,7 +121,7 @@ NuScenesRecording NuScenesRoot::readScene(const std::string& name) const {
   if (scene == tables_->scenes.end()) throwUnknownScene(*tables_, name);
   const std::string where = tables_->folder + "/";
   if (!scene->is_wanted) {
-    throw NuScenesError(where + "scene.json: " + name + " is not among the scenes asked for");
+    throw NuScenesError(where + "scene.json: " + name + " is not among the selected scenes");
   }
   if (scene->samples.empty()) throw NuScenesError(where + "sample.json: no sample of " + name);
   if (scene->sweeps.empty()) {

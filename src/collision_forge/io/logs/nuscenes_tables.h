@@ -10,24 +10,25 @@
 
 namespace forge {
 
+/// What to read of a nuScenes root.
 struct NuScenesReadOptions {
-  std::vector<std::string> only;  ///< names of the scenes to read; all when empty
+  std::vector<std::string> only;  ///< names of the scenes to read; empty: all
   NuScenesProgress on_progress;   ///< called every few megabytes, if set
 };
 
-/// The tables under DATAROOT/VERSION, read once and held in memory in short form (300 bytes an
-/// annotation or less); recordings are put together on demand.
+/// The tables in DATAROOT/VERSION, read once and kept in compact form (at most 300 bytes per
+/// annotation); recordings are assembled on demand. Immutable, so safe to share among threads.
 class NuScenesRoot {
  public:
   /// Throws NuScenesError as readNuScenesTables() does, and for a folder that does not exist.
   NuScenesRoot(const std::string& dataroot, const std::string& version,
                const NuScenesReadOptions& options = {});
 
-  /// Of the scenes read, in the table's order.
+  /// Returns the names of the scenes read, in the table's order.
   std::vector<std::string> sceneNames() const;
 
-  /// Throws NuScenesError when no such scene was read, when it has no samples or no ego poses, and
-  /// when two of them, or two annotations of one instance, are of the same instant.
+  /// Assembles a recording. Throws NuScenesError if the scene was not read, has no samples or no
+  /// ego poses, or has two of them, or two annotations of one instance, at the same time.
   NuScenesRecording readScene(const std::string& name) const;
 
  private:

@@ -26,7 +26,7 @@ std::optional<TokenIndex::Key> TokenIndex::keyOf(std::string_view token) {
   return Key{*high, *low};
 }
 
-/// The slot that holds the key, or the free one where it belongs.
+/// Returns the slot of the key, or the free slot for it.
 std::size_t TokenIndex::slotOf(const Key& key) const {
   const std::size_t mask = slots_.size() - 1;
   const std::uint64_t mixed = (key.high ^ key.low * 0x9e3779b97f4a7c15ULL) * 0xbf58476d1ce4e5b9ULL;

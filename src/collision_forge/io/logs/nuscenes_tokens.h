@@ -10,14 +10,16 @@
 
 namespace forge {
 
-/// Numbers tokens 0, 1, 2... in the order they are added. Tokens of 32 lower-case hexadecimal
-/// digits, the usual ones, take 16 bytes and a few more for the search; any other string works.
+/// Assigns numbers 0, 1, 2... to tokens in the order in which they are added. A token of 32
+/// lower-case hexadecimal digits (the usual kind) takes 16 bytes plus its hash slot; any other
+/// string works too.
 class TokenIndex {
  public:
-  /// The token's number, and whether it is new.
+  /// Adds a token if it is new. Returns its number, and true if it was new.
   std::pair<std::uint32_t, bool> add(std::string_view token);
+  /// Returns the token's number; nullopt if it was not added.
   std::optional<std::uint32_t> find(std::string_view token) const;
-  /// The token of a number that was given out.
+  /// Returns the token with a number that add() returned.
   std::string text(std::uint32_t number) const;
   std::size_t size() const { return keys_.size(); }
 
@@ -32,7 +34,7 @@ class TokenIndex {
   void grow();
 
   std::vector<Key> keys_;             ///< by number
-  std::vector<std::uint32_t> slots_;  ///< open addressing: number + 1, or 0 when free
+  std::vector<std::uint32_t> slots_;  ///< open addressing: number + 1, or 0 if free
   std::unordered_map<std::string, std::uint32_t> other_numbers_;
   std::unordered_map<std::uint32_t, std::string> other_texts_;
 };

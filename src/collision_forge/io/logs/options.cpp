@@ -74,7 +74,7 @@ DrivingSide drivingSide(const DataOptions& options, const std::string& location)
     if (fits && (!best || entry.first.size() > best->first.size())) best = &entry;
   }
   if (!best) {
-    throw ConfigError("locations.yaml: no prefix under locations fits location = " + location);
+    throw ConfigError("locations.yaml: no prefix under locations matches location = " + location);
   }
   return best->second;
 }

@@ -4,6 +4,7 @@
 #include <rapidjson/error/en.h>
 #include <rapidjson/memorystream.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -68,7 +69,7 @@ std::vector<std::pair<std::string, PickleField>> PickleField::entries() const {
 }
 
 std::vector<PickleField> PickleField::list() const {
-  if (!value_->IsArray()) fail("is no list");
+  if (!value_->IsArray()) fail("is not a list");
   std::vector<PickleField> found;
   for (const auto& value : value_->GetArray()) found.push_back({where_, value, content_});
   return found;
@@ -77,12 +78,17 @@ std::vector<PickleField> PickleField::list() const {
 bool PickleField::isText() const { return value_->IsString(); }
 
 std::string PickleField::text() const {
-  if (!isText()) fail("is no text");
+  if (!isText()) fail("is not a string");
   return value_->GetString();
 }
 
 double PickleField::number() const {
-  if (!value_->IsNumber() || !std::isfinite(value_->GetDouble())) fail("is no finite number");
+  if (!value_->IsNumber() || !std::isfinite(value_->GetDouble())) fail("is not a finite number");
+  return value_->GetDouble();
+}
+
+double PickleField::rawNumber() const {
+  if (!value_->IsNumber()) fail("is not a number");
   return value_->GetDouble();
 }
 
@@ -104,25 +110,30 @@ std::vector<std::string> PickleField::words() const {
 std::vector<double> PickleField::column(std::optional<std::size_t> rows) const {
   const std::vector<std::size_t> sizes = shape();
   if (sizes.empty() || sizes.size() > 2 || (sizes.size() == 2 && sizes[1] != 1)) {
-    fail("is no array of one dimension");
+    fail("is not an array of one dimension");
   }
   requireRows(rows, sizes[0]);
   return numbers();
 }
 
-std::vector<Vector2> PickleField::points(std::optional<std::size_t> rows) const {
+std::vector<Vector2> PickleField::points() const {
+  std::vector<Vector2> found = isArray() ? pointsOfArray() : pointsOfList();
+  found.erase(std::remove_if(found.begin(), found.end(),
+                             [](const Vector2& point) { return !point.allFinite(); }),
+              found.end());
+  return found;
+}
+
+std::vector<Vector2> PickleField::pointRows(std::size_t rows) const {
   std::vector<Vector2> found = isArray() ? pointsOfArray() : pointsOfList();
   if (!found.empty()) requireRows(rows, found.size());
-  for (std::size_t row = 0; row < found.size(); ++row) {
-    if (!found[row].allFinite()) fail("row " + std::to_string(row) + " is not finite");
-  }
   return found;
 }
 
 bool PickleField::isArray() const { return value_->IsObject() && value_->HasMember("ndarray"); }
 
 void PickleField::requireDict() const {
-  if (!value_->IsObject() || isArray()) fail("is no dict");
+  if (!value_->IsObject() || isArray()) fail("is not a dict");
 }
 
 void PickleField::requireRows(std::optional<std::size_t> rows, std::size_t found) const {
@@ -160,7 +171,7 @@ std::vector<double> PickleField::numbers() const {
 
 std::vector<std::int64_t> PickleField::integers() const {
   const std::vector<std::int64_t> found = items<std::int64_t>();
-  if (!found.empty() && !isOfIntegers()) fail("is no array of whole numbers");
+  if (!found.empty() && !isOfIntegers()) fail("is not an array of integers");
   return found;
 }
 
@@ -169,7 +180,7 @@ std::vector<Vector2> PickleField::pointsOfArray() const {
   const std::vector<double> all = numbers();
   std::vector<Vector2> found;
   if (all.empty()) return found;
-  if (sizes.size() != 2 || sizes[1] < 2) fail("is no array of points");
+  if (sizes.size() != 2 || sizes[1] < 2) fail("is not an array of points");
   for (std::size_t first = 0; first < all.size(); first += sizes[1]) {
     found.emplace_back(all[first], all[first + 1]);
   }
@@ -181,7 +192,7 @@ std::vector<Vector2> PickleField::pointsOfList() const {
   for (const PickleField& point : list()) {
     const std::vector<PickleField> numbers = point.list();
     if (numbers.size() < 2) fail("has a point of fewer than two numbers");
-    found.emplace_back(numbers[0].number(), numbers[1].number());
+    found.emplace_back(numbers[0].rawNumber(), numbers[1].rawNumber());
   }
   return found;
 }
@@ -190,7 +201,7 @@ std::string PickleField::word() const {
   if (isText()) return value_->GetString();
   if (value_->IsInt64()) return std::to_string(value_->GetInt64());
   if (value_->IsUint64()) return std::to_string(value_->GetUint64());
-  fail("holds what is neither a text nor a whole number");
+  fail("has an element that is neither a string nor an integer");
 }
 
 }  // namespace forge

@@ -15,35 +15,43 @@
 
 namespace forge {
 
-/// A value of a pickle with its place, "FILE.KEY.KEY", with which error messages begin. Each
-/// accessor throws std::runtime_error for a value of another kind.
+/// A value of a pickle with its position "FILE.KEY.KEY" for messages. Each accessor throws
+/// std::runtime_error, beginning with the position, for a value of another type.
 class PickleField {
  public:
-  /// The whole pickle of the file `path`.
+  /// The root value of the pickle file `path`. Throws PickleError if `content.json` is not JSON.
   PickleField(const std::string& path, PickleContent content);
 
-  /// Throws std::runtime_error: the place, then `problem`.
+  /// Throws std::runtime_error: the position, then `problem`.
   [[noreturn]] void fail(const std::string& problem) const;
 
-  /// Of a dict: the value of a key; find() returns nothing for a key that is absent or None.
+  /// Dict: at() returns the value of a key, or throws if it is absent or None; find() returns
+  /// nullopt.
   PickleField at(const char* key) const;
   std::optional<PickleField> find(const char* key) const;
-  /// Of a dict: every key with its value.
+  /// Dict: returns every key with its value.
   std::vector<std::pair<std::string, PickleField>> entries() const;
-  /// Of a list or a tuple.
+  /// List or tuple: returns the elements.
   std::vector<PickleField> list() const;
 
+  // Plain values; text() returns UTF-8.
   bool isText() const;
   std::string text() const;
+  /// Returns a finite number.
   double number() const;
+  /// Returns a number, which may be infinite or NaN.
+  double rawNumber() const;
   bool flag() const;
-  /// Texts or whole numbers of a list or an array, as texts.
+  /// List or array of texts or integers: returns them as texts.
   std::vector<std::string> words() const;
-  /// An array of `rows` numbers, of one dimension or of two with one column.
+  /// Array of one dimension, or of two with one column: returns its numbers. If `rows` is given,
+  /// any other length throws.
   std::vector<double> column(std::optional<std::size_t> rows = std::nullopt) const;
-  /// The first two columns of an array of two dimensions, or the first two numbers of each list in
-  /// a list: `rows` points, or none.
-  std::vector<Vector2> points(std::optional<std::size_t> rows = std::nullopt) const;
+  /// Array of two dimensions, or list of lists: returns the first two numbers of each row, without
+  /// the rows that are not finite.
+  std::vector<Vector2> points() const;
+  /// The same with the rows that are not finite; throws if there are neither 0 nor `rows` rows.
+  std::vector<Vector2> pointRows(std::size_t rows) const;
 
  private:
   struct Content;
@@ -53,10 +61,10 @@ class PickleField {
   bool isArray() const;
   void requireDict() const;
   void requireRows(std::optional<std::size_t> rows, std::size_t found) const;
-  /// Empty for what is no array.
+  /// Returns the dimensions; empty if the value is not an array.
   std::vector<std::size_t> shape() const;
   bool isOfIntegers() const;
-  /// Of an array, row by row.
+  /// Returns the items of an array, row by row.
   template <typename Item>
   std::vector<Item> items() const;
   std::vector<double> numbers() const;

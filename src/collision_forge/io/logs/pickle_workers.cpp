@@ -10,13 +10,13 @@ namespace {
 
 constexpr double kTimeout = 60.0;  // s; the largest files of Waymo take 0.1 s
 
-/// What precedes the text and the items of a request or an answer: its kind and both sizes.
+/// Header of a request or reply: its kind and the sizes of its text and items.
 using Header = std::array<std::uint64_t, 3>;
 
 constexpr char kRead = 'r';
 constexpr char kWrite = 'w';
 constexpr char kSummarize = 's';
-constexpr char kAnswerOk = 'k';  // otherwise the text says what is wrong
+constexpr char kAnswerOk = 'k';  // any other kind: the text is the error
 
 std::string received(WorkerProcess& process, std::uint64_t size) {
   std::string bytes(size, '\0');

@@ -11,38 +11,38 @@
 
 namespace forge {
 
-/// A pickle that cannot be read. The message names the file and, where known, the field.
+/// Thrown for a pickle that cannot be read. The message names the file and, if known, the field.
 struct PickleError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A value of Python: plain values as JSON, and beside them the items of NumPy's arrays.
+/// A Python value: plain values as JSON, the items of NumPy arrays as bytes beside it.
 struct PickleContent {
-  /// An array is {"ndarray": SHAPE, "dtype": TYPE, "at": N}: its items are those from the Nth on,
+  /// An array is {"ndarray": SHAPE, "dtype": TYPE, "at": N}; its items start at item N of `items`,
   /// row by row.
   std::string json;
-  /// 8 bytes each: of the types "f8" and "b1" (0 or 1) a double, of "i8" an std::int64_t.
+  /// 8 bytes per item: double for "f8" and "b1" (0 or 1), std::int64_t for "i8".
   std::string items;
 };
 
-/// Processes of the program pickle_worker, which reads and writes pickles with Python. One is
-/// started when none is idle, and a process that failed to answer is not asked again. May be used
-/// from many threads.
+/// A pool of pickle_worker processes, which read and write pickles with Python. Starts a process if
+/// none is idle; never reuses a process that failed to respond. Thread-safe.
 class PickleWorkers {
  public:
   /// Reads "tracks", "map_features" and "metadata" of the scenario description in the file `path`.
-  /// Nothing that the pickle names is run. Throws PickleError for a file that cannot be read, is no
-  /// pickle of plain values and NumPy's arrays, or needs more than the limits in pickle_worker or a
-  /// minute.
+  /// Never executes code named in the pickle. Throws PickleError if the file cannot be read, has
+  /// values other than plain ones and NumPy arrays, exceeds the limits in pickle_worker, or takes
+  /// over a minute.
   PickleContent read(const std::string& path);
-  /// Returns the bytes of the value's pickle (protocol 3). Arrays are float64, int64 and bool.
+  /// Returns the value as a pickle (protocol 3). Arrays are float64, int64 and bool. Throws as
+  /// read().
   std::string write(const PickleContent& content);
-  /// Returns the bytes of the pickle of a dict: the name of each of `files`, a name and a path,
-  /// with the "metadata" of the scenario description at the path. Throws as read().
+  /// Returns a pickled dict that maps each name in `files` (pairs of name and path) to the
+  /// "metadata" of the scenario description at its path. Throws as read().
   std::string summarize(const std::vector<std::pair<std::string, std::string>>& files);
 
  private:
-  /// The text and the items of the answer.
+  /// Sends one request to an idle process and returns the text and the items of the reply.
   std::pair<std::string, std::string> ask(char request, const std::string& text,
                                           const std::string& items);
   std::unique_ptr<WorkerProcess> take();

@@ -22,11 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kEarliest = 1.0;          // s
-constexpr double kMicroseconds = 1e6;      // in a second
-constexpr double kKilometresAnHour = 3.6;  // in a metre a second
+constexpr double kEarliest = 1.0;          // s, earliest start of a scene
+constexpr double kMicroseconds = 1e6;      // per second
+constexpr double kKilometresAnHour = 3.6;  // km/h in 1 m/s
 constexpr double kLongestCar = 6.5;        // m; longer vehicles are trucks
-constexpr double kSameSize = 0.01;         // m
 
 std::int64_t microseconds(double seconds) { return std::llround(seconds * kMicroseconds); }
 
@@ -34,56 +33,89 @@ Eigen::Quaterniond turned(double yaw) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()));
 }
 
+/// Classes that metadata names: this package's own "class", or the nuScenes category that
+/// ScenarioNet's converter keeps as "type".
+std::optional<AgentClass> namedClass(const std::optional<PickleField>& metadata) {
+  if (!metadata) return std::nullopt;
+  if (const auto given = metadata->find("class")) {
+    if (const auto known = agentClassFromString(given->text())) return known;
+    given->fail("\"" + given->text() + "\" is not a known agent class");
+  }
+  const auto type = metadata->find("type");
+  return type && type->isText() ? agentClassOfCategory(type->text()) : std::nullopt;
+}
+
 AgentClass classOf(const std::string& type, const std::optional<PickleField>& metadata,
                    double length) {
-  if (const auto given = metadata ? metadata->find("class") : std::nullopt) {
-    if (const auto known = agentClassFromString(given->text())) return *known;
-    given->fail("\"" + given->text() + "\" is no class of this suite");
-  }
+  if (const auto named = namedClass(metadata)) return *named;
   if (type == "VEHICLE") return length > kLongestCar ? AgentClass::kTruck : AgentClass::kCar;
   if (type == "PEDESTRIAN") return AgentClass::kPedestrian;
   if (type == "CYCLIST") return AgentClass::kBicycle;
   return AgentClass::kStaticObject;
 }
 
-/// A track of the file, a state where it is valid; its box is the first one's.
+/// Typical sizes of tracks without a size, m: means of nuScenes by class.
+BoxSize typicalSize(const std::string& type) {
+  if (type == "PEDESTRIAN") return {0.73, 0.67};
+  if (type == "CYCLIST") return {1.70, 0.60};
+  if (type == "VEHICLE") return {4.62, 1.95};
+  return {0.41, 0.41};
+}
+
+bool isSize(double value) { return std::isfinite(value) && value > 0.0; }
+
+/// A track of the file with a state in each valid row with finite numbers; its box is that of the
+/// first such row with a size.
 struct RecordedTrack {
   RecordedTrack(const std::string& id, const PickleField& field, const std::vector<double>& times);
 
   Track track;
-  double height = 0.0;
+  double height = 0.0;            // m
+  bool has_typical_size = false;  // the file has no size of it
+  int dropped = 0;                // valid rows with a number that is not finite
 };
 
 RecordedTrack::RecordedTrack(const std::string& id, const PickleField& field,
                              const std::vector<double>& times) {
   const std::size_t rows = times.size();
   const PickleField state = field.at("state");
-  const PickleField headings = state.at("heading");
-  const std::vector<Vector2> positions = state.at("position").points(rows);
-  const std::vector<double> yaws = headings.column(rows);
-  const std::vector<double> lengths = state.at("length").column(rows);
-  const std::vector<double> widths = state.at("width").column(rows);
+  const std::vector<Vector2> positions = state.at("position").pointRows(rows);
+  if (positions.size() != rows) state.at("position").fail("has no rows");
+  const std::vector<double> yaws = state.at("heading").column(rows);
   const std::vector<double> valid = state.at("valid").column(rows);
-  const auto heights = state.find("height");
+  const auto optional = [&](const char* key) {
+    const auto found = state.find(key);
+    return found ? found->column(rows) : std::vector<double>(rows, 0.0);
+  };
+  const std::vector<double> lengths = optional("length");
+  const std::vector<double> widths = optional("width");
+  const std::vector<double> heights = optional("height");
   const auto velocities = state.find("velocity");
-  const auto speeds = velocities ? velocities->points(rows) : std::vector<Vector2>();
+  const auto speeds = velocities ? velocities->pointRows(rows) : std::vector<Vector2>();
   track.id = id;
   for (std::size_t row = 0; row < rows; ++row) {
     if (valid[row] == 0.0) continue;
-    if (!std::isfinite(yaws[row])) headings.fail("row " + std::to_string(row) + " is not finite");
-    if (track.states.empty()) {
-      track.size = {lengths[row], widths[row]};
-      height = heights ? heights->column(rows)[row] : 0.0;
+    if (!std::isfinite(yaws[row]) || !positions[row].allFinite()) {
+      ++dropped;
+      continue;
     }
+    if (track.size.length == 0.0 && isSize(lengths[row]) && isSize(widths[row])) {
+      track.size = {lengths[row], widths[row]};
+      height = isSize(heights[row]) ? heights[row] : 0.0;
+    }
+    const bool has_speed = !speeds.empty() && speeds[row].allFinite();
     track.states.push_back({times[row],
                             {positions[row].x(), positions[row].y(), wrapAngle(yaws[row])},
-                            speeds.empty() ? Vector2(0.0, 0.0) : speeds[row]});
+                            has_speed ? speeds[row] : Vector2(0.0, 0.0)});
   }
+  const std::string type = field.at("type").text();
+  has_typical_size = track.size.length == 0.0;
+  if (has_typical_size) track.size = typicalSize(type);
   if (speeds.empty()) deriveVelocities(track);
-  track.agent_class = classOf(field.at("type").text(), field.find("metadata"), track.size.length);
+  track.agent_class = classOf(type, field.find("metadata"), track.size.length);
 }
 
-/// Of a dict: the outlines below "interiors".
+/// Returns the outlines in the dict's "interiors".
 std::vector<std::vector<Vector2>> holesOf(const PickleField& polygon) {
   std::vector<std::vector<Vector2>> holes;
   const auto interiors = polygon.find("interiors");
@@ -92,20 +124,32 @@ std::vector<std::vector<Vector2>> holesOf(const PickleField& polygon) {
   return holes;
 }
 
-/// Lanes, walkways and ground of map_features.
+/// Reads lanes and walkways of map_features. Lanes of bicycles are no lanes of motor vehicles and
+/// are left out, a feature that cannot be read as well.
 class MapReader {
  public:
   LaneMap read(const PickleField& features) {
     for (const auto& [id, feature] : features.entries()) {
-      const std::string type = feature.at("type").text();
-      if (type.rfind("LANE_", 0) == 0) addLane(id, type, feature);
-      if (type == "ROAD_EDGE_SIDEWALK") addWalkway(feature);
+      try {
+        add(id, feature);
+      } catch (const std::runtime_error& error) {
+        if (problems_++ == 0) first_problem_ = error.what();
+      }
     }
     link();
     return std::move(map_);
   }
 
+  int problems() const { return problems_; }
+  const std::string& firstProblem() const { return first_problem_; }
+
  private:
+  void add(const std::string& id, const PickleField& feature) {
+    const std::string type = feature.at("type").text();
+    if (type.rfind("LANE_", 0) == 0 && type != "LANE_BIKE_LANE") addLane(id, type, feature);
+    if (type == "ROAD_EDGE_SIDEWALK") addWalkway(feature);
+  }
+
   void addLane(const std::string& id, const std::string& type, const PickleField& feature) {
     Lane lane;
     lane.id = id;
@@ -116,7 +160,8 @@ class MapReader {
     if (const auto outline = feature.find("polygon")) lane.polygon = outline->points();
     if (lane.polygon.size() < 3) lane.polygon = stripAlong(lane.centerline, kLaneWidth);
     if (const auto limit = feature.find("speed_limit_kmh")) {
-      if (limit->number() > 0.0) lane.speed_limit = limit->number() / kKilometresAnHour;
+      const double speed = limit->rawNumber();
+      if (std::isfinite(speed) && speed > 0.0) lane.speed_limit = speed / kKilometresAnHour;
     }
     if (const auto entries = feature.find("entry_lanes")) lane.incoming = entries->words();
     if (const auto exits = feature.find("exit_lanes")) lane.outgoing = exits->words();
@@ -129,7 +174,7 @@ class MapReader {
     map_.walkways.push_back({outline->points(), holesOf(feature)});
   }
 
-  /// Empty for a line without length.
+  /// Returns an empty list for a line of length 0.
   static std::vector<Pose2> centerline(const std::vector<Vector2>& points) {
     constexpr double kCoincidence = 1e-6;  // m, as Polyline
     const auto differs = [&](const Vector2& point) {
@@ -145,7 +190,7 @@ class MapReader {
     return poses;
   }
 
-  /// Makes links mutual, without those that lead out of the file.
+  /// Makes links mutual and drops links to lanes that are not in the file.
   void link() {
     std::unordered_map<std::string, std::size_t> places;
     for (const Lane& lane : map_.lanes) places.emplace(lane.id, places.size());
@@ -173,6 +218,8 @@ class MapReader {
   }
 
   LaneMap map_;
+  int problems_ = 0;
+  std::string first_problem_;
 };
 
 std::vector<Polygon> areasOf(const PickleField& areas) {
@@ -191,7 +238,7 @@ DrivingSide sideOf(const std::optional<PickleField>& own, const std::string& loc
   try {
     return drivingSide(options, location);
   } catch (const ConfigError&) {
-    return DrivingSide::kRight;  // as nearly all data sets that ScenarioNet converts
+    return DrivingSide::kRight;  // as in nearly all data sets that ScenarioNet converts
   }
 }
 
@@ -231,7 +278,7 @@ class DescriptionReader {
     times_ = field.column();
     for (std::size_t i = 0; i < times_.size(); ++i) {
       if (std::isfinite(times_[i]) && (i == 0 || times_[i] > times_[i - 1])) continue;
-      field.fail("row " + std::to_string(i) + " is not after the one before");
+      field.fail("row " + std::to_string(i) + " is not after the previous time");
     }
     if (times_.size() < 2) field.fail("has fewer than two times");
     const auto start = own_ ? own_->find("start") : std::nullopt;
@@ -250,33 +297,50 @@ class DescriptionReader {
       recording.frames.push_back({"", microseconds(time), {}});
     }
     const std::string ego = metadata_.at("sdc_id").text();
-    bool has_ego = false;
-    for (const auto& [id, field] : root_.at("tracks").entries()) {
-      RecordedTrack recorded(id, field, times_);
-      if (id == ego) {
-        has_ego = true;
-        addEgo(std::move(recorded.track), recording);
-      } else {
+    const PickleField tracks = root_.at("tracks");
+    const auto own = tracks.find(ego.c_str());
+    if (!own) tracks.fail("lacks the ego \"" + ego + "\" of metadata.sdc_id");
+    addEgo(RecordedTrack(ego, *own, times_), recording);
+    if (recording.ego_poses.empty()) tracks.fail("the ego is valid in no row");
+    std::vector<std::string> without_size;
+    std::vector<std::string> unreadable;
+    for (const auto& [id, field] : tracks.entries()) {
+      if (id == ego) continue;
+      try {
+        const RecordedTrack recorded(id, field, times_);
+        if (recorded.has_typical_size) without_size.push_back(id);
+        warnOfDropped(recorded);
         addAgent(recorded, recording);
+      } catch (const std::runtime_error& error) {
+        unreadable.push_back(error.what());
       }
     }
-    if (!has_ego) root_.at("tracks").fail("lacks the ego \"" + ego + "\" of metadata.sdc_id");
-    if (recording.ego_poses.empty()) root_.at("tracks").fail("the ego is nowhere valid");
+    if (!without_size.empty()) {
+      warn(counted(without_size.size(), "agent") + " without a size (first: " +
+           without_size.front() + "): the typical size of the type is used");
+    }
+    if (!unreadable.empty()) {
+      warn(counted(unreadable.size(), "agent") +
+           " that cannot be read left out (first: " + unreadable.front() + ")");
+    }
   }
 
-  void addEgo(Track ego, NuScenesRecording& recording) {
-    const EgoVehicle& vehicle = options_.ego_vehicle;
-    if (ego.size.width > ego.size.length) {
-      std::swap(ego.size.width, ego.size.length);
-      warn("length and width of the ego are taken for each other");
+  void warnOfDropped(const RecordedTrack& recorded) {
+    if (recorded.dropped == 0) return;
+    warn(recorded.track.id + ": " + counted(static_cast<std::size_t>(recorded.dropped), "state") +
+         " with a number that is not finite left out");
+  }
+
+  void addEgo(RecordedTrack recorded, NuScenesRecording& recording) {
+    BoxSize& size = recorded.track.size;
+    warnOfDropped(recorded);
+    if (size.width > size.length) {
+      std::swap(size.width, size.length);
+      warn("the ego is wider than long: length and width are swapped");
     }
-    if (std::abs(ego.size.length - vehicle.size.length) > kSameSize ||
-        std::abs(ego.size.width - vehicle.size.width) > kSameSize) {
-      warn("the ego is " + numberText(ego.size.length) + " m by " + numberText(ego.size.width) +
-           " m there; the box of ego_vehicle.yaml is taken");
-    }
-    for (const AgentState& state : ego.states) {
-      const Pose2 base = compose(state.pose, {-vehicle.center_offset, 0.0, 0.0});
+    if (!recorded.has_typical_size) recording.ego_size = size;
+    for (const AgentState& state : recorded.track.states) {
+      const Pose2 base = compose(state.pose, {-options_.ego_vehicle.center_offset, 0.0, 0.0});
       recording.ego_poses.push_back(
           {microseconds(state.time), {base.x, base.y, 0.0}, turned(base.yaw)});
     }
@@ -300,7 +364,12 @@ class DescriptionReader {
   }
 
   LaneMap readMap(const std::string& location) {
-    LaneMap map = MapReader().read(root_.at("map_features"));
+    MapReader reader;
+    LaneMap map = reader.read(root_.at("map_features"));
+    if (reader.problems() > 0) {
+      warn(counted(static_cast<std::size_t>(reader.problems()), "map feature") +
+           " that cannot be read left out (first: " + reader.firstProblem() + ")");
+    }
     map.location = location;
     map.driving_side = sideOf(own_, location, options_);
     if (const auto areas = own_ ? own_->find("drivable_area") : std::nullopt) {
@@ -323,8 +392,8 @@ class DescriptionReader {
   std::string path_;
   PickleField root_;
   PickleField metadata_;
-  std::optional<PickleField> own_;  // what the format has no word for, in files of this suite
-  std::vector<double> times_;       // of the rows
+  std::optional<PickleField> own_;  // fields of this package that the format does not define
+  std::vector<double> times_;       // of the rows, s
   std::vector<double> frame_times_;
 };
 
@@ -332,7 +401,7 @@ bool isDescription(const fs::path& path) {
   return path.extension() == ".pkl" && path.filename().string().rfind("sd_", 0) == 0;
 }
 
-/// By name, in that order.
+/// Returns the paths of the descriptions by scene name.
 std::map<std::string, std::string> descriptionsIn(const std::string& folder) {
   std::map<std::string, std::string> found;
   std::error_code ignored;
@@ -340,7 +409,7 @@ std::map<std::string, std::string> descriptionsIn(const std::string& folder) {
     if (!isDescription(entry.path())) continue;
     const std::string path = entry.path().string();
     const auto [same, is_new] = found.emplace(nameOf(entry.path()), path);
-    if (!is_new) throw std::runtime_error(path + ": has the name of " + same->second);
+    if (!is_new) throw std::runtime_error(path + ": has the same scene name as " + same->second);
   }
   return found;
 }

@@ -9,24 +9,24 @@
 
 namespace forge {
 
-/// What the names of this suite's own files begin with.
+/// Prefix of the names of description files that this package writes.
 inline constexpr const char* kOwnDescriptions = "sd_collision_forge_v1_";
 
-/// Scenario descriptions of ScenarioNet (Li et al., NeurIPS 2023): a folder with sd_*.pkl, in
-/// folders of its own too, each a scene named as its file
-/// without the ending, and without kOwnDescriptions. By them Waymo, nuPlan and Argoverse come
-/// in, converted by ScenarioNet.
+/// The format of ScenarioNet's scenario descriptions (Li et al., NeurIPS 2023): a folder, with any
+/// subfolders, of sd_*.pkl files. A scene's name is the file name without ending and
+/// kOwnDescriptions. ScenarioNet converts Waymo, nuPlan and Argoverse to this format.
 const LogFormat& scenarioNetFormat();
 
-/// One description. Times are those of `metadata.ts`, from 1 s on where they begin earlier, as a
-/// bag has no time 0. The ego is `metadata.sdc_id`; its box is that of the configuration, and
-/// `warnings` get a line where the file has another. Frames are the steps of the file, or, of a
-/// file of this suite, those that were recorded. What has no class of this suite gets one by type
-/// and length. A lane without an outline is a strip as wide as kLaneWidth. Drivable
-/// are the lanes' outlines; a file of this suite says it better.
+/// Reads one description.
+/// - Times are `metadata.ts`, shifted to start at 1 s or later: a bag cannot hold time 0.
+/// - The ego is `metadata.sdc_id` with the configured box; another box in the file adds a warning.
+/// - Frames are the file's steps; in a file of this package, the recorded ones.
+/// - Unknown agent types get a class by type and length.
+/// - A lane without an outline becomes a strip of kLaneWidth. The drivable area is the union of the
+///   lane outlines, unless a file of this package gives it.
 ///
-/// Throws PickleError, and std::runtime_error naming file and field for a description that lacks
-/// what is needed, or has it in another shape; InputError for what is beyond the limits.
+/// Throws PickleError; std::runtime_error naming file and field if a needed field is missing or has
+/// another shape; InputError for values beyond the limits.
 LoggedScene readScenarioNet(const std::string& path, PickleWorkers& workers,
                             const DataOptions& options,
                             std::vector<std::string>* warnings = nullptr);

@@ -1,12 +1,13 @@
 #include "collision_forge/io/logs/scene_source.h"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 namespace forge {
 namespace {
 
-/// The same, called by one thread at a time.
+/// Wraps `on_warnings` so that one thread calls it at a time.
 OnWarnings oneAtATime(OnWarnings on_warnings) {
   if (!on_warnings) return on_warnings;
   return [on_warnings = std::move(on_warnings), mutex = std::make_shared<std::mutex>()](
@@ -36,7 +37,23 @@ std::shared_ptr<const IndexedScene> SceneSource::at(const std::string& name) {
   return scene.get();
 }
 
-/// Reads a scene that is not held, without the lock.
+std::vector<std::string> SceneSource::forEach(
+    const std::function<void(const IndexedScene&)>& work) {
+  std::vector<std::string> unreadable;
+  for (const std::string& name : names()) {
+    std::shared_ptr<const IndexedScene> scene;
+    try {
+      scene = at(name);
+    } catch (const std::exception& error) {
+      unreadable.push_back(name + ": " + error.what());
+      continue;
+    }
+    work(*scene);
+  }
+  return unreadable;
+}
+
+/// Reads a scene that is not cached; releases the lock while reading.
 SceneSource::ReadScene SceneSource::read(const std::string& name,
                                          std::unique_lock<std::mutex>& lock) {
   std::promise<std::shared_ptr<const IndexedScene>> promise;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <future>
 #include <list>
 #include <memory>
@@ -12,23 +13,27 @@
 
 namespace forge {
 
-/// The scenes of a log source, read on demand. Holds those used last: a list that is grouped by
-/// scene reads each scene once. Thread-safe: different scenes are read at the same time, and a
-/// thread that asks for a scene that another thread is reading waits for it.
+/// Reads the scenes of a log source on demand and caches the most recently used: a list grouped by
+/// scene reads each scene once. Thread-safe: different scenes are read concurrently, and threads
+/// that request a scene that is being read wait for it.
 class SceneSource {
  public:
-  /// `scenes`: the wanted ones, all if empty; `kept`: how many are held at a time, at least 1.
-  /// Throws as LogFormat::open().
+  /// `scenes`: names of the selected scenes, empty: all; `kept`: number of cached scenes, at least
+  /// 1.
   SceneSource(const LogSource& source, const std::vector<std::string>& scenes,
               const DataOptions& options, std::size_t kept, OnWarnings on_warnings = {},
               const NuScenesProgress& on_progress = {});
 
-  /// Of the wanted scenes, in the source's order.
+  /// Returns the names of the selected scenes, in the source's order.
   std::vector<std::string> names() const { return reader_->names(); }
 
-  /// Throws as SceneReader::read(), to every thread that waits for the scene; it is read again when
-  /// it is asked for again.
+  /// Returns a scene. Throws as SceneReader::read(), in every thread that waits for the scene; the
+  /// next call tries again.
   std::shared_ptr<const IndexedScene> at(const std::string& name);
+
+  /// Passes each selected scene to `work`, in the source's order. A scene that cannot be read is
+  /// left out; returns "NAME: REASON" for each of them.
+  std::vector<std::string> forEach(const std::function<void(const IndexedScene&)>& work);
 
  private:
   using ReadScene = std::shared_future<std::shared_ptr<const IndexedScene>>;
@@ -38,7 +43,7 @@ class SceneSource {
   std::unique_ptr<SceneReader> reader_;
   std::size_t kept_;
   std::mutex mutex_;
-  std::list<std::pair<std::string, ReadScene>> scenes_;  // by name, used last first
+  std::list<std::pair<std::string, ReadScene>> scenes_;  // by name, most recently used first
 };
 
 }  // namespace forge

@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-/// `from_string` of the text, or fails.
+/// Returns `from_string` of the text; fails if it has no value.
 template <typename FromString>
 auto readWord(JsonObject& object, const char* key, FromString from_string, const char* problem) {
   const auto value = from_string(object.text(key));
@@ -33,7 +33,7 @@ std::optional<Range> readRange(JsonObject& object, const char* key) {
   return read;
 }
 
-/// Null where it is empty, nothing where that is left out.
+/// Writes the word; without a value, writes null or, with `leaves_out`, nothing.
 template <typename Value>
 void writeWord(JsonLineWriter& writer, const char* key, const std::optional<Value>& value,
                bool leaves_out) {
@@ -85,7 +85,7 @@ void readControls(JsonObject& object, CollisionRequest& request, bool may_lack) 
   const auto has = [&](const char* key) { return !may_lack || object.has(key); };
   if (has("choice")) {
     request.choice =
-        readWord(object, "choice", attackerChoiceFromString, "is none of any, existing and new");
+        readWord(object, "choice", attackerChoiceFromString, "is not one of any, existing, new");
   }
   if (has("believable")) request.crash.believable = object.flag("believable");
   if (has("limits")) {
@@ -94,20 +94,21 @@ void readControls(JsonObject& object, CollisionRequest& request, bool may_lack) 
   }
   if (has("attacker_class")) {
     request.attacker_class =
-        readWordOrNull(object, "attacker_class", agentClassFromString, "is no class of agents");
+        readWordOrNull(object, "attacker_class", agentClassFromString, "is not an agent class");
   }
   if (has("manoeuvre")) {
-    request.manoeuvre = readWordOrNull(object, "manoeuvre", manoeuvreFromString, "is no manoeuvre");
+    request.manoeuvre =
+        readWordOrNull(object, "manoeuvre", manoeuvreFromString, "is not a manoeuvre");
   }
   if (has("ego_side")) {
-    request.ego_side = readWordOrNull(object, "ego_side", sideFromString, "is no side of a box");
+    request.ego_side = readWordOrNull(object, "ego_side", sideFromString, "is not a side of a box");
   }
   if (has("impact_speed")) request.impact_speed = readRange(object, "impact_speed");
   if (has("overlap")) request.overlap = readRange(object, "overlap");
   if (has("alternatives")) {
     const std::uint64_t count = object.count("alternatives");
     if (count > static_cast<std::uint64_t>(std::numeric_limits<int>::max())) {
-      object.fail("alternatives", "is too many");
+      object.fail("alternatives", "is too large");
     }
     request.alternatives = static_cast<int>(count);
   }

@@ -5,14 +5,15 @@
 
 namespace forge {
 
-/// What a request says beyond type, time and attacker, as fields of an object: choice, believable,
-/// limits; attacker_class, manoeuvre, ego_side, impact_speed ({min, max}, m/s) and overlap ({min,
-/// max}), null for anything; alternatives. With `defaults` only what is not as there, or not null.
+/// Writes the constraints of a request, beyond type, TTA and attacker, as fields of an object:
+/// choice, believable, limits; attacker_class, manoeuvre, ego_side, impact_speed ({min, max}, m/s)
+/// and overlap ({min, max}), null for any; alternatives. With `defaults`, writes only fields that
+/// differ from the defaults or are not null.
 void writeControls(JsonLineWriter& writer, const CollisionRequest& request,
                    const CrashDefinition* defaults = nullptr);
 
-/// The opposite. With `may_lack` fields may be absent: the request keeps what it has. Throws
-/// JsonLineError for a word or a value that does not exist.
+/// Reads the fields of writeControls(). If `may_lack`, fields may be absent: the request keeps its
+/// values. Throws JsonLineError for an unknown word or a value out of range.
 void readControls(JsonObject& object, CollisionRequest& request, bool may_lack);
 
 }  // namespace forge

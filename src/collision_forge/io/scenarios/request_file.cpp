@@ -37,7 +37,7 @@ SceneRequest readRequestLine(const std::string& where, const std::string& line,
   request.scene = object.text("scene");
   request.now = object.number("now");
   const auto type = collisionTypeFromString(object.text("type"));
-  if (!type) object.fail("type", "is no collision type");
+  if (!type) object.fail("type", "is not a collision type");
   request.request.type = *type;
   request.request.tta = object.number("tta");
   request.request.attacker = object.textOrNull("attacker");
@@ -58,12 +58,12 @@ std::vector<SceneRequest> readRequests(const std::string& path, const std::set<s
     const SceneRequest request = readRequestLine(where(), line, crash);
     if (scenes.count(request.scene) == 0) {
       throw JsonLineError(where() + ": field scene = \"" + request.scene +
-                          "\" is no scene of the data");
+                          "\" is not a scene of the data");
     }
     requests.push_back(request);
   }
   if (file.bad()) throw JsonLineError(path + ": cannot be read: " + std::strerror(errno));
-  if (requests.empty()) throw JsonLineError(path + ": holds no request");
+  if (requests.empty()) throw JsonLineError(path + ": has no request");
   return requests;
 }
 

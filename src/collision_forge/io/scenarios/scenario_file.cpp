@@ -11,15 +11,15 @@ namespace forge {
 namespace {
 
 constexpr const char* kFormat = "collision_forge/scenario";
-// 1: pattern was the contact, not what was aimed at; 2: nothing of classes, added vehicles,
-// controls and believability; 3: no alternatives; 4: nothing of adaptive attackers; 5: as 6,
-// without tolerance, effort, first_other_t and off_road.
+// 1: pattern was the contact, not the prediction; 2: no classes, added vehicles, constraints or
+// believability; 3: no alternatives; 4: no adaptive attackers; 5: as 6, without tolerance, effort,
+// first_other_t and off_road.
 constexpr int kVersion = 6;
 constexpr int kOldestVersion = 5;
-// m, of a line of version 5: the tolerance of all patterns but a network's own (prediction.yaml)
+// m, for lines of version 5: the tolerance of all patterns except a network's own (prediction.yaml)
 // when such files were written.
 constexpr double kToleranceOfVersion5 = 4.0;
-constexpr double kMicroseconds = 1e6;  // in a second
+constexpr double kMicroseconds = 1e6;  // per second
 constexpr const char* kRecorded = "recorded";
 constexpr const char* kAdded = "added";
 
@@ -59,13 +59,13 @@ void writeStatus(JsonLineWriter& writer, const Status& status) {
   writer.endObject();
 }
 
-/// Speeds are written to the micrometre a second, so that they are read as they were written.
+/// Writes speeds rounded to 1e-6 m/s, so that reading and writing gives the same bytes.
 void writePast(JsonLineWriter& writer, const std::vector<AgentState>& past, double now) {
   if (past.empty()) {
     writer.null("past");
     return;
   }
-  constexpr double kMicrometres = 1e6;  // in a metre
+  constexpr double kMicrometres = 1e6;  // per metre
   writer.beginArray("past");
   for (const AgentState& state : past) {
     const double speed = state.velocity.dot(state.pose.heading());
@@ -142,7 +142,7 @@ void writeAnswer(JsonLineWriter& writer, const Realization& answer, double now) 
   writer.endArray();
 }
 
-/// What the numbers of a line are read with.
+/// Context for reading the numbers of a line.
 struct LineContext {
   const InputLimits& limits;
   int version = kVersion;
@@ -151,7 +151,7 @@ struct LineContext {
   bool isOld() const { return version < kVersion; }
 };
 
-/// s on the scene's clock.
+/// Returns a time on the scene's clock, s.
 double readTime(JsonObject& object, const char* key, const LineContext& line) {
   return line.now + object.within(key, -line.limits.max_past, line.limits.max_trajectory);
 }
@@ -177,16 +177,17 @@ Pose2 readPose(JsonObject object, const LineContext& line) {
   return pose;
 }
 
-/// Fails unless the time is after that of the state before.
+/// Fails unless the time is after the previous state's.
 template <typename State>
 void checkTime(const JsonObject& entry, double time, const std::vector<State>& before) {
-  if (!before.empty() && time <= before.back().time) entry.fail("t", "is not after the one before");
+  if (!before.empty() && time <= before.back().time)
+    entry.fail("t", "is not after the previous time");
 }
 
 CollisionRequest readRequest(JsonObject object) {
   CollisionRequest request;
   const auto type = collisionTypeFromString(object.text("type"));
-  if (!type) object.fail("type", "is no collision type");
+  if (!type) object.fail("type", "is not a collision type");
   const auto mode = modeFromString(object.text("mode"));
   if (!mode) object.fail("mode", "is neither history nor replay nor adaptive");
   request.type = *type;
@@ -202,19 +203,20 @@ CollisionRequest readRequest(JsonObject object) {
 Status readStatus(JsonObject object) {
   Status status;
   const auto code = statusCodeFromString(object.text("code"));
-  if (!code) object.fail("code", "is no status code");
+  if (!code) object.fail("code", "is not a status code");
   status.code = *code;
   status.message = object.text("message");
   object.finish();
   return status;
 }
 
-/// `is_added`: it must be there, else it must not.
+/// Reads "past", which must hold states if `is_added` and be null otherwise.
 std::vector<AgentState> readPast(JsonObject& object, bool is_added, const LineContext& line) {
   std::vector<AgentState> past;
   auto entries = object.objectsOrNull("past", line.limits.max_points);
   if (is_added != (entries && !entries->empty())) {
-    object.fail("past", is_added ? "is of no added vehicle" : "is of no recorded vehicle");
+    object.fail("past", is_added ? "must hold the states of an added vehicle"
+                                 : "must be null for a recorded vehicle");
   }
   if (!entries) return past;
   for (JsonObject& entry : *entries) {
@@ -257,12 +259,12 @@ AttackerTrajectory readAttacker(JsonObject object, const LineContext& line) {
   AttackerTrajectory trajectory;
   trajectory.attacker_id = object.text("id");
   const auto agent_class = agentClassFromString(object.text("class"));
-  if (!agent_class) object.fail("class", "is no class of agents");
+  if (!agent_class) object.fail("class", "is not an agent class");
   trajectory.agent_class = *agent_class;
   trajectory.past = readPast(object, readIsAdded(object), line);
   trajectory.size = readBox(object, line.limits);
   trajectory.points = readPoints(object, line);
-  if (trajectory.points.empty()) object.fail("trajectory", "has no point");
+  if (trajectory.points.empty()) object.fail("trajectory", "is empty");
   object.finish();
   return trajectory;
 }
@@ -275,7 +277,7 @@ std::vector<AttackerPlan> readPlans(JsonObject& object, const Scenario& scenario
     plan.seen = readTime(entry, "seen_t", line);
     plan.from = readTime(entry, "from_t", line);
     const auto phase = attackerPhaseFromString(entry.text("phase"));
-    if (!phase) entry.fail("phase", "is no phase of an attacker");
+    if (!phase) entry.fail("phase", "is not a phase of an attacker");
     plan.phase = *phase;
     plan.reason = entry.text("reason");
     plan.points = readPoints(entry, line);
@@ -284,7 +286,7 @@ std::vector<AttackerPlan> readPlans(JsonObject& object, const Scenario& scenario
   const bool is_adaptive = scenario.asked.request.mode == Mode::kAdaptive &&
                            scenario.answer.status.code == StatusCode::kOk;
   if (is_adaptive == plans.empty()) {
-    object.fail("plans", "are those of an attack in mode adaptive, and of no other");
+    object.fail("plans", "must be given for an attack in mode adaptive, and be empty otherwise");
   }
   return plans;
 }
@@ -305,7 +307,7 @@ CollisionPattern readPattern(JsonObject object, const LineContext& line, Pattern
 Side readSide(JsonObject& object, const char* key) {
   const std::string name = object.text(key);
   const auto side = sideFromString(name);
-  if (!side) object.fail(key, "\"" + name + "\" is no side of a box");
+  if (!side) object.fail(key, "\"" + name + "\" is not a side of a box");
   return *side;
 }
 
@@ -313,11 +315,11 @@ void readFirstOtherTime(JsonObject& object, const LineContext& line, CollisionRe
   constexpr const char* kField = "first_other_t";
   const auto time = object.numberOrNull(kField);
   if (time.has_value() == report.first_other_id.empty()) {
-    object.fail(kField, "does not fit the field first_other");
+    object.fail(kField, "contradicts the field first_other");
   }
   if (!time) return;
   if (*time < -line.limits.max_past || *time > line.limits.max_trajectory) {
-    object.fail(kField, "is beyond the limits of times");
+    object.fail(kField, "is beyond the limits of time");
   }
   report.first_other_time = line.now + *time;
 }
@@ -342,7 +344,7 @@ CollisionReport readReport(JsonObject object, const LineContext& line) {
   if (!line.isOld()) readFirstOtherTime(object, line, report);
   report.off_road_share = object.number("off_road_share");
   const auto manoeuvre = manoeuvreFromString(object.text("manoeuvre"));
-  if (!manoeuvre) object.fail("manoeuvre", "is no manoeuvre");
+  if (!manoeuvre) object.fail("manoeuvre", "is not a manoeuvre");
   report.manoeuvre = *manoeuvre;
   report.manoeuvre_begin = readTime(object, "manoeuvre_begin_t", line);
   report.road.on_lane = object.number("on_lane");
@@ -353,10 +355,10 @@ CollisionReport readReport(JsonObject object, const LineContext& line) {
   const bool is_believable = object.flag("believable");
   report.unbelievable = object.textOrNull("unbelievable").value_or("");
   if (is_believable != report.believable()) {
-    object.fail("believable", "does not fit the field unbelievable");
+    object.fail("believable", "contradicts the field unbelievable");
   }
   if (is_verified != report.verified()) {
-    object.fail("verified", "does not fit the other fields of the report");
+    object.fail("verified", "contradicts the other fields of the report");
   }
   object.finish();
   return report;
@@ -369,7 +371,7 @@ EgoVehicle readEgo(JsonObject object, const InputLimits& limits) {
   return ego;
 }
 
-/// Returns the version.
+/// Checks the format and returns its version.
 int readFormat(JsonObject& object) {
   if (object.text("format") != kFormat) {
     object.fail("format", std::string("is not ") + kFormat);
@@ -377,7 +379,7 @@ int readFormat(JsonObject& object) {
   const double version = object.number("version");
   if (version != kVersion && version != kOldestVersion) {
     object.fail("version", "is neither " + std::to_string(kOldestVersion) + " nor " +
-                               std::to_string(kVersion) + "; generate the file anew");
+                               std::to_string(kVersion) + "; generate the file again");
   }
   return static_cast<int>(version);
 }
@@ -394,7 +396,7 @@ void readAttack(JsonObject& object, const Scenario& scenario, const LineContext&
   if (!line.isOld()) answer.effort = object.number("effort");
 }
 
-/// The attack is null unless the answer is OK.
+/// Reads the attack, which must be null unless the status is OK.
 void readAnswer(JsonObject& object, const Scenario& scenario, const LineContext& line,
                 Realization& answer) {
   const bool is_attack = answer.status.code == StatusCode::kOk;
@@ -402,15 +404,16 @@ void readAnswer(JsonObject& object, const Scenario& scenario, const LineContext&
     readAttack(object, scenario, line, answer);
   } else {
     for (const char* key : {"attacker", "pattern", "report"}) {
-      if (object.objectOrNull(key)) object.fail(key, "is there without an attack");
+      if (object.objectOrNull(key)) object.fail(key, "must be null without an attack");
     }
-    if (object.numberOrNull("confidence")) object.fail("confidence", "is there without an attack");
+    if (object.numberOrNull("confidence"))
+      object.fail("confidence", "must be null without an attack");
     if (!line.isOld() && object.numberOrNull("effort")) {
-      object.fail("effort", "is there without an attack");
+      object.fail("effort", "must be null without an attack");
     }
   }
   for (JsonObject& entry : object.objects("alternatives", kMaxAlternatives)) {
-    if (!is_attack) object.fail("alternatives", "are there without an attack");
+    if (!is_attack) object.fail("alternatives", "must be empty without an attack");
     Realization& alternative = answer.alternatives.emplace_back();
     readAttack(entry, scenario, line, alternative);
     entry.finish();

@@ -13,39 +13,40 @@
 
 namespace forge {
 
-/// A request with its answer: one line of a scenario file.
+/// A request and its result: one line of a scenario file.
 struct Scenario {
   SceneRequest asked;
   EgoVehicle ego;
-  Realization answer;                    ///< times on the scene's clock
-  std::vector<AttackerPlan> plans = {};  ///< of an adaptive attacker, AttackerPolicy::plans()
+  Realization answer;                    ///< the result; times on the scene's clock
+  std::vector<AttackerPlan> plans = {};  ///< adaptive mode: AttackerPolicy::plans()
 };
 
-/// One line, without a line end, as docs/scenarios.md and docs/scenario.schema.json have it: times
-/// in seconds from now to the microsecond (the clock's resolution), all else as in the structs (of
-/// the crash definition `believable` and `limits`, of past states the speed along the heading),
-/// global map frame. Throws std::invalid_argument for a number that is not finite.
+/// Returns one line, without a line end, as docs/scenarios.md and docs/scenario.schema.json define
+/// it. Times are in s from t0, rounded to 1 us (the clock's resolution); other fields as in the
+/// structs, global map frame. The line holds only `believable` and `limits` of the crash
+/// definition, and of past states the speed along the heading. Throws std::invalid_argument for a
+/// number that is not finite.
 std::string scenarioLine(const Scenario& scenario);
 
-/// The opposite of scenarioLine(): the same line again gives the same bytes. A line of version 5
-/// has no tolerance, which is 4 m then, and neither effort, first_other_t nor off_road, which are
-/// 0. Throws JsonLineError, naming `where`, for a line that is not of this format or of a version
-/// that is neither 5 nor 6, and for a number beyond the limits; InputError as checkLineLength().
+/// Parses a line of scenarioLine(); scenarioLine() of the result gives the same bytes. A line of
+/// version 5 has no tolerance (set to 4 m), effort, first_other_t or off_road (set to 0). Throws
+/// JsonLineError, naming `where`, for a line of another format or version, and for a number beyond
+/// the limits; InputError as checkLineLength().
 Scenario readScenarioLine(const std::string& where, const std::string& line,
                           const InputLimits& limits);
 
-/// s from `now`, to the microsecond, the clock's resolution.
+/// Returns `time` - `now` in s, rounded to 1 us.
 double fromNow(double time, double now);
 
-// Parts of the line, for files that hold the same; times from now.
+// Write parts of the line, for files that share them; times in s from `now`.
 
-/// An object of x and y in m, yaw in rad.
+/// Writes an object with x and y in m, yaw in rad.
 void writePose(JsonLineWriter& writer, const char* key, const Pose2& pose);
 
 void writeCollisionReport(JsonLineWriter& writer, const char* key, const CollisionReport& report,
                           double now);
 
-/// The array "plans". `write_points` adds the field "trajectory" to a plan.
+/// Writes the array "plans". `write_points` adds the field "trajectory" to each plan.
 using WritePoints = std::function<void(JsonLineWriter& writer,
                                        const std::vector<TrajectoryPoint>& points, double now)>;
 void writePlans(JsonLineWriter& writer, const std::vector<AttackerPlan>& plans, double now,

@@ -182,7 +182,7 @@ std::vector<PatternWeights> readPatternWeights(const std::string& path) {
         readOne(file, path + ": network " + std::to_string(networks.size() + 1), line));
   }
   if (file.bad()) throw PatternNetworkFileError(path + ": cannot be read: " + std::strerror(errno));
-  if (networks.empty()) throw PatternNetworkFileError(path + ": holds no network");
+  if (networks.empty()) throw PatternNetworkFileError(path + ": has no network");
   return networks;
 }
 

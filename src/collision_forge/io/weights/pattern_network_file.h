@@ -12,33 +12,35 @@
 
 namespace forge {
 
-/// A file that holds no pattern networks, or damaged ones. Names file, network and field.
+/// Thrown for a file without pattern networks, or with damaged ones. Names file, network and field.
 struct PatternNetworkFileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The networks of a file, the one for all scenes first. Each is a line of JSON (format,
-/// left_out_scenes, features, network, and the name, outputs and inputs of every layer), then for
-/// each layer its matrix row by row and its bias, 32-bit floats with the lowest byte first. Throws
-/// PatternNetworkFileError for a file that is absent, cut short, or of another architecture.
+/// Reads the networks of a file; the one trained on all scenes is first. Each network is a line of
+/// JSON (format, left_out_scenes, features, network, and name, outputs and inputs of every layer),
+/// followed for each layer by its matrix row by row and its bias, as little-endian 32-bit floats.
+/// Throws PatternNetworkFileError for a file that is missing, truncated, or of another
+/// architecture.
 std::vector<PatternWeights> readPatternWeights(const std::string& path);
 
-/// Throws as AsideFile does.
+/// Writes a file that readPatternWeights() reads. Throws as AsideFile.
 void writePatternWeights(const std::vector<PatternWeights>& networks, const std::string& path);
 
-/// The network of a file, with its folds; null when `path` is empty. Throws as
+/// Loads the network of a file with its folds; null if `path` is "". Throws as
 /// readPatternWeights().
 std::shared_ptr<const PatternNetwork> loadPatternNetwork(const std::string& path);
 
-/// This and the speeds of loadSpeedForecaster(), which throw.
+/// Loads the configured speed forecaster and pattern network. Throws as loadSpeedForecaster() and
+/// loadPatternNetwork().
 Foresight loadForesight(const ModelOptions& options);
 
-/// The methods that are built in, those of its libraries and of its generators. Throws as
-/// methodsWith().
+/// Returns the built-in methods, the methods of `method_libraries` and the learned baselines
+/// (addGeneratorMethods()). Throws as methodsWith().
 MethodRegistry loadMethods(const ModelOptions& options);
 
-/// A method of loadMethods() with loadForesight(); an empty name is the suite's own. Throws as they
-/// and MethodMaker do.
+/// Returns a method of loadMethods() with loadForesight(); name "" is the package's own method.
+/// Throws as these and MethodMaker.
 MethodMaker loadMethod(const std::string& name, const ModelOptions& models,
                        const AttackOptions& attack);
 

@@ -118,7 +118,7 @@ SpeedModelWeights readLine(const std::string& where, const std::string& line) {
   return weights;
 }
 
-/// One model of the file, checked.
+/// Reads and checks one model of the file.
 SpeedModelWeights readWeights(const std::string& where, const std::string& line) {
   try {
     SpeedModelWeights weights = readLine(where, line);
@@ -141,7 +141,7 @@ SpeedModel readSpeedModel(const std::string& path) {
     models.push_back(readWeights(path + ": line " + std::to_string(models.size() + 1), line));
   }
   if (file.bad()) throw SpeedModelFileError(path + ": cannot be read: " + std::strerror(errno));
-  if (models.empty()) throw SpeedModelFileError(path + ": holds no model");
+  if (models.empty()) throw SpeedModelFileError(path + ": has no model");
   SpeedModelWeights whole = std::move(models.front());
   models.erase(models.begin());
   try {

@@ -9,19 +9,19 @@
 
 namespace forge {
 
-/// Names file, line, field and value.
+/// Thrown for a speed model file that cannot be used. Names file, line, field and value.
 struct SpeedModelFileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads a file of data/weights, whose README describes it. Throws SpeedModelFileError for a file
+/// Reads a speed model file (format: README of data/weights). Throws SpeedModelFileError for a file
 /// that is missing or malformed.
 SpeedModel readSpeedModel(const std::string& path);
 
-/// Writes the same, numbers rounded to five digits. Throws as AsideFile does.
+/// Writes such a file, numbers rounded to five significant digits. Throws as AsideFile.
 void writeSpeedModel(const SpeedModel& model, const std::string& path);
 
-/// The model that is named; null when none is. Throws SpeedModelFileError.
+/// Loads `options.speed_model`; null if it is "". Throws SpeedModelFileError.
 std::shared_ptr<const SpeedForecaster> loadSpeedForecaster(const ModelOptions& options);
 
 }  // namespace forge

@@ -9,7 +9,7 @@ namespace {
 
 using Load = decltype(&forgeLoadGenerator);
 
-/// libtorch takes seconds to load, which who asks for no generator need not wait for.
+/// Loads the library on first use: libtorch takes seconds to load.
 Load loader() {
   void* library = ::dlopen("libcollision_forge_training.so", RTLD_NOW);
   if (!library)
@@ -19,7 +19,7 @@ Load loader() {
   return reinterpret_cast<Load>(function);
 }
 
-/// A model that is loaded once, by whoever needs it first.
+/// A model that is loaded once, on first use.
 class LazyModel {
  public:
   LazyModel(std::string name, ModelOptions options)
@@ -38,8 +38,8 @@ class LazyModel {
     throw std::invalid_argument(
         name_ +
         (options_.non_commercial_weights
-             ? std::string(" in study/generator_weights.yaml names no file")
-             : " needs weights that " + std::string(kNonCommercialKey) + ": false switches off"));
+             ? std::string(" has no file in study/generator_weights.yaml")
+             : " needs weights that " + std::string(kNonCommercialKey) + ": false excludes"));
   }
 
   std::string name_;
@@ -48,7 +48,7 @@ class LazyModel {
   std::shared_ptr<const TrafficMethods> loaded_;
 };
 
-/// A method that lives on a model.
+/// A method that runs on a learned model.
 struct LearnedMethod {
   const char* model;
   const char* name;
@@ -56,14 +56,15 @@ struct LearnedMethod {
 };
 
 constexpr LearnedMethod kMethods[] = {
-    {"c_mid", "c_mid", "rival: MID, a diffusion model, told type and TTA"},
-    {"c_sgan", "c_sgan", "rival: Social-GAN, told type and TTA, as the paper compares with"},
-    {"c_strive", "c_strive", "rival: STRIVE's traffic model, told type and TTA"},
-    {"c_strive", "strive_optimised", "rival: STRIVE's search in the latent space for the request"},
+    {"c_mid", "c_mid", "baseline: MID, a diffusion model, given type and TTA"},
+    {"c_sgan", "c_sgan", "baseline: Social-GAN, given type and TTA, as in the paper"},
+    {"c_strive", "c_strive", "baseline: STRIVE's traffic model, given type and TTA"},
+    {"c_strive", "strive_optimised",
+     "baseline: STRIVE's search in the latent space for the request"},
     {"published_network", "published_network",
      "the paper's network as published, region proposal, one quintic"},
     {"published_network_regression", "published_network_regression",
-     "the same with the regression of the ego's place"},
+     "the same with the regression of the ego's position"},
     {"published_network_target_points", "published_network_target_points",
      "the same with the ranking of target points"},
 };

@@ -10,35 +10,35 @@
 
 namespace forge {
 
-/// A file of a learned generator of traffic that cannot be used. Names the file and what is wrong.
+/// Thrown if the weights of a learned traffic model cannot be used. Names the file and the problem.
 struct TrafficGeneratorError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A learned model of traffic, from which methods are made. May be used from many threads.
+/// A learned traffic model from which methods are made. Thread-safe.
 class TrafficMethods {
  public:
   virtual ~TrafficMethods() = default;
 
-  /// By the weights that left `unseen_scene` out; by the first ones where none did.
+  /// Makes the method `name`, with weights trained without `unseen_scene`; with the first weights
+  /// if all were trained with it.
   virtual std::unique_ptr<const AttackMethod> method(const std::string& name,
                                                      const AttackOptions& options,
                                                      const std::string& unseen_scene) const = 0;
 };
 
-/// Adds the methods of the learned baselines. The weights of a model are looked up
-/// (generatorWeights()) and loaded when a method is first made of it, and the library with libtorch
-/// along with them; making throws std::invalid_argument for a model without a file, ConfigError and
-/// TrafficGeneratorError.
+/// Registers the methods of the learned baselines. A model's weights (generatorWeights()) and the
+/// library with libtorch are loaded when the first method of the model is made; that throws
+/// std::invalid_argument for a model without a file, ConfigError and TrafficGeneratorError.
 void addGeneratorMethods(const ModelOptions& options, MethodRegistry& registry);
 
-/// The model whose weights a method needs; "" for a method of no learned baseline.
+/// Returns the name of the model whose weights a method needs; "" if it is not a learned baseline.
 std::string generatorOf(const std::string& method);
 
 }  // namespace forge
 
-/// Reads a model's files into `methods`: the first one learned from all scenes, others left some
-/// out. In the library that brings libtorch along, found there by this name. Throws
-/// forge::TrafficGeneratorError.
+/// Loads a model's files into `methods`: the first was trained on all scenes, the others without
+/// some of them. Implemented in the library that links libtorch, and looked up there by this name.
+/// Throws forge::TrafficGeneratorError.
 extern "C" void forgeLoadGenerator(const std::string& name, const std::vector<std::string>& paths,
                                    std::shared_ptr<const forge::TrafficMethods>& methods);

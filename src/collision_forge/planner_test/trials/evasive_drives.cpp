@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "collision_forge/attack/forecast/random.h"
+#include "collision_forge/attack/search/search_task.h"
 #include "collision_forge/attack/verify/verification.h"
 #include "collision_forge/base/geometry/enum_words.h"
 #include "collision_forge/base/scene/clock.h"
@@ -74,7 +75,7 @@ class PlanDriver {
       : path_(path),
         options_(options),
         limits_(attack.verification.limits),
-        total_(attack.search.limit_margin * limits_.max_total_acceleration) {}
+        total_(kLimitMargin * limits_.max_total_acceleration) {}
 
   Car carAt(const Pose2& pose, double speed) const {
     const double arc_length = path_.project(pose.position());

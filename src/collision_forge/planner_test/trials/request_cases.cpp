@@ -59,15 +59,15 @@ RequestCases::RequestCases(SceneSource& scenes, const MethodMaker& method,
       method_(method.name()) {
   std::vector<SceneRequest> all;
   std::map<std::string, double> starts;
-  const std::vector<std::string> names = scenes.names();
-  for (const std::string& name : names) {
-    const auto recording = scenes.at(name);
-    starts[name] = recording->scene.frame_times.front();
-    for (SceneRequest& request : everyRequestOf(recording->scene, draw.list, options)) {
-      if (roadAllowsAsked(request, *recording, options)) all.push_back(std::move(request));
+  const std::size_t count = scenes.names().size();
+  const auto add = [&](const IndexedScene& recording) {
+    starts[recording.scene.name] = recording.scene.frame_times.front();
+    for (SceneRequest& request : everyRequestOf(recording.scene, draw.list, options)) {
+      if (roadAllowsAsked(request, recording, options)) all.push_back(std::move(request));
     }
-    if (draw.on_scene) draw.on_scene(starts.size(), names.size());
-  }
+    if (draw.on_scene) draw.on_scene(starts.size(), count);
+  };
+  unreadable_ = scenes.forEach(add);
   Random random(draw.seed);
   while (!all.empty() && requests_.size() < draw.tries) {
     std::swap(all[random.index(all.size())], all.back());

@@ -34,6 +34,9 @@ class RequestCases : public PlannerCases {
   RequestCases(SceneSource& scenes, const MethodMaker& method, const AnswerOptions& options,
                const RequestDraw& draw);
 
+  /// Returns "NAME: REASON" for each scene that cannot be read and is left out.
+  const std::vector<std::string>& unreadable() const { return unreadable_; }
+  std::vector<std::string> unreadable_;
   const std::vector<std::string>& names() const override { return names_; }
   std::string fingerprint() const override;
   PlannerCase at(std::size_t index) const override;

@@ -71,6 +71,10 @@ class SceneBuilder {
     }
   }
 
+  void add(const collision_forge::EgoVehicle& message) {
+    scene_.ego.size = egoSizeOf(message).value_or(scene_.ego.size);
+  }
+
   void add(const collision_forge::LaneMap& message) {
     requireMapFrame(message.header, names::kLaneMap);
     scene_.map = std::make_shared<const LaneMap>(fromMessage(message));
@@ -172,7 +176,8 @@ Scene sceneIn(const std::string& path, const EgoVehicle& ego, std::vector<std::s
   Scene scene = readOpened(path, [&](const rosbag::Bag& bag) {
     SceneBuilder builder(ego);
     const std::vector<std::string> topics = {names::kTf, bagTopic(names::kAgents),
-                                             bagTopic(names::kLaneMap)};
+                                             bagTopic(names::kLaneMap),
+                                             bagTopic(names::kEgoVehicle)};
     for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery(topics))) {
       if (const auto transform = instance.instantiate<tf2_msgs::TFMessage>()) {
         builder.add(*transform);
@@ -180,6 +185,8 @@ Scene sceneIn(const std::string& path, const EgoVehicle& ego, std::vector<std::s
         if (instance.getCallerId() != names::kInBetween) builder.add(*agents);
       } else if (const auto map = instance.instantiate<collision_forge::LaneMap>()) {
         builder.add(*map);
+      } else if (const auto ego = instance.instantiate<collision_forge::EgoVehicle>()) {
+        builder.add(*ego);
       }
     }
     return builder.finish(warnings);
@@ -221,6 +228,7 @@ Scene readBag(const std::string& path, const DataOptions& options,
 Scenario readAttack(const std::string& path, const DataOptions& options,
                     const CrashDefinition& crash) {
   Scenario scenario;
+  scenario.ego = options.ego_vehicle;
   readOpened(path, [&](const rosbag::Bag& bag) {
     const auto attack = requiredOn<collision_forge::Attack>(bag, names::kAttack, path);
     const auto asked = requiredOn<collision_forge::AttackRequest>(bag, names::kAttackRequest, path);
@@ -231,12 +239,13 @@ Scenario readAttack(const std::string& path, const DataOptions& options,
     scenario.asked.request = std::get<CollisionRequest>(request);
     scenario.asked.now = attack.header.stamp.toSec();
     scenario.answer = fromMessage(attack);
+    const auto ego = lastOn<collision_forge::EgoVehicle>(bag, names::kEgoVehicle);
+    if (ego) scenario.ego.size = egoSizeOf(*ego).value_or(scenario.ego.size);
     return 0;
   });
   checkTrajectory(scenario.answer.trajectory, options.input_limits, path);
   checkPattern(scenario.answer.aim, options.input_limits, path);
   scenario.asked.scene = std::filesystem::path(path).stem().string();
-  scenario.ego = options.ego_vehicle;
   return scenario;
 }
 

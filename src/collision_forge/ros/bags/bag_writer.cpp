@@ -100,6 +100,12 @@ void writeBag(const std::string& path, const NuScenesRecording& recording, const
   const ros::Time start = toTime(
       std::min(recording.ego_poses.front().timestamp_us, recording.frames.front().timestamp_us));
   bag.writeLatched(bagTopic(names::kLaneMap), start, toMessage(map, start));
+  if (recording.ego_size) {
+    collision_forge::EgoVehicle ego;
+    ego.length = recording.ego_size->length;
+    ego.width = recording.ego_size->width;
+    bag.writeLatched(bagTopic(names::kEgoVehicle), start, ego);
+  }
   auto frame = recording.frames.begin();
   const auto writeFramesUpTo = [&](std::int64_t timestamp_us) {
     for (; frame != recording.frames.end() && frame->timestamp_us <= timestamp_us; ++frame) {

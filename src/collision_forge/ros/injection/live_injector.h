@@ -44,6 +44,8 @@ class LiveInjector {
 
   void addFrame(const collision_forge::AgentArray::ConstPtr& recorded);
 
+  /// Sets the size of the ego's box for all later poses, m.
+  void setEgoSize(const BoxSize& size) { watch_.setEgoSize(size); }
   /// Middle of the ego's box; times as of EgoPoses.
   void addEgo(const AgentState& ego);
 

@@ -233,6 +233,12 @@ geometry_msgs::Vector3 toMessage(const BoxSize& size) {
   return message;
 }
 
+std::optional<BoxSize> egoSizeOf(const collision_forge::EgoVehicle& message) {
+  const auto isSize = [](double value) { return std::isfinite(value) && value > 0.0; };
+  if (!isSize(message.length) || !isSize(message.width)) return std::nullopt;
+  return BoxSize{message.length, message.width};
+}
+
 TrajectoryPoint fromMessage(const collision_forge::TrajectoryPoint& message) {
   return {message.stamp.toSec(), fromMessage(message.pose), message.speed, message.acceleration,
           message.curvature};

@@ -8,6 +8,7 @@
 #include <collision_forge/CollisionPattern.h>
 #include <collision_forge/CollisionReport.h>
 #include <collision_forge/CollisionRequest.h>
+#include <collision_forge/EgoVehicle.h>
 #include <collision_forge/EncodedScene.h>
 #include <collision_forge/Future.h>
 #include <collision_forge/GenerateCollision.h>
@@ -18,6 +19,7 @@
 #include <geometry_msgs/Vector3.h>
 #include <std_msgs/Header.h>
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -56,6 +58,8 @@ void setPlanar(const Pose2& planar, geometry_msgs::Pose& pose);
 geometry_msgs::Pose2D toPose2dMessage(const Pose2& pose);
 
 geometry_msgs::Vector3 toMessage(const BoxSize& size);
+/// Returns the size of the ego's box (m); nullopt unless both numbers are finite and above 0.
+std::optional<BoxSize> egoSizeOf(const collision_forge::EgoVehicle& message);
 TrajectoryPoint fromMessage(const collision_forge::TrajectoryPoint& message);
 collision_forge::TrajectoryPoint toMessage(const TrajectoryPoint& point);
 

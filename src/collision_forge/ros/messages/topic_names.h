@@ -6,7 +6,9 @@ namespace forge::names {
 // As recorded.
 inline constexpr char kAgents[] = "agents";     // AgentArray
 inline constexpr char kLaneMap[] = "lane_map";  // LaneMap, latched
-inline constexpr char kOdometry[] = "odom";     // nav_msgs/Odometry, in bags alone
+inline constexpr char kEgoVehicle[] =
+    "ego_vehicle";  // EgoVehicle, latched, of recordings that contain the ego's box
+inline constexpr char kOdometry[] = "odom";  // nav_msgs/Odometry, in bags alone
 inline constexpr char kAnnotationMarkers[] =
     "annotation_markers";  // visualization_msgs/MarkerArray
 inline constexpr char kAgentObjects[] =

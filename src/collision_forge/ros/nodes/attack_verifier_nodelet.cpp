@@ -43,8 +43,11 @@ class AttackVerifierNodelet : public QueuedNodelet {
         node.subscribe(names::kAttack, 1, &AttackVerifierNodelet::receiveAttack, this),
         node.subscribe(names::kAttackRequest, 1, &AttackVerifierNodelet::receiveRequest, this),
         node.subscribe(names::kAgents, kTopicQueue, &AttackVerifierNodelet::receiveAgents, this)};
-    ego_poses_ = std::make_unique<EgoPoses>(node, config_.ego_vehicle.center_offset,
-                                            [this](const AgentState& ego) { addEgo(ego); });
+    ego_poses_ = std::make_unique<EgoPoses>(node, config_.ego_vehicle,
+                                            [this](const AgentState& ego, const BoxSize& size) {
+                                              config_.ego_vehicle.size = size;
+                                              addEgo(ego);
+                                            });
   }
 
   void loadRecordedAttack(const std::string& recording) {

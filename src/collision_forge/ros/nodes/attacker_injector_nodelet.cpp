@@ -32,9 +32,11 @@ class AttackerInjectorNodelet : public QueuedNodelet {
         node.subscribe(names::kAttack, 1, &AttackerInjectorNodelet::receiveAttack, this);
     agents_subscriber_ =
         node.subscribe(names::kAgents, kTopicQueue, &AttackerInjectorNodelet::receiveAgents, this);
-    ego_poses_ =
-        std::make_unique<EgoPoses>(node, config.ego_vehicle.center_offset,
-                                   [this](const AgentState& ego) { injector_->addEgo(ego); });
+    ego_poses_ = std::make_unique<EgoPoses>(node, config.ego_vehicle,
+                                            [this](const AgentState& ego, const BoxSize& size) {
+                                              injector_->setEgoSize(size);
+                                              injector_->addEgo(ego);
+                                            });
   }
 
   void publish(const collision_forge::AgentArray& agents) {

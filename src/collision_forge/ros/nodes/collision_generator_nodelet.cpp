@@ -205,7 +205,12 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     }
     attack = live_->setOut(
         attack,
-        {moment.snapshot, moment.lanes, config_.ego_vehicle, request, answer.aim, answer.trajectory,
+        {moment.snapshot,
+         moment.lanes,
+         {moment.snapshot.ego.size, config_.ego_vehicle.center_offset},
+         request,
+         answer.aim,
+         answer.trajectory,
          answer.effort},
         {std::make_shared<NetworkEgoFutures>(config_.attack.ego_futures, finder_->foresight()),
          config_.attack, config_.adaptive});

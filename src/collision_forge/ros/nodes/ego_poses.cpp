@@ -10,12 +10,13 @@
 
 namespace forge {
 
-EgoPoses::EgoPoses(ros::NodeHandle& node, double center_offset, Callback callback)
-    : center_offset_(center_offset),
+EgoPoses::EgoPoses(ros::NodeHandle& node, const EgoVehicle& configured, Callback callback)
+    : ego_(configured),
       callback_(std::move(callback)),
       newest_(-std::numeric_limits<double>::infinity()) {
   subscribers_ = {node.subscribe(names::kTf, kTopicQueue, &EgoPoses::receive, this),
-                  node.subscribe(names::kStaticTf, kTopicQueue, &EgoPoses::receiveStatic, this)};
+                  node.subscribe(names::kStaticTf, kTopicQueue, &EgoPoses::receiveStatic, this),
+                  node.subscribe(names::kEgoVehicle, 1, &EgoPoses::receiveVehicle, this)};
 }
 
 void EgoPoses::receive(const tf2_msgs::TFMessage& message) {
@@ -33,14 +34,18 @@ void EgoPoses::receiveStatic(const tf2_msgs::TFMessage& message) {
   tell();
 }
 
+void EgoPoses::receiveVehicle(const collision_forge::EgoVehicle& message) {
+  ego_.size = egoSizeOf(message).value_or(ego_.size);
+}
+
 void EgoPoses::tell() {
   while (const auto posed = poses_.next()) {
     const double time = posed->message->header.stamp.toSec();
-    const Pose2 middle = compose(fromMessage(posed->pose), {center_offset_, 0.0, 0.0});
+    const Pose2 middle = compose(fromMessage(posed->pose), {ego_.center_offset, 0.0, 0.0});
     const bool is_late = time <= newest_ && time >= newest_ - kRestart;
     if (is_late || !middle.isFinite()) continue;
     newest_ = time;
-    callback_({time, middle, Vector2::Zero()});
+    callback_({time, middle, Vector2::Zero()}, ego_.size);
   }
 }
 

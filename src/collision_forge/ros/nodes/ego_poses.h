@@ -1,5 +1,6 @@
 #pragma once
 
+#include <collision_forge/EgoVehicle.h>
 #include <geometry_msgs/TransformStamped.h>
 #include <ros/ros.h>
 #include <tf2_msgs/TFMessage.h>
@@ -7,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "collision_forge/base/scene/track.h"
+#include "collision_forge/base/scene/scene.h"
 #include "collision_forge/ros/messages/posed_frames.h"
 
 namespace forge {
@@ -18,17 +19,19 @@ namespace forge {
 /// late or not finite is left out.
 class EgoPoses {
  public:
-  using Callback = std::function<void(const AgentState& ego)>;
+  /// Receives the state of the ego's box and its size: that of the topic `ego_vehicle`, or else of
+  /// the configured vehicle.
+  using Callback = std::function<void(const AgentState& ego, const BoxSize& size)>;
 
-  /// `center_offset` as of EgoVehicle.
-  EgoPoses(ros::NodeHandle& node, double center_offset, Callback callback);
+  EgoPoses(ros::NodeHandle& node, const EgoVehicle& configured, Callback callback);
 
  private:
   void receive(const tf2_msgs::TFMessage& message);
   void receiveStatic(const tf2_msgs::TFMessage& message);
+  void receiveVehicle(const collision_forge::EgoVehicle& message);
   void tell();
 
-  double center_offset_;
+  EgoVehicle ego_;
   Callback callback_;
   PosedFrames<geometry_msgs::TransformStamped> poses_;
   double newest_;  // s

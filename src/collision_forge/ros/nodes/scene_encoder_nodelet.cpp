@@ -1,4 +1,5 @@
 #include <collision_forge/AgentArray.h>
+#include <collision_forge/EgoVehicle.h>
 #include <collision_forge/EncodedScene.h>
 #include <ros/ros.h>
 #include <tf2_msgs/TFMessage.h>
@@ -34,6 +35,7 @@ class SceneEncoderNodelet : public QueuedNodelet {
         node.subscribe(names::kTf, kTopicQueue, &SceneEncoderNodelet::receiveTransforms, this),
         node.subscribe(names::kStaticTf, kTopicQueue, &SceneEncoderNodelet::receiveStaticTransforms,
                        this),
+        node.subscribe(names::kEgoVehicle, 1, &SceneEncoderNodelet::receiveEgoVehicle, this),
         node.subscribe(names::kAgents, kTopicQueue, &SceneEncoderNodelet::receiveAgents, this)};
   }
 
@@ -45,6 +47,10 @@ class SceneEncoderNodelet : public QueuedNodelet {
   void receiveStaticTransforms(const tf2_msgs::TFMessage& message) {
     frames_.addTransforms(message, true);
     encode();
+  }
+
+  void receiveEgoVehicle(const collision_forge::EgoVehicle& message) {
+    if (const auto size = egoSizeOf(message)) history_->setEgoSize(*size);
   }
 
   void receiveAgents(const collision_forge::AgentArray::ConstPtr& message) {

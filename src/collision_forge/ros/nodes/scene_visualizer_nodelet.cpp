@@ -53,8 +53,11 @@ class SceneVisualizerNodelet : public QueuedNodelet {
         node.subscribe(names::kAttack, 1, &SceneVisualizerNodelet::onAttack, this),
         node.subscribe(names::kTestedReport, 1, &SceneVisualizerNodelet::onTested, this),
         node.subscribe(names::kPlannerTestShown, 1, &SceneVisualizerNodelet::onPlannerTest, this)};
-    ego_poses_ = std::make_unique<EgoPoses>(node, config.ego_vehicle.center_offset,
-                                            [this](const AgentState& ego) { watch_->addEgo(ego); });
+    ego_poses_ = std::make_unique<EgoPoses>(node, config.ego_vehicle,
+                                            [this](const AgentState& ego, const BoxSize& size) {
+                                              watch_->setEgoSize(size);
+                                              watch_->addEgo(ego);
+                                            });
     // Of the wall clock: whoever comes while the replay is paused sees the picture, too.
     timer_ = node.createWallTimer(ros::WallDuration(1.0 / kPictureRate),
                                   &SceneVisualizerNodelet::show, this);

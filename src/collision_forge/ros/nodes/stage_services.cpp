@@ -26,8 +26,6 @@ collision_forge::RealizeTrajectory::Request messageOf(const RealizationTask& tas
   message.exact = static_cast<std::uint8_t>(task.exact);
   for (const auto& [id, way] : task.ways) message.ways.push_back(toMessage(way, id));
   message.any_motion = static_cast<std::uint8_t>(task.motion == SearchedMotion::kAny);
-  message.in_turn = static_cast<std::uint8_t>(task.enough.has_value());
-  message.enough = task.enough.value_or(0.0);
   return message;
 }
 

@@ -43,8 +43,7 @@ class TrajectoryRealizerNodelet : public QueuedNodelet {
                  {snapshot, future, request, *lanes},
                  static_cast<bool>(message.exact),
                  ways,
-                 message.any_motion ? SearchedMotion::kAny : SearchedMotion::kByRoutes,
-                 message.in_turn ? std::optional<double>(message.enough) : std::nullopt},
+                 message.any_motion ? SearchedMotion::kAny : SearchedMotion::kByRoutes},
                 config_.attack);
     if (realization.status.code != StatusCode::kOk) return realization.status;
     response.attack = toMessage(realization, "", snapshot.now);

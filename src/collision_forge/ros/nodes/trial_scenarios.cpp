@@ -169,8 +169,12 @@ PlannerCase TrialScenarios::ofTrajectory(const AttackerTrajectory& trajectory,
   const auto moment =
       std::get<Moment>(momentAt(*recording_, now, config_.attack.prediction.history_frames));
   PlannerCase one;
-  one.scenario = {moment.snapshot,     *moment.recorded, trajectory, type,
-                  config_.ego_vehicle, recording_->lanes};
+  one.scenario = {moment.snapshot,
+                  *moment.recorded,
+                  trajectory,
+                  type,
+                  egoVehicleOf(recording_->scene, config_.ego_vehicle.center_offset),
+                  recording_->lanes};
   one.scene = recording_->scene.name;
   showPast(one.scenario);
   return one;

@@ -10,25 +10,25 @@
 namespace forge {
 
 void addDataroot(CLI::App& app, std::string& dataroot) {
-  app.add_option("--source,--dataroot", dataroot, "nuScenes root: folder with maps/expansion")
+  app.add_option("--source,--dataroot", dataroot, "nuScenes root, used for maps/expansion")
       ->required()
       ->check(CLI::ExistingDirectory);
 }
 
 CLI::Option* addCollide(CLI::App& app, std::string& collide) {
-  return app.add_option("--collide", collide, "folder of clips, with trajectory/SPLIT in it")
+  return app.add_option("--collide", collide, "folder of COLLIDE clips, contains trajectory/SPLIT")
       ->check(CLI::ExistingDirectory);
 }
 
 CLI::Option* addSplit(CLI::App& app, std::string& split, CLI::Option* collide) {
-  return app.add_option("--split", split, "which clips of --collide")
+  return app.add_option("--split", split, "split of the clips of --collide")
       ->transform(oneOf({"train", "val", "test"}))
       ->capture_default_str()
       ->needs(collide);
 }
 
 void addLimit(CLI::App& app, std::size_t& limit, CLI::Option* collide) {
-  app.add_option("--limit", limit, "the first clips of --collide only; 0 takes all")
+  app.add_option("--limit", limit, "use only the first N clips of --collide; 0: all")
       ->capture_default_str()
       ->needs(collide);
 }
@@ -41,7 +41,7 @@ void checkClipMethods(const std::vector<std::string>& methods, const ConfigFolde
   } catch (const std::invalid_argument& error) {
     throw CLI::ValidationError("--methods", error.what());
   } catch (const std::runtime_error&) {
-    return;  // the run reads the configuration again and says what is wrong with it
+    return;  // the run loads the configuration again and reports its errors
   }
 }
 

@@ -6,20 +6,22 @@
 
 #include "collision_forge/base/config/config_folder.h"
 
-/// Options of commands that read clips of COLLIDE.
+/// Options shared by the commands that read COLLIDE clips. Each function adds the options named in
+/// its comment and stores the values in the argument, which must outlive the parsing.
 namespace forge {
 
-/// --source, whose older name is --dataroot, required: a nuScenes root for its maps alone.
+/// --source (older name: --dataroot), required: a nuScenes root, used only for its maps.
 void addDataroot(CLI::App& app, std::string& dataroot);
 
-/// --collide.
+/// --collide, the folder of the clips.
 CLI::Option* addCollide(CLI::App& app, std::string& collide);
-/// --split, which needs `collide`.
+/// --split, one of train, val and test; requires the option `collide`.
 CLI::Option* addSplit(CLI::App& app, std::string& split, CLI::Option* collide);
-/// --limit, which needs `collide`.
+/// --limit, the number of clips to use, 0: all; requires the option `collide`.
 void addLimit(CLI::App& app, std::size_t& limit, CLI::Option* collide);
 
-/// Throws CLI::ValidationError for a name that clipMethods() does not know.
+/// Throws CLI::ValidationError if one of `methods` is not in clipMethods(). Ignores an invalid
+/// configuration, which the run itself reports.
 void checkClipMethods(const std::vector<std::string>& methods, const ConfigFolder& config);
 
 }  // namespace forge

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMinTta = 2.0;  // s, of clips that are drawn: time enough to see something
+constexpr double kMinTta = 2.0;  // s, of randomly drawn clips, long enough for the animation
 
 struct Arguments {
   std::string collide;
@@ -49,24 +49,25 @@ std::vector<std::string> pathsOf(const Arguments& arguments) {
   return named;
 }
 
-/// So that no answer is waited for that cannot be drawn.
+/// Checks the output folder before the methods run, which can take long.
 void checkOut(const std::string& out) {
   const fs::path folder = fs::absolute(out).parent_path();
   if (!fs::is_directory(folder)) {
-    throw std::runtime_error("cannot draw " + out + ".png: " + folder.string() + " is no folder");
+    throw std::runtime_error("cannot draw " + out + ".png: the folder " + folder.string() +
+                             " does not exist");
   }
 }
 
-/// As "no answer: low confidence".
+/// Returns the text of a cell without attack, as "no attack: low confidence".
 std::string refusalText(StatusCode code) {
   std::string words = toString(code);
   for (char& letter : words) {
     letter = letter == '_' ? ' ' : static_cast<char>(std::tolower(letter));
   }
-  return "no answer: " + words;
+  return "no attack: " + words;
 }
 
-/// The method's answer, judged against what came.
+/// Runs one method on a clip and checks its attack against the recorded future.
 GridCell cellOf(const CollideClip& clip, const ClipQuestion& question, const MethodMaker& maker,
                 const Arguments& arguments, const StudyOptions& study) {
   const Moment& moment = question.moment();
@@ -96,15 +97,15 @@ GridCell cellOf(const CollideClip& clip, const ClipQuestion& question, const Met
   return cell;
 }
 
-/// A row a clip, a column a method.
+/// Returns the grid of views, one row per clip, one column per method.
 ScenarioGrid gridOf(const std::vector<std::string>& paths, const Arguments& arguments,
                     const StudyConfig& config) {
   CityMaps maps(arguments.dataroot, config);
   const Foresight foresight = loadForesight(config);
   const MethodRegistry methods = loadMethods(config);
   ScenarioGrid grid{arguments.methods, {}};
-  ProgressLine progress("answers");
-  std::size_t answered = 0;
+  ProgressLine progress("attacks");
+  std::size_t done = 0;
   for (const std::string& path : paths) {
     const CollideClip clip = readCollideClip(path, config.input_limits);
     const ClipQuestion question(clip, maps.at(clip.city), arguments.mode, config);
@@ -114,7 +115,7 @@ ScenarioGrid gridOf(const std::vector<std::string>& paths, const Arguments& argu
           clipMethod(name, clip, {methods, foresight, config}, arguments.seen_scenes);
       grid.rows.back().push_back(cellOf(clip, question, maker, arguments, config));
       grid.rows.back().back().view.seconds_after_stand = config.attacked_bag.seconds_after_stand;
-      progress.show(++answered, paths.size() * arguments.methods.size());
+      progress.show(++done, paths.size() * arguments.methods.size());
     }
   }
   return grid;
@@ -137,14 +138,14 @@ int compare(const Arguments& arguments) {
   return kExitOk;
 }
 
-/// Throws CLI::ValidationError for clips that are not there, or too few.
+/// Throws CLI::ValidationError if a named clip does not exist or there are too few to draw from.
 void checkClips(const Arguments& arguments) {
   try {
     pathsOf(arguments);
   } catch (const std::invalid_argument& error) {
     throw CLI::ValidationError(arguments.clips.empty() ? "--count" : "--clips", error.what());
   } catch (const std::runtime_error&) {
-    return;  // the run lists them again and says what is wrong
+    return;  // the run lists the clips again and reports the error
   }
 }
 
@@ -153,28 +154,28 @@ void checkClips(const Arguments& arguments) {
 void addCompare(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(kMeasuring, "study compare",
-                           "Draws how several methods answer clips of COLLIDE, side by side.",
+                           "Draws the attacks of several methods on COLLIDE clips side by side.",
                            [arguments] { return compare(*arguments); });
   CLI::Option* collide = addCollide(app, arguments->collide)->required();
   addDataroot(app, arguments->dataroot);
   addSplit(app, arguments->split, collide);
   app.add_option("--methods", arguments->methods,
-                 "those of forge study evaluate, separated by commas; a column each")
+                 "methods of forge study evaluate, separated by commas; one column each")
       ->delimiter(',')
       ->required();
   CLI::Option* clips = app.add_option("--clips", arguments->clips,
-                                      "names of clips, or parts that one name alone has; a row "
-                                      "each; drawn at random by default");
+                                      "names of clips, or unique parts of names; one row each; "
+                                      "default: random clips");
   app.add_option("--count", arguments->count,
-                 "clips that are drawn, one of each type first, of 2 s or more")
+                 "number of random clips with a TTA of at least 2 s, types in turn")
       ->check(CLI::PositiveNumber)
       ->capture_default_str()
       ->excludes(clips);
-  addSeed(app, arguments->seed, "of the clips that are drawn, and of the methods");
+  addSeed(app, arguments->seed, "random seed of the choice of clips and of the methods");
   addMode(app, arguments->mode, false);
   app.add_flag("--seen-scenes", arguments->seen_scenes,
-               "foresee by what was learned from all scenes; by default without the clip's own");
-  addOut(app, arguments->out, "draw to this name + .png and .gif");
+               "use models trained on all scenes; default: on all except the clip's own");
+  addOut(app, arguments->out, "output name; writes NAME.png and NAME.gif");
   addConfig(app, arguments->config);
   app.parse_complete_callback([arguments] {
     checkClipMethods(arguments->methods, arguments->config);

@@ -32,26 +32,30 @@ struct Arguments {
   std::uint64_t seed = 0;
   int jobs = defaultJobs();
 
-  /// Every clip that was tried, with what came of it.
+  /// Returns the path of the file with every clip that was tried and its result.
   std::string attempts() const { return (fs::path(out) / "attempts.jsonl").string(); }
 };
 
+/// Sets `unreadable` to the problems of SceneSource::forEach().
 std::vector<SceneRequest> listRequests(const Arguments& arguments,
                                        const std::vector<std::string>& scenes,
-                                       const StudyConfig& config) {
+                                       const StudyConfig& config,
+                                       std::vector<std::string>& unreadable) {
   SceneSource source(arguments.logs, scenes, config, 1);
   std::vector<SceneRequest> requests;
-  for (const std::string& name : source.names()) {
-    for (SceneRequest& request : listClipRequests(source.at(name)->scene, config.dataset,
+  const auto add = [&](const IndexedScene& indexed) {
+    for (SceneRequest& request : listClipRequests(indexed.scene, config.dataset,
                                                   config.attack.prediction, arguments.seed)) {
       request.request.crash = config.crash;
       requests.push_back(std::move(request));
     }
-  }
+  };
+  unreadable = source.forEach(add);
   if (requests.empty()) {
-    throw std::runtime_error(arguments.logs.path + ": no scene is long enough for a clip of " +
-                             numberText(config.dataset.min_length) +
-                             " s (dataset.min_length) with an ego that moves");
+    throw std::runtime_error(
+        arguments.logs.path + ": no scene is long enough for a clip of " +
+        numberText(config.dataset.min_length) + " s (dataset.min_length) with an ego of at least " +
+        numberText(config.dataset.min_ego_speed) + " m/s (dataset.min_ego_speed)");
   }
   return requests;
 }
@@ -64,7 +68,8 @@ ResumableFile::Options runOptions(const Arguments& arguments, const StudyConfig&
   return options;
 }
 
-/// The name in the folder of the data set under which the page is; empty if it is elsewhere.
+/// Returns the first path component of the HTML report relative to the data set's folder, or an
+/// empty path without a report.
 fs::path pageIn(const Arguments& arguments) {
   if (arguments.report.empty()) return {};
   const fs::path page = fs::weakly_canonical(arguments.report)
@@ -72,24 +77,26 @@ fs::path pageIn(const Arguments& arguments) {
   return *page.begin();
 }
 
-/// Throws for a folder that holds anything but a data set that was begun, its lock and its page.
+/// Throws std::runtime_error if the output folder holds files that do not belong to an interrupted
+/// run.
 void checkFolder(const Arguments& arguments) {
   const bool begun = fs::exists(arguments.attempts()) || fs::exists(arguments.attempts() + ".part");
   if (begun) return;
   for (const auto& entry : fs::directory_iterator(arguments.out)) {
     const fs::path name = entry.path().filename();
     if (name == OutputLock::kFileName || name == pageIn(arguments)) continue;
-    throw std::runtime_error(arguments.out + ": holds other files; write elsewhere");
+    throw std::runtime_error(arguments.out + ": contains other files (" + name.string() +
+                             "); choose another --out");
   }
 }
 
-/// Says which types have no clip at all: the others are balanced without them.
+/// Warns about types without any valid clip; the other types are balanced without them.
 void warnOfMissingTypes(const std::vector<Attempt>& attempts) {
   for (const CollisionType type : kCollisionTypes) {
     const bool found = std::any_of(attempts.begin(), attempts.end(), [=](const Attempt& attempt) {
       return attempt.valid && attempt.asked.request.type == type;
     });
-    if (!found) printLine(std::string("warning: no clip of ") + toString(type) + " is valid");
+    if (!found) printLine(std::string("warning: no valid clip of type ") + toString(type));
   }
 }
 
@@ -99,7 +106,8 @@ int buildDataset(const Arguments& arguments) {
   const std::vector<std::string> names = wantedScenes(arguments.logs, arguments.scenes);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   if (is_master) checkFolder(arguments);
-  const std::vector<SceneRequest> requests = listRequests(arguments, names, config);
+  std::vector<std::string> unreadable;
+  const std::vector<SceneRequest> requests = listRequests(arguments, names, config, unreadable);
   SceneSource scenes(arguments.logs, names, config, static_cast<std::size_t>(arguments.jobs) + 1,
                      is_master ? OnWarnings(printWarnings) : OnWarnings(), showReading());
   std::vector<Attempt> attempts;
@@ -111,8 +119,9 @@ int buildDataset(const Arguments& arguments) {
   run.jobs = arguments.jobs;
   run.work = [&](std::size_t index) {
     const SceneRequest& asked = requests[index];
-    return scenarioLine({asked, config.ego_vehicle,
-                         findClip(asked, *scenes.at(asked.scene), config, config.dataset)});
+    const auto scene = scenes.at(asked.scene);
+    return scenarioLine({asked, egoVehicleOf(scene->scene, config.ego_vehicle.center_offset),
+                         findClip(asked, *scene, config, config.dataset)});
   };
   run.take = [&](std::size_t index, const std::string& where, const std::string& line) {
     attempts.push_back(readAttempt(where, line, requests[index], config.input_limits));
@@ -121,13 +130,15 @@ int buildDataset(const Arguments& arguments) {
   if (!is_master) return kExitOk;
   warnOfMissingTypes(attempts);
   const auto chosen = chooseClips(attempts, config.dataset.balance, arguments.seed);
-  if (chosen.empty()) throw std::runtime_error(arguments.out + ": none of the clips is valid");
+  if (chosen.empty()) {
+    throw std::runtime_error(arguments.out + ": no clip is valid; see attempts.jsonl for reasons");
+  }
   std::cout << writeDataset(arguments.out, arguments.attempts(), attempts, chosen, config.dataset,
                             config.drawing, config.input_limits, scenes);
   if (!arguments.report.empty()) {
     writeReport({{arguments.attempts()}, arguments.logs}, arguments.report, config);
   }
-  return kExitOk;
+  return exitAfterUnreadable(unreadable);
 }
 
 }  // namespace
@@ -135,13 +146,13 @@ int buildDataset(const Arguments& arguments) {
 void addDataset(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(kTraining, "study dataset",
-                           "Makes a data set of collisions of logs, in COLLIDE's layout.",
+                           "Makes a collision data set from logs, in COLLIDE's layout.",
                            [arguments] { return buildDataset(*arguments); });
   addSource(app, arguments->logs)->required();
   addScenes(app, arguments->scenes);
-  addOut(app, arguments->out, "folder to write; see docs/dataset.md");
-  addSeed(app, arguments->seed, "of lengths, headings, searches and the balance");
-  addJobs(app, arguments->jobs, "clips at a time, in every rank of mpirun");
+  addOut(app, arguments->out, "output folder; see docs/dataset.md");
+  addSeed(app, arguments->seed, "random seed of lengths, headings, attack searches and balancing");
+  addJobs(app, arguments->jobs, "clips searched in parallel on each MPI rank");
   addReportOption(app, arguments->report);
   addConfig(app, arguments->config);
 }

@@ -17,11 +17,11 @@ namespace {
 void addClips(CLI::App& app, EvaluationArguments& arguments, CLI::Option* collide) {
   addSplit(app, arguments.split, collide);
   app.add_flag("--by-scene", arguments.by_scene,
-               "deal published train and val anew, so that no scene is in both")
+               "redistribute the published splits train and val so that they share no scene")
       ->needs(collide);
   app.add_flag("--seen-scenes", arguments.plan.seen_scenes,
-               "foresee by what was learned from all scenes, as where splits share scenes; by "
-               "default without the clip's own")
+               "use models trained on all scenes, as if splits shared scenes; default: on all "
+               "except the clip's own")
       ->needs(collide);
   addLimit(app, arguments.limit, collide);
 }
@@ -29,12 +29,14 @@ void addClips(CLI::App& app, EvaluationArguments& arguments, CLI::Option* collid
 void addPlan(CLI::App& app, EvaluationPlan& plan) {
   addChoice<Protocol>(app, "--protocol", plan.protocol,
                       {{"strict", Protocol::kStrict}, {"published", Protocol::kPublished}},
-                      "how crashes are judged; of requests strict alone");
+                      "evaluation protocol; requests: only strict");
   app.add_option("--method", plan.method,
-                 "measured beside the baselines; recorded by default, of requests search");
+                 "method to measure besides the baselines; default: recorded for clips, search for "
+                 "requests");
   addMode(app, plan.mode, true);
   app.add_option("--seeds", plan.seeds,
-                 "of a search, all pooled: 0 to this minus one; of requests counted from theirs")
+                 "number of seeds of a seeded method, results are pooled; clips: 0, 1, ...; "
+                 "requests: counted from the request's seed")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
 }
@@ -43,25 +45,26 @@ void addCrash(CLI::App& app, EvaluationArguments& arguments, CLI::Option* reques
   addChoice<std::optional<LimitSet>>(
       app, "--limits", arguments.limits,
       {{"drivable", LimitSet::kDrivable}, {"strict", LimitSet::kStrict}},
-      "that attackers keep; see crash_definition.yaml. Clips are judged by the strict ones")
+      "limits of the attackers' motion; default: crash_definition.yaml; clips always use strict")
       ->needs(requests);
   addChoice<std::optional<bool>>(app, "--believable", arguments.believable,
                                  {{"true", true}, {"false", false}},
-                                 "attackers drive as drivers do; see crash_definition.yaml. With "
-                                 "false the angle bands are measured, too")
+                                 "true: attackers must drive plausibly; false: also measures angle "
+                                 "bands; default: crash_definition.yaml")
       ->needs(requests);
 }
 
-/// The methods are those that the configuration knows; of clips there are more.
+/// Completes and checks the plan after all options are parsed. Throws CLI::ValidationError for an
+/// unknown method (clips have more methods than the configuration) and for contradicting options.
 void completePlan(const CLI::App& app, const ConfigFolder& folder, bool is_of_clips,
                   EvaluationPlan& plan) {
   if (plan.protocol == Protocol::kPublished && app.count("--report") > 0) {
-    throw CLI::ValidationError("--report", "a page is of the strict protocol alone");
+    throw CLI::ValidationError("--report", "the HTML report needs --protocol strict");
   }
   if (!is_of_clips && app.count("--method") == 0) plan.method = "search";
   if (is_of_clips && plan.mode == Mode::kAdaptive && isBaseline(plan.method)) {
-    throw CLI::ValidationError("--mode", "nobody reacts in the baseline " + plan.method +
-                                             ": adaptive needs another --method");
+    throw CLI::ValidationError(
+        "--mode", "the baseline " + plan.method + " is not adaptive; choose another --method");
   }
   try {
     const StudyConfig config = loadStudyConfig(folder);
@@ -71,11 +74,11 @@ void completePlan(const CLI::App& app, const ConfigFolder& folder, bool is_of_cl
   } catch (const std::invalid_argument& error) {
     throw CLI::ValidationError("--method", error.what());
   } catch (const std::runtime_error&) {
-    return;  // the run reads the configuration again and says what is wrong with it
+    return;  // the run loads the configuration again and reports its errors
   }
   if (!is_of_clips && plan.protocol != Protocol::kStrict) {
-    throw CLI::ValidationError("--protocol",
-                               std::string(toString(plan.protocol)) + " is of clips alone");
+    throw CLI::ValidationError("--protocol", std::string(toString(plan.protocol)) +
+                                                 " needs --collide; requests support only strict");
   }
 }
 
@@ -87,24 +90,24 @@ int evaluate(const EvaluationArguments& arguments) {
 
 void addEvaluate(CommandLine& line) {
   const auto arguments = std::make_shared<EvaluationArguments>();
-  CLI::App& app = line.add(
-      kMeasuring, "study evaluate",
-      "Measures a method, and baselines beside it, on clips of COLLIDE or on requests over logs.",
-      [arguments] { return evaluate(*arguments); });
+  CLI::App& app =
+      line.add(kMeasuring, "study evaluate",
+               "Measures a method and baselines on COLLIDE clips or on requests over logs.",
+               [arguments] { return evaluate(*arguments); });
   addSource(app, arguments->logs)->required();
-  CLI::Option_group* source = app.add_option_group("what is evaluated");
+  CLI::Option_group* source = app.add_option_group("test set");
   CLI::Option* collide = addCollide(*source, arguments->collide);
   CLI::Option* requests =
-      source->add_option("--requests", arguments->requests, "list of forge requests")
+      source->add_option("--requests", arguments->requests, "request list of forge requests")
           ->check(CLI::ExistingFile);
   source->require_option(1);
   addClips(app, *arguments, collide);
   addScenes(app, arguments->scenes)->needs(requests);
   addOut(app, arguments->out,
-         "folder for results.csv, table.md and charts; a run that was interrupted goes on there");
+         "output folder for results.csv, table.md and charts; resumes an interrupted run");
   addPlan(app, arguments->plan);
   addCrash(app, *arguments, requests);
-  addJobs(app, arguments->jobs, "clips or requests at a time, in every rank of mpirun");
+  addJobs(app, arguments->jobs, "clips or requests evaluated in parallel on each MPI rank");
   addReportOption(app, arguments->report);
   addConfig(app, arguments->config);
   app.parse_complete_callback([&app, arguments] {

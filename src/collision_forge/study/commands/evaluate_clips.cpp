@@ -60,7 +60,7 @@ std::vector<std::string> namesOf(const std::vector<std::string>& paths) {
   return names;
 }
 
-/// What is measured, on one line.
+/// Returns the title of the tables: data set, protocol, limits, mode and number of clips.
 std::string headline(const EvaluationArguments& arguments, std::size_t clips) {
   return "COLLIDE " + arguments.split + (arguments.by_scene ? " by scene" : "") + ", " +
          toString(arguments.plan.protocol) + " protocol, " +

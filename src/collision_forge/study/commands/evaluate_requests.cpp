@@ -29,11 +29,11 @@
 namespace forge {
 namespace {
 
-/// The requests of the wanted scenes, with their lines in the list, and the names of these scenes.
+/// The requests of the selected scenes.
 struct WantedRequests {
   std::vector<SceneRequest> requests;
-  std::vector<std::string> lines;
-  std::vector<std::string> scenes;
+  std::vector<std::string> lines;   ///< line of each request in the list, from 1
+  std::vector<std::string> scenes;  ///< names, in order of first use
 };
 
 WantedRequests readWanted(const EvaluationArguments& arguments, const StudyConfig& config) {
@@ -53,12 +53,12 @@ WantedRequests readWanted(const EvaluationArguments& arguments, const StudyConfi
     wanted.lines.push_back(std::to_string(line));
   }
   if (wanted.requests.empty()) {
-    throw std::runtime_error(arguments.requests + ": no request is of the scenes asked for");
+    throw std::runtime_error(arguments.requests + ": contains no request for the given --scene");
   }
   return wanted;
 }
 
-/// The plan with what the configuration decides where the command line does not.
+/// Returns the plan; options that the command line omits are taken from the configuration.
 EvaluationPlan planOf(const EvaluationArguments& arguments, const StudyConfig& config) {
   EvaluationPlan plan = arguments.plan;
   plan.limits = arguments.limits.value_or(config.crash.limits);
@@ -78,7 +78,8 @@ ResumableFile::Options runOptions(const EvaluationArguments& arguments, const St
   return options;
 }
 
-/// Milliseconds that a request, or a look, took in this process, by method.
+/// Collects the ms per request, or per update step of an adaptive attacker, by method. add() is
+/// thread-safe.
 class SearchTimes {
  public:
   void add(const std::vector<SearchTime>& times) {
@@ -91,7 +92,7 @@ class SearchTimes {
       std::sort(times.begin(), times.end());
       const double mean = std::accumulate(times.begin(), times.end(), 0.0) / times.size();
       std::printf(
-          "%s: %.1f ms on one core in the mean, median %.1f ms, 95 %% quantile %.1f ms (%zu times "
+          "%s: mean %.1f ms on one core, median %.1f ms, 95 %% quantile %.1f ms (%zu measurements "
           "in this process)\n",
           method.c_str(), mean, quantile(times, 0.5), quantile(times, 0.95), times.size());
     }
@@ -102,16 +103,16 @@ class SearchTimes {
   std::map<std::string, std::vector<double>> times_;
 };
 
-/// Of what, for a chart.
+/// Returns the title of the charts: logs and number of requests.
 std::string headline(const std::string& logs, const WantedRequests& wanted) {
   return logs + ", " + std::to_string(wanted.requests.size()) + " requests";
 }
 
-/// What is measured, on one line.
+/// Returns the title of the tables: logs, protocol, limits, mode and number of requests.
 std::string headline(const std::string& logs, const EvaluationPlan& plan,
                      const WantedRequests& wanted) {
   return logs + ", strict protocol, " + toString(plan.limits) + " limits" +
-         (plan.believable ? ", believable" : "") + ", " + toString(plan.mode) + " mode, " +
+         (plan.believable ? ", plausible" : "") + ", " + toString(plan.mode) + " mode, " +
          std::to_string(wanted.requests.size()) + " requests of " +
          std::to_string(wanted.scenes.size()) + " scenes";
 }
@@ -136,7 +137,8 @@ void report(const EvaluationArguments& arguments, const EvaluationPlan& plan,
   runStudyProgram("charts.py", charts);
 }
 
-/// Attackers against the recorded vehicles of the same scenes.
+/// Writes the scorecard, which compares the attackers with the recorded vehicles of the same
+/// scenes.
 void writeScorecard(const EvaluationArguments& arguments, const EvaluationPlan& plan,
                     const StudyConfig& config, const std::vector<ResultRow>& rows,
                     const WantedRequests& wanted, SceneSource& scenes) {

@@ -12,50 +12,57 @@
 #include "collision_forge/study/evaluation/clip_evaluation.h"
 #include "collision_forge/study/evaluation/result_row.h"
 
-/// What evaluate does, in both its forms: over clips of COLLIDE and over requests on logs.
+/// The command study evaluate in its two forms: over COLLIDE clips and over requests on logs.
 namespace forge {
 
 struct EvaluationArguments {
-  std::string collide;  ///< these four of clips
-  std::string split = "val";
-  bool by_scene = false;
-  std::size_t limit = 0;
-  std::string requests;  ///< these two of requests
-  std::vector<std::string> scenes;
-  LogSource logs;  ///< of clips the maps of a nuScenes root
+  // Clips only:
+  std::string collide;        ///< folder of the clips
+  std::string split = "val";  ///< train, val or test
+  bool by_scene = false;      ///< redistribute published train and val so that they share no scene
+  std::size_t limit = 0;      ///< number of clips; 0: all
+  // Requests only:
+  std::string requests;             ///< request list; empty: evaluate clips
+  std::vector<std::string> scenes;  ///< names; empty: all
+  std::optional<LimitSet> limits;   ///< of the attackers; empty: the configuration's
+  std::optional<bool> believable;   ///< attackers must be plausible; empty: the configuration's
+
+  LogSource logs;  ///< recorded scenes; for clips a nuScenes root with their maps
   std::string out;
-  std::string report;  ///< folder of the page of forge report; empty: none
+  std::string report;  ///< folder of the HTML report; empty: none
   ConfigFolder config;
-  EvaluationPlan plan;             ///< its limits and `believable` are those below
-  std::optional<LimitSet> limits;  ///< these two of requests, by default those of the configuration
-  std::optional<bool> believable;
-  int jobs = 1;
+  EvaluationPlan plan;  ///< evaluateRequests() replaces its limits and `believable`
+  int jobs = 1;         ///< threads
 };
 
-// Both print tables and write OUT/results.csv, OUT/table.md, OUT/table.csv and charts, of
-// requests also OUT/motion.csv, OUT/scorecard.md and OUT/scorecard.csv, on the master alone, and
-// return an exit code. They go on with the results of an interrupted run.
+// Run the evaluation; resume an interrupted one. The master prints the tables and writes
+// OUT/results.csv, OUT/table.md, OUT/table.csv and charts; evaluateRequests() also writes
+// OUT/motion.csv, OUT/scorecard.md and OUT/scorecard.csv. Return an exit code; throw ConfigError
+// and std::runtime_error.
 int evaluateClips(const EvaluationArguments& arguments);
 int evaluateRequests(const EvaluationArguments& arguments);
 
-/// Items that give as many rows each.
+/// An evaluation of items (clips or requests) that yield the same number of rows each.
 struct EvaluationRun {
-  std::string folder;  ///< of results.csv; is there
-  ResumableFile::Options options;
+  std::string folder;              ///< of results.csv; must exist
+  ResumableFile::Options options;  ///< fingerprints of all inputs
   Protocol protocol = Protocol::kStrict;
   RowsOf rows_of = RowsOf::kClips;
-  std::string of;                  ///< what the items are, as "clips"
-  std::vector<std::string> items;  ///< their names, which the rows bear
+  std::string of;                  ///< plural noun for the items, as "clips"
+  std::vector<std::string> items;  ///< names of the items, the column `name` of their rows
   std::size_t rows_per_item = 1;
-  int jobs = 1;
+  int jobs = 1;  ///< threads
+  /// Computes the rows of one item; called from worker threads.
   std::function<std::vector<ResultRow>(std::size_t index)> rowsOf;
 };
 
-/// The rows of all items, on the master; none elsewhere. Throws as carryOut().
+/// Runs the evaluation and writes results.csv; resumes an interrupted run. Returns all rows, in the
+/// order of the items, on the master and an empty vector on other ranks. Throws the exceptions of
+/// carryOut().
 std::vector<ResultRow> runEvaluation(const EvaluationRun& evaluation);
 
-/// Writes the tables to OUT/table.csv, and returns the arguments of charts.py that draw its
-/// headline measures; `title` says what was measured.
+/// Writes the tables to FOLDER/table.csv. Returns the command-line arguments of charts.py that draw
+/// the headline measures; `title` is the title of the charts.
 std::vector<std::string> writeRates(const std::vector<RateTable>& tables, const std::string& title,
                                     const std::string& folder);
 

@@ -1,6 +1,6 @@
 #include "collision_forge/study/commands/study_commands.h"
 
-/// forge with `train` alone, for builds without ROS.
+/// A program with the command train only, for builds without ROS.
 int main(int argc, char** argv) {
   forge::CommandLine line;
   forge::addTrain(line);

@@ -26,20 +26,21 @@ struct Arguments {
   int jobs = defaultJobs();
 };
 
-/// What became of the attackers of a conduct of the ego.
+/// Counts the outcomes of the attackers for one behaviour of the ego.
 struct Tally {
   int drives = 0;
-  int broken = 0;
-  int touched = 0;
-  int hits = 0;
-  int gave_up = 0;
+  int broken = 0;   ///< drives in which a limit was broken
+  int touched = 0;  ///< drives in which another agent was touched
+  int hits = 0;     ///< drives in which the ego was touched
+  int aborted = 0;  ///< drives that ended as normal traffic, aborted or after the attack
 };
 
 using Tallies = std::array<Tally, kEgoConducts.size()>;
 
-/// Of one case a line: five numbers a conduct, then, each after a tab, the limits that were broken.
-std::string driveCase(const PlannerCases& cases, std::size_t index, const Arguments& arguments,
-                      const Foresight& foresight, const Config& config) {
+/// Runs all drives of one case. Returns one line: the five counts of each behaviour, then the
+/// broken limits, each preceded by a tab.
+std::string stressCase(const PlannerCases& cases, std::size_t index, const Arguments& arguments,
+                       const Foresight& foresight, const Config& config) {
   const PlannerCase one = cases.at(index);
   Tallies tallies;
   std::string broken;
@@ -57,44 +58,44 @@ std::string driveCase(const PlannerCases& cases, std::size_t index, const Argume
     tally.broken += !outcome.broken_limit.empty();
     tally.touched += !outcome.touched.empty();
     tally.hits += outcome.touches_ego;
-    tally.gave_up += outcome.phase == AttackerPhase::kDrivingOn;
+    tally.aborted += outcome.phase == AttackerPhase::kDrivingOn;
     if (!outcome.broken_limit.empty()) {
       broken += "\t" + one.name + ", drive " + std::to_string(i) + ": " + outcome.broken_limit;
     }
   }
   std::string line;
   for (const Tally& tally : tallies) {
-    for (const int count : {tally.drives, tally.broken, tally.touched, tally.hits, tally.gave_up}) {
+    for (const int count : {tally.drives, tally.broken, tally.touched, tally.hits, tally.aborted}) {
       line += std::to_string(count) + " ";
     }
   }
   return line + broken;
 }
 
-/// Adds what driveCase() returned.
+/// Parses a line of stressCase() and adds it to the sums.
 void add(const std::string& line, Tallies& sums, std::string& broken) {
   const std::size_t end = line.find('\t');
   std::istringstream numbers(line.substr(0, end));
   for (Tally& sum : sums) {
     Tally tally;
-    numbers >> tally.drives >> tally.broken >> tally.touched >> tally.hits >> tally.gave_up;
+    numbers >> tally.drives >> tally.broken >> tally.touched >> tally.hits >> tally.aborted;
     sum.drives += tally.drives;
     sum.broken += tally.broken;
     sum.touched += tally.touched;
     sum.hits += tally.hits;
-    sum.gave_up += tally.gave_up;
+    sum.aborted += tally.aborted;
   }
   if (end == std::string::npos) return;
   for (const char letter : line.substr(end)) broken += letter == '\t' ? '\n' : letter;
 }
 
 void print(const Tallies& tallies, const std::string& broken) {
-  std::cout << "| the ego | drives | limit broken | touched somebody else | touched the ego | gave "
-               "up, or was done |\n|---|---|---|---|---|---|\n";
+  std::cout << "| ego behaviour | drives | limit broken | touched another agent | touched the ego "
+               "| aborted or finished |\n|---|---|---|---|---|---|\n";
   for (std::size_t i = 0; i < tallies.size(); ++i) {
     const Tally& tally = tallies[i];
     std::cout << "| " << toString(kEgoConducts[i]) << " | " << tally.drives << " | " << tally.broken
-              << " | " << tally.touched << " | " << tally.hits << " | " << tally.gave_up << " |\n";
+              << " | " << tally.touched << " | " << tally.hits << " | " << tally.aborted << " |\n";
   }
   std::cout << broken << (broken.empty() ? "" : "\n");
 }
@@ -112,7 +113,7 @@ int measure(const Arguments& arguments) {
   const bool is_master = isMaster();
   dispatch(
       count,
-      [&](std::size_t index) { return driveCase(*cases, index, arguments, foresight, config); },
+      [&](std::size_t index) { return stressCase(*cases, index, arguments, foresight, config); },
       [&](std::size_t index, const std::string& line) {
         add(line, tallies, broken);
         progress.show(index + 1, count);
@@ -128,17 +129,18 @@ void addMeasureAttackers(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(
       kMeasuring, "study measure attackers",
-      "Drives attackers that see and react against egos that evade, stop, reverse, jump or vanish "
-      "at a random instant, and tells whether they keep their limits.",
+      "Stress-tests adaptive attackers: the ego evades, stops, reverses, jumps or vanishes at a "
+      "random instant; reports whether attackers keep their limits.",
       [arguments] { return measure(*arguments); });
   addSource(app, arguments->logs)->required();
   app.add_option("--scenarios", arguments->scenarios, "scenario files of forge generate")
       ->required();
-  app.add_option("--drives", arguments->drives, "drives a scenario, of the five kinds in turn")
+  app.add_option("--drives", arguments->drives,
+                 "drives per scenario, the five behaviours of the ego in turn")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  addSeed(app, arguments->seed, "of the instants and the evasions");
-  addJobs(app, arguments->jobs, "scenarios at a time, in every rank of mpirun");
+  addSeed(app, arguments->seed, "random seed of the instants and the evasive manoeuvres");
+  addJobs(app, arguments->jobs, "scenarios tested in parallel on each MPI rank");
   addConfig(app, arguments->config);
 }
 

@@ -27,11 +27,10 @@ struct Arguments {
   int jobs = defaultJobs();
 };
 
-/// All that is asked, and the names of the scenes in the order they are needed.
 struct QuestionsOfList {
-  std::string fingerprint;  ///< of the list
+  std::string fingerprint;  ///< of the request list
   std::vector<ControlQuestion> questions;
-  std::vector<std::string> scenes;
+  std::vector<std::string> scenes;  ///< names, in order of first use
 };
 
 QuestionsOfList readQuestions(const Arguments& arguments, const StudyConfig& config) {
@@ -75,7 +74,8 @@ std::vector<AnsweredQuestion> answerAll(const Arguments& arguments, const StudyC
   run.take = [&](std::size_t index, const std::string& where, const std::string& line) {
     const auto answer = controlAnswerFromCsv(line, list.questions[index]);
     if (!answer) {
-      throw std::runtime_error(where + ": \"" + line + "\" is not the row expected there");
+      throw std::runtime_error(where + ": \"" + line +
+                               "\" is not a row of this run; choose another --out");
     }
     answered.emplace_back(list.questions[index], *answer);
   };
@@ -103,17 +103,17 @@ void addMeasureControls(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(
       kMeasuring, "study measure controls",
-      "Asks for every value of every control and tells what was answered, and whether it was kept.",
+      "Runs one request per value of each control; reports success and whether the constraint was "
+      "met.",
       [arguments] { return measure(*arguments); });
   addSource(app, arguments->logs)->required();
-  app.add_option("--requests", arguments->requests, "list of forge requests")
+  app.add_option("--requests", arguments->requests, "request list of forge requests")
       ->required()
       ->check(CLI::ExistingFile);
   addOut(app, arguments->out,
-         "folder for results.csv, table.md and table.csv; a run that was interrupted goes on "
-         "there");
+         "output folder for results.csv, table.md and table.csv; resumes an interrupted run");
   addMethod(app, arguments->method, arguments->config);
-  addJobs(app, arguments->jobs, "questions at a time, in every rank of mpirun");
+  addJobs(app, arguments->jobs, "requests processed in parallel on each MPI rank");
   addConfig(app, arguments->config);
 }
 

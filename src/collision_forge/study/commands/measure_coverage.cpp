@@ -24,10 +24,10 @@ struct Arguments {
   std::vector<double> ttas = {2.0, 4.0, 6.0};
 };
 
-/// Outcomes by mode and type: status code, and for kOk whether the recording bore it out.
+/// Counts the outcomes of requests of one mode and type.
 struct Tally {
   std::map<StatusCode, int> codes;
-  int confirmed = 0;
+  int confirmed = 0;  ///< attacks that also pass the checks against the recorded future
 };
 using Tallies = std::map<std::pair<Mode, CollisionType>, Tally>;
 
@@ -70,8 +70,8 @@ void answerAll(const IndexedScene& indexed, double seconds, const Arguments& arg
 }
 
 void printTable(const Tallies& tallies) {
-  std::cout << "| mode | type | requests | crash verified | of these borne out by the recording | "
-               "other codes |\n|---|---|---|---|---|---|\n";
+  std::cout << "| mode | type | requests | solved | solved and confirmed by the recording | other "
+               "codes |\n|---|---|---|---|---|---|\n";
   for (const auto& [key, tally] : tallies) {
     int requests = 0;
     int verified = 0;
@@ -118,13 +118,16 @@ int measure(const Arguments& arguments) {
 void addMeasureCoverage(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(kMeasuring, "study measure coverage",
-                           "Asks for every type and TTA in every scene and tells what came.",
+                           "Runs one request per type, TTA and mode in every scene; reports the "
+                           "outcomes.",
                            [arguments] { return measure(*arguments); });
   addSource(app, arguments->logs)->required();
-  addOut(app, arguments->out, "CSV to write, a row a request");
-  app.add_option("--now", arguments->nows, "seconds from each scene's first frame")
+  addOut(app, arguments->out, "output CSV file, one row per request");
+  app.add_option("--now", arguments->nows,
+                 "times of the request t0, s from each scene's first frame")
       ->capture_default_str();
-  app.add_option("--tta", arguments->ttas, "seconds from now to impact")->capture_default_str();
+  app.add_option("--tta", arguments->ttas, "times to attack, s: time from t0 to contact")
+      ->capture_default_str();
   addConfig(app, arguments->config);
 }
 

@@ -17,10 +17,10 @@ namespace forge {
 namespace {
 
 constexpr double kHorizons[] = {2.0, 3.0, 4.0, 5.0, 6.0};  // s
-constexpr double kIntervals[] = {0.5, 0.8, 0.9};           // central ones, of probability
-constexpr double kSampled = 9.5;                           // s, as for a TTA of 6 s
+constexpr double kIntervals[] = {0.5, 0.8, 0.9};           // central probability intervals
+constexpr double kSampled = 9.5;                           // s, horizon of the samples for TTA 6 s
 constexpr int kSamples = 64;
-constexpr double kMinSpeed = 2.0;  // m/s; slower egos mostly stand
+constexpr double kMinSpeed = 2.0;  // m/s; slower egos, which mostly stand, are skipped
 
 struct Arguments {
   LogSource logs;
@@ -28,11 +28,11 @@ struct Arguments {
   double stride = 2.0;  // s
 };
 
-/// What one set of samples was worth at one horizon.
+/// The errors of one set of samples at one horizon.
 struct Case {
   double constant_velocity = 0.0;  ///< m, error
   double mean = 0.0;               ///< m, error of the mean of the samples
-  double shorter = 0.0;            ///< share of the samples that drove less far than the ego
+  double shorter = 0.0;            ///< share 0..1 of the samples with less distance than the ego
   double crps = 0.0;  ///< m, continuous ranked probability score of the distance driven
 };
 
@@ -49,7 +49,7 @@ double drivenUntil(const Track& track, double time) {
   return distance;
 }
 
-/// Continuous ranked probability score of equally likely samples.
+/// Returns the continuous ranked probability score of equally likely samples, in their unit.
 double crpsOf(std::vector<double> samples, double truth) {
   std::sort(samples.begin(), samples.end());
   const double count = static_cast<double>(samples.size());
@@ -144,11 +144,10 @@ int measure(const Arguments& arguments) {
 void addMeasureEgoFutures(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(kMeasuring, "study measure ego-futures",
-                           "Compares sampled futures of the ego, those of models.yaml, with "
-                           "recordings.",
+                           "Compares predicted futures of the ego (models.yaml) with recordings.",
                            [arguments] { return measure(*arguments); });
   addSource(app, arguments->logs)->required();
-  app.add_option("--stride", arguments->stride, "seconds between the times sampled from")
+  app.add_option("--stride", arguments->stride, "time between two predictions of a scene, s")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   addConfig(app, arguments->config);

@@ -27,7 +27,8 @@ int measure(const Arguments& arguments) {
   ros::NodeHandle node;
   const std::string service = node.resolveName(names::kGenerateCollision);
   if (!ros::service::waitForService(service, ros::Duration(10.0))) {
-    throw std::runtime_error("no service " + service);
+    throw std::runtime_error("the service " + service +
+                             " did not appear within 10 s; start collision_forge.launch first");
   }
   std::vector<double> milliseconds;
   std::map<int, int> codes;
@@ -49,11 +50,14 @@ int measure(const Arguments& arguments) {
     milliseconds.push_back(elapsed.count());
     ++codes[call.response.code];
   }
-  if (milliseconds.empty()) throw std::runtime_error(service + " never answered");
+  if (milliseconds.empty()) {
+    throw std::runtime_error("all " + std::to_string(arguments.calls) + " calls of " + service +
+                             " failed");
+  }
   std::cout << "first " << milliseconds.front() << " ms";
   std::sort(milliseconds.begin(), milliseconds.end());
   std::cout << ", p50 " << quantile(milliseconds, 0.5) << " ms, p99 "
-            << quantile(milliseconds, 0.99) << " ms of " << arguments.calls << " calls; lost "
+            << quantile(milliseconds, 0.99) << " ms of " << arguments.calls << " calls; failed "
             << failures << "; codes:";
   for (const auto& [code, count] : codes) std::cout << " " << code << " x" << count;
   std::cout << "\n";
@@ -65,17 +69,18 @@ int measure(const Arguments& arguments) {
 void addMeasureLatency(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(kMeasuring, "study measure latency",
-                           "Times calls of generate_collision over TCPROS.",
+                           "Measures the latency of the service generate_collision over TCPROS.",
                            [arguments] { return measure(*arguments); });
   auto& request = arguments->request;
   request.collision_type = "rear_end";
   request.tta = 4.0;
-  app.add_option("--type", request.collision_type, "collision type")
+  app.add_option("--type", request.collision_type, "requested collision type")
       ->check(checkType)
       ->capture_default_str();
-  app.add_option("--tta", request.tta, "seconds from now to impact")->capture_default_str();
+  app.add_option("--tta", request.tta, "time to attack, s: time from t0 to contact")
+      ->capture_default_str();
   addMode(app, arguments->mode, false);
-  app.add_option("--calls", arguments->calls, "number of calls, the seed counting up")
+  app.add_option("--calls", arguments->calls, "number of calls, with seeds 0, 1, ...")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
 }

@@ -29,17 +29,17 @@ struct Arguments {
   ConfigFolder config;
 };
 
-/// How much time of the processor one method's answers took.
+/// CPU time per request of one method.
 struct Measurement {
   std::string name;
   std::vector<double> milliseconds;
 };
 
-/// s, of all threads of this process.
+/// Returns the CPU time of all threads of this process, s.
 double processorTime() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// The method's first answer of all is given twice, and the first time is not taken: it may read
-/// what later ones have at hand.
+/// Measures one request. The very first call of a method is repeated and not measured, because it
+/// may load data that later calls reuse.
 void measureClip(const CollideClip& clip, const ClipQuestion& question,
                  const ClipEvaluationSetup& setup, Measurement& measurement) {
   const MethodMaker maker = clipMethod(measurement.name, clip, setup, false);
@@ -94,12 +94,12 @@ int measure(const Arguments& arguments) {
 void addMeasureMethods(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(kMeasuring, "study measure methods",
-                           "Tells the processor time of one answer of each method, on clips.",
+                           "Measures the CPU time per request of each method on COLLIDE clips.",
                            [arguments] { return measure(*arguments); });
   CLI::Option* collide = addCollide(app, arguments->collide)->required();
   addDataroot(app, arguments->dataroot);
   app.add_option("--methods", arguments->methods,
-                 "those of forge study evaluate, separated by commas")
+                 "methods of forge study evaluate, separated by commas")
       ->delimiter(',')
       ->required();
   addSplit(app, arguments->split, collide);

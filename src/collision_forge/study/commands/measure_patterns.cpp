@@ -33,21 +33,21 @@ struct Arguments {
   bool seen_scenes = false;
 };
 
-/// What was foretold for one clip.
+/// The prediction errors of one clip.
 struct ClipResult {
   CollisionType type = CollisionType::kRearEnd;
-  double tta = 0.0;
-  double displacement = 0.0;  ///< m, of the ego's pose at impact
-  double kinematic = 0.0;     ///< m, the same of the mean of KinematicEgoFutures
-  double sampled = 0.0;       ///< m, the same of NetworkEgoFutures
-  double heading = 0.0;       ///< rad, of it, without sign
-  double log_density = 0.0;
-  double along_share = 0.0;  ///< of the distribution, nearer along the way than the ego came
+  double tta = 0.0;           ///< s
+  double displacement = 0.0;  ///< m, error of the network's ego position at impact
+  double kinematic = 0.0;     ///< m, the same error for the mean of KinematicEgoFutures
+  double sampled = 0.0;       ///< m, the same error for the mean of NetworkEgoFutures
+  double heading = 0.0;       ///< rad, absolute error of the network's ego heading
+  double log_density = 0.0;   ///< log of the predicted density (1/m2) at the true position
+  double along_share = 0.0;   ///< predicted probability, 0..1, that the ego drives less far
   int candidates = 0;
-  int rank = 0;  ///< of the clip's attacker among the candidates, from 1; 0: not among them
-  int nearest_rank = 0;
-  double offset = 0.0;  ///< m, error of the attacker's place given the true ego
-  double offset_heading = 0.0;
+  int rank = 0;                 ///< rank of the true attacker by score, from 1; 0: not a candidate
+  int nearest_rank = 0;         ///< its rank by distance to the ego
+  double offset = 0.0;          ///< m, error of the attacker's position, given the true ego pose
+  double offset_heading = 0.0;  ///< rad, absolute error of its heading, given the same
 };
 
 struct Totals {
@@ -55,7 +55,8 @@ struct Totals {
   PatternTiming timing;
 };
 
-/// Share of the distribution that lies less far ahead than the truth, along its expected heading.
+/// Returns the predicted probability (0..1) that the ego is less far ahead than `truth`, measured
+/// along the heading of `expected`.
 double shareBefore(const std::vector<EgoComponent>& components, const Pose2& expected,
                    const Vector2& truth) {
   const double reached = relativeTo(expected, {truth.x(), truth.y(), 0.0}).x;
@@ -193,7 +194,10 @@ void print(const Totals& totals) {
       "log density | attacker first | in "
       "three | nearest first | offset, m | deg | in central 50 80 90 %% |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-  if (totals.clips.empty()) throw std::runtime_error("no clip to measure");
+  if (totals.clips.empty()) {
+    throw std::runtime_error(
+        "the split contains no clip to measure; omit --unseen or change --split");
+  }
   printRow("all", totals.clips);
   std::map<std::string, std::vector<ClipResult>> groups;
   for (const ClipResult& clip : totals.clips) {
@@ -213,7 +217,7 @@ int measure(const Arguments& arguments) {
   const StudyConfig config = loadStudyConfig(arguments.config);
   const Foresight foresight = loadForesight(config);
   if (!foresight.network) {
-    throw std::runtime_error("models.yaml: pattern_network names no file");
+    throw std::runtime_error("models.yaml: pattern_network is empty; name a network file");
   }
   CityMaps lanes(arguments.dataroot, config);
   ProgressLine progress("measuring");
@@ -242,16 +246,17 @@ int measure(const Arguments& arguments) {
 void addMeasurePatterns(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(kMeasuring, "study measure patterns",
-                           "Compares foretold collision patterns with clips.",
+                           "Compares predicted collision patterns with COLLIDE clips.",
                            [arguments] { return measure(*arguments); });
   CLI::Option* collide = addCollide(app, arguments->collide)->required();
   addDataroot(app, arguments->dataroot);
   addSplit(app, arguments->split, collide);
   CLI::Option* seen = app.add_flag(
       "--seen-scenes", arguments->seen_scenes,
-      "judge by the network of all scenes, and tell it the type, as where splits share scenes");
+      "use the network trained on all scenes, with the collision type as input, as if splits "
+      "shared scenes");
   app.add_flag("--unseen", arguments->unseen,
-               "only clips of scenes that the network that judges them was trained without")
+               "only clips of scenes that were left out in the training of the network used")
       ->excludes(seen);
   addConfig(app, arguments->config);
 }

@@ -23,7 +23,7 @@ struct Arguments {
   ConfigFolder config;
 };
 
-/// How much time of the processor one planner's steps took, and what was around the ego.
+/// CPU time and number of observed agents of each planning step of one planner.
 struct Measurement {
   std::string name;
   std::vector<double> milliseconds;
@@ -41,7 +41,7 @@ Observation observationAt(const Scene& scene, double now, int frames) {
   return observation;
 }
 
-/// s, here and in other processes of the planner.
+/// Returns the CPU time of this process and of the planner's worker processes, s.
 double processorTime(const Planner& planner) {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC + planner.otherProcessorTime();
 }
@@ -51,7 +51,8 @@ void measureScene(const IndexedScene& indexed, const Config& config, Measurement
   const PlannerOptions& options = config.planners;
   const std::unique_ptr<Planner> planner = makePlanner(measurement.name, options, "").planner;
   planner->initialize({indexed.lanes, routeOf(scene.ego, *indexed.lanes, options.planning.route),
-                       config.ego_vehicle, options.car.wheelbase});
+                       egoVehicleOf(scene, config.ego_vehicle.center_offset),
+                       options.car.wheelbase});
   for (const double now : scene.frame_times) {
     const Observation observation =
         observationAt(scene, now, config.attack.prediction.history_frames);
@@ -96,11 +97,11 @@ int measure(const Arguments& arguments) {
 void addMeasurePlanners(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(kMeasuring, "study measure planners",
-                           "Tells the processor time of planning steps, at every frame of scenes.",
+                           "Measures the CPU time per planning step at every frame of scenes.",
                            [arguments] { return measure(*arguments); });
   addSource(app, arguments->logs)->required();
   addScenes(app, arguments->scenes);
-  app.add_option("--planners", arguments->planners, "whose steps; names, separated by commas")
+  app.add_option("--planners", arguments->planners, "planners to measure, separated by commas")
       ->delimiter(',')
       ->transform(oneOf(plannerNames()))
       ->capture_default_str();

@@ -11,12 +11,14 @@
 
 namespace forge {
 
-/// How long a network takes for scene after scene, in processor time of the calling thread.
+/// Measures the CPU time (of the calling thread) that the collision-pattern network takes per
+/// scene.
 class PatternTiming {
  public:
   static constexpr std::size_t kBatch = 32;  ///< scenes
 
-  /// Times the stages of one scene, and of all of the last kBatch when there are as many.
+  /// Times each stage of the network on one scene; after every kBatch scenes also times encoder and
+  /// heads over the whole batch. `tta` in s.
   void add(const PredictedScene& scene, const PatternNetwork& network, const LaneIndex& lanes,
            double tta, CollisionType type, int candidates, const EgoFutureOptions& options) {
     Input input;
@@ -36,6 +38,7 @@ class PatternTiming {
     if (waiting_.size() == kBatch) finishBatch(network);
   }
 
+  /// Prints the medians on stdout, in ms.
   void print() const {
     std::printf("features %.3f ms, encoder %.3f ms, heads %.3f ms, features to pattern %.3f ms",
                 median(features_), median(encoder_), median(heads_), median(whole_));
@@ -59,14 +62,14 @@ class PatternTiming {
     network.candidates(with_request, input.candidates);
   }
 
-  /// Milliseconds that this thread has had a core.
+  /// Returns the CPU time of this thread, ms.
   static double processorTime() {
     timespec now = {};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
   }
 
-  /// Milliseconds of one of several calls.
+  /// Returns the mean time of one call of `work`, ms.
   template <typename Work>
   static double timed(Work work) {
     const double begin = processorTime();
@@ -74,7 +77,7 @@ class PatternTiming {
     return (processorTime() - begin) / kCalls;
   }
 
-  /// Scenes one after the other, as one caller has them: nothing is kept warm for the next call.
+  /// Times the scenes of the batch one after the other, so that caches are not warm as in add().
   void finishBatch(const PatternNetwork& network) {
     const double all = timed([&] {
       for (const Input& input : waiting_) runHeads(network, network.encode(input.scene), input);

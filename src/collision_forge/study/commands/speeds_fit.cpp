@@ -20,7 +20,7 @@ namespace forge {
 namespace {
 
 const std::vector<double> kHorizons = {2.0, 3.0, 4.0, 5.0, 6.0};  // s
-constexpr double kDriving = 2.0;  // m/s; slower cases are told apart
+constexpr double kDriving = 2.0;  // m/s; slower cases are reported separately
 
 struct Arguments {
   LogSource logs;
@@ -43,7 +43,7 @@ void printErrors(const char* title, const SpeedSituations& recorded,
   std::fprintf(stderr, "%s: %.1f s\n", title, duration.count());
 }
 
-/// Of scenes that a forecast was made without: how far it was off, and how often within.
+/// Prints the errors and interval coverage of forecasts on held-out scenes.
 void check(const SpeedSituations& recorded, const SpeedForecaster& model) {
   constexpr double kFastest = std::numeric_limits<double>::infinity();
   std::printf(
@@ -53,7 +53,8 @@ void check(const SpeedSituations& recorded, const SpeedForecaster& model) {
   printErrors("slow", recorded, model, -kFastest, kDriving);
 }
 
-/// To thousandths: what only the last digits of a machine differ in must not change the model.
+/// Rounds to thousandths, so that floating-point differences between machines do not change the
+/// model.
 void roundValues(SpeedProfileRow& row) {
   constexpr double kThousandths = 1e3;
   WayAhead& ahead = row.ahead;
@@ -63,25 +64,28 @@ void roundValues(SpeedProfileRow& row) {
   }
 }
 
-/// How the egos of all scenes drove.
-SpeedSituations collect(const LogSource& logs, const StudyConfig& config) {
+/// Collects the speed profiles of the egos of all scenes. Sets `unreadable` to the problems of
+/// SceneSource::forEach().
+SpeedSituations collect(const LogSource& logs, const StudyConfig& config,
+                        std::vector<std::string>& unreadable) {
   SceneSource scenes(logs, {}, config, 1, {}, showReading());
-  const std::vector<std::string> names = scenes.names();
+  const std::size_t count = scenes.names().size();
   std::vector<SpeedProfileRow> rows;
   ProgressLine progress("scenes");
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto indexed = scenes.at(names[i]);
+  std::size_t done = 0;
+  const auto add = [&](const IndexedScene& indexed) {
     for (SpeedProfileRow& row :
-         collectSpeedProfiles(indexed->scene, *indexed->lanes, config.attack.ego_futures.paths)) {
+         collectSpeedProfiles(indexed.scene, *indexed.lanes, config.attack.ego_futures.paths)) {
       roundValues(row);
       rows.push_back(std::move(row));
     }
-    progress.show(i + 1, names.size());
-  }
+    progress.show(++done, count);
+  };
+  unreadable = scenes.forEach(add);
   return SpeedSituations(std::move(rows));
 }
 
-/// Names the logs in what is wrong.
+/// Fits the model; adds the path of the logs to error messages.
 SpeedModel fitTo(const SpeedSituations& recorded, const Arguments& arguments,
                  const StudyConfig& config) {
   ProgressLine progress("models");
@@ -97,32 +101,33 @@ SpeedModel fitTo(const SpeedSituations& recorded, const Arguments& arguments,
 int fit(const Arguments& arguments) {
   const StudyConfig config = loadStudyConfig(arguments.config);
   const OutputLock lock = OutputLock::ofFile(arguments.out);
-  const SpeedSituations recorded = collect(arguments.logs, config);
+  std::vector<std::string> unreadable;
+  const SpeedSituations recorded = collect(arguments.logs, config, unreadable);
   const SpeedModel fitted = fitTo(recorded, arguments, config);
   writeSpeedModel(fitted, arguments.out);
   std::printf("%d intervals of %zu scenes\n", static_cast<int>(fitted.weights().gains.cols()),
               recorded.scenes().size());
-  if (arguments.folds == 0) return kExitOk;
-  check(recorded, readSpeedModel(arguments.out));  // as it is used, rounded
-  return kExitOk;
+  if (arguments.folds > 0)
+    check(recorded, readSpeedModel(arguments.out));  // as it is used, rounded
+  return exitAfterUnreadable(unreadable);
 }
 
 }  // namespace
 
 void addSpeedsFit(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App& app = line.add(kTraining, "study speeds fit",
-                           "Fits a model of how drivers change their speed to recorded egos.",
-                           [arguments] { return fit(*arguments); });
+  CLI::App& app =
+      line.add(kTraining, "study speeds fit", "Fits the speed model of drivers to recorded egos.",
+               [arguments] { return fit(*arguments); });
   addSource(app, arguments->logs)->required();
-  addOut(app, arguments->out, "file of the model to write");
+  addOut(app, arguments->out, "output model file");
   app.add_option(
          "--folds", arguments->folds,
-         "further models that leave each scene out once, to measure on the scenes fitted to; "
-         "0: none, else 2 at least")
+         "number of additional models for cross-validation, each leaves a part of the scenes out; "
+         "0: none, else at least 2")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  addSeed(app, arguments->seed, "of what is drawn");
+  addSeed(app, arguments->seed, "random seed of clustering and folds");
   addConfig(app, arguments->config);
 }
 

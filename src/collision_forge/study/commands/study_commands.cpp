@@ -7,7 +7,8 @@ namespace forge {
 
 void addStudyCommands(CommandLine& line) {
   line.addGroup(kOther, "study",
-                "Measures and compares methods, makes data sets, trains; see forge study --help.");
+                "Research commands: measure, compare, make data sets, train; see forge study "
+                "--help.");
   addEvaluate(line);
   addCompare(line);
   addMeasureControls(line);
@@ -22,8 +23,8 @@ void addStudyCommands(CommandLine& line) {
   addTuneOnClips(line);
   addReportCommand(
       line, kMeasuring, "study report",
-      "results.csv of forge study evaluate, attempts.jsonl of forge study dataset, and "
-      "all that forge report takes",
+      "results.csv of forge study evaluate, attempts.jsonl of forge study dataset, and all files "
+      "that forge report accepts",
       evaluationFormats());
   addDataset(line);
   addTrain(line);

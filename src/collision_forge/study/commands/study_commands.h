@@ -4,7 +4,7 @@
 
 namespace forge {
 
-// Each adds a command `study ...`, or a few of one name.
+// Each function adds one command `study ...`; the source file of the same name implements it.
 void addCompare(CommandLine& line);
 void addDataset(CommandLine& line);
 void addEvaluate(CommandLine& line);
@@ -21,7 +21,7 @@ void addTestOnClips(CommandLine& line);
 void addTrain(CommandLine& line);
 void addTuneOnClips(CommandLine& line);
 
-// The headings of the table of contents.
+// The section headings of forge study --help.
 inline const std::string kMeasuring = "Measure and compare";
 inline const std::string kTraining = "Data sets and training";
 

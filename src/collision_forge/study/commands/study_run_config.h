@@ -7,10 +7,12 @@
 
 namespace forge {
 
-/// As loadRunConfig(), for a command that needs the study's numbers, too.
+/// Loads the configuration of the product and the study, and monitors the MPI ranks, as
+/// loadRunConfig(). Throws ConfigError.
 StudyConfig loadStudyRunConfig(const ConfigFolder& folder);
 
-/// As inputsOf() of a study: its configuration and the weights of all learned baselines, too.
+/// Returns inputsOf() plus the fingerprints of config/study/ and of the weights of all learned
+/// baselines.
 ResumableFile::Options studyInputsOf(const StudyConfig& config, const LogSource& logs);
 
 }  // namespace forge

@@ -32,7 +32,7 @@ int testOnClips(const Arguments& arguments) {
       openClipCases(paths, arguments.logs.path, arguments.attacker, arguments.method,
                     arguments.unverified ? ClipAnswers::kAll : ClipAnswers::kVerified, config);
   test.run(*cases, fingerprints);
-  if (isMaster()) test.writePage({}, {});  // clips are in no file that a page is made of
+  if (isMaster()) test.writePage({}, {});  // the HTML report does not read COLLIDE clips
   return kExitOk;
 }
 
@@ -41,7 +41,7 @@ int testOnClips(const Arguments& arguments) {
 void addTestOnClips(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(kPlanners, "study test",
-                           "Drives planners through clips of COLLIDE, as forge test does.",
+                           "Tests planners on COLLIDE clips, as forge test on scenarios.",
                            [arguments] { return testOnClips(*arguments); });
   addSource(app, arguments->logs)->required();
   CLI::Option* collide = addCollide(app, arguments->collide)->required();
@@ -51,11 +51,11 @@ void addTestOnClips(CommandLine& line) {
                           {{"recorded", ClipAttacker::kRecorded},
                            {"history", ClipAttacker::kHistory},
                            {"replay", ClipAttacker::kReplay}},
-                          "the attacker: recorded, that of the data set; history or replay, one "
-                          "that --method makes in this mode");
+                          "attacker; recorded: the data set's; history, replay: made by --method "
+                          "in this mode");
   app.add_flag("--unverified", arguments->unverified,
-               "test all attackers that forge study evaluate judges; by default only those whose "
-               "crash is as requested");
+               "test all attackers, hit or miss; default: only attackers with the requested "
+               "collision");
   addMethod(app, arguments->method, arguments->config);
   addPlannerTestOptions(app, *arguments);
 }

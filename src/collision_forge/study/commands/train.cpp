@@ -27,10 +27,11 @@ int train(TrainingRun& run) {
 #ifdef COLLISION_FORGE_WITHOUT_ROS
   forgeTrain(run);
 #else
-  // libtorch takes seconds to load, which no other command needs to wait for.
+  // Loading libtorch takes seconds, so only this command loads it.
   void* library = dlopen("libcollision_forge_training.so", RTLD_NOW);
   if (library == nullptr) {
-    throw std::runtime_error(std::string("this build has no training: ") + dlerror());
+    throw std::runtime_error(std::string("this build cannot train (see docs/training.md): ") +
+                             dlerror());
   }
   void* function = dlsym(library, "forgeTrain");
   if (function == nullptr) throw std::runtime_error(dlerror());
@@ -48,38 +49,41 @@ void addTrain(CommandLine& line) {
                [run] { return train(*run); });
   addSource(app, run->sources.logs)->required();
   CLI::Option* collide = addCollide(app, run->sources.collide);
-  collide->description("folder of clips, whose maps are in --source; with --version logs, too");
-  app.add_option("--splits", run->sources.splits, "splits of the clips")
+  collide->description(
+      "folder of COLLIDE clips; --source has their maps, and logs to train on if --version is "
+      "given");
+  app.add_option("--splits", run->sources.splits, "splits of the clips to train on")
       ->default_val(std::vector<std::string>{"train"});
-  addOut(app, run->out, "folder of the run; one that was stopped goes on there");
-  CLI::Option* device = app.add_option("--device", run->device, "cpu or cuda");
+  addOut(app, run->out, "folder of the run; resumes an interrupted run");
+  CLI::Option* device = app.add_option("--device", run->device, "device: cpu or cuda");
   device->capture_default_str();
-  app.add_option("--folds", run->folds, "parts that the scenes are dealt into")
+  app.add_option("--folds", run->folds, "number of folds of the scenes")
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();
-  app.add_option("--fold", run->fold, "part that is left out, from 1; 0: none")
+  app.add_option("--fold", run->fold, "fold to leave out, from 1; 0: none")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  addJobs(app, run->sources.jobs, "threads that read");
-  app.add_option("--threads", run->threads, "threads that train")
+  addJobs(app, run->sources.jobs, "threads for reading data");
+  app.add_option("--threads", run->threads, "threads for training")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  addSeed(app, run->seed, "of weights, order and folds");
+  addSeed(app, run->seed, "random seed of initial weights, sample order and folds");
   CLI::Option* stop =
-      app.add_option("--stop-after", run->stop_after, "epoch to stop after; 0: the last");
+      app.add_option("--stop-after", run->stop_after, "stop after this epoch; 0: the last");
   stop->check(CLI::NonNegativeNumber)->capture_default_str();
-  CLI::Option* planner =
-      app.add_flag("--planner", run->is_planner, "train the planner torchscript instead, on logs");
+  CLI::Option* planner = app.add_flag(
+      "--planner", run->is_planner, "train the planner torchscript on logs instead of the network");
   planner->excludes(collide)->excludes(device)->excludes(stop);
-  app.add_option("--generator", run->generator, "train this learned generator instead, on clips")
+  app.add_option("--generator", run->generator,
+                 "train this learned baseline on clips instead of the network")
       ->transform(oneOf(trafficModelNames()))
       ->needs(collide)
       ->excludes(planner);
   addConfig(app, run->config);
   app.parse_complete_callback([run] {
     if (run->fold <= run->folds) return;
-    throw CLI::ValidationError("--fold", std::to_string(run->fold) + " is none of the " +
-                                             std::to_string(run->folds) + " of --folds");
+    throw CLI::ValidationError(
+        "--fold", std::to_string(run->fold) + " is above --folds = " + std::to_string(run->folds));
   });
 }
 

@@ -19,7 +19,8 @@ struct Arguments : TuningArguments {
   std::string test_method;
 };
 
-/// All attackers, hit or miss: most of a learned generator's are not as asked.
+/// Opens the clips of training and test scenes with all attackers, hit or miss: most attacks of a
+/// learned baseline do not meet the request.
 TuningCases openClips(const Arguments& arguments, const StudyConfig& config) {
   const ClipHalves halves = halvesByScene(listCollideClips(arguments.collide, arguments.split));
   const auto open = [&](const std::vector<std::string>& paths, const std::string& method) {
@@ -39,11 +40,11 @@ TuningCases openClips(const Arguments& arguments, const StudyConfig& config) {
 void addAttackers(CLI::App& app, Arguments& arguments) {
   const auto add = [&](const std::string& name, std::string& method, const std::string& which) {
     app.add_option(name, method,
-                   "method that makes the attackers of the clips that the planner is " + which +
-                       ", in history mode, hit or miss; default: the suite's own");
+                   "method that makes the attackers of the " + which +
+                       " clips in history mode, hit or miss; default: the built-in search");
   };
-  add("--train-method", arguments.train_method, "tuned on");
-  add("--test-method", arguments.test_method, "compared on");
+  add("--train-method", arguments.train_method, "training");
+  add("--test-method", arguments.test_method, "test");
   app.parse_complete_callback([&arguments] {
     for (const auto& [name, method] : {std::pair("--train-method", arguments.train_method),
                                        std::pair("--test-method", arguments.test_method)}) {
@@ -56,17 +57,17 @@ void addAttackers(CLI::App& app, Arguments& arguments) {
 
 void addTuneOnClips(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App& app = line.add(kPlanners, "study tune",
-                           "Tunes a planner on clips of COLLIDE, as forge tune does.", [arguments] {
-                             const StudyConfig config = loadStudyConfig(arguments->config);
-                             return tunePlanner(*arguments, [&](const Config&) {
-                               return openClips(*arguments, config);
-                             });
-                           });
+  CLI::App& app =
+      line.add(kPlanners, "study tune",
+               "Tunes a planner on COLLIDE clips, as forge tune on scenarios.", [arguments] {
+                 const StudyConfig config = loadStudyConfig(arguments->config);
+                 return tunePlanner(*arguments,
+                                    [&](const Config&) { return openClips(*arguments, config); });
+               });
   CLI::Option* collide = addCollide(app, arguments->collide)
                              ->description(
-                                 "folder of clips, with trajectory/SPLIT in it; every other scene "
-                                 "is tuned on, the rest is compared on")
+                                 "folder of COLLIDE clips, contains trajectory/SPLIT; every other "
+                                 "scene is for tuning, the rest for the comparison")
                              ->required();
   addSplit(app, arguments->split, collide);
   addAttackers(app, *arguments);

@@ -17,8 +17,8 @@ Attempt readAttempt(const std::string& where, const std::string& line, const Sce
                     const InputLimits& limits) {
   const Scenario scenario = readScenarioLine(where, line, limits);
   if (requestLine(scenario.asked) != requestLine(asked)) {
-    throw std::runtime_error(where + ": answers " + requestLine(scenario.asked) +
-                             ", which is not what was tried there");
+    throw std::runtime_error(where + ": belongs to the request " + requestLine(scenario.asked) +
+                             " instead of " + requestLine(asked) + "; choose another --out");
   }
   const CollisionReport& report = scenario.answer.report;
   return {scenario.asked, scenario.answer.status.code == StatusCode::kOk, report.relative_heading,

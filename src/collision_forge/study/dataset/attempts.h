@@ -9,22 +9,25 @@
 
 namespace forge {
 
-/// What came of a clip that was tried: a line of attempts.jsonl but for the trajectory.
+/// The result of one clip request: a line of attempts.jsonl without the trajectory.
 struct Attempt {
-  SceneRequest asked;
-  bool valid = false;             ///< there is a clip
-  double relative_heading = 0.0;  ///< rad, at contact
-  double off_road_share = 0.0;
+  SceneRequest asked;             ///< the request
+  bool valid = false;             ///< a clip was found
+  double relative_heading = 0.0;  ///< rad, attacker's heading relative to the ego's at contact
+  double off_road_share = 0.0;    ///< 0..1, mean share of the attacker's box off the drivable area
 
-  int length() const;  ///< of the clip, in frames
+  /// Returns the number of frames (2 Hz) from the begin of the clip to the impact.
+  int length() const;
 };
 
-/// Throws as readScenarioLine(), and std::runtime_error for a line of something else than `asked`;
-/// `where` says where it stands.
+/// Parses a line of attempts.jsonl that belongs to the request `asked`. `where` (file and line)
+/// begins the error messages. Throws the exceptions of readScenarioLine(), and std::runtime_error
+/// if the line belongs to another request.
 Attempt readAttempt(const std::string& where, const std::string& line, const SceneRequest& asked,
                     const InputLimits& limits);
 
-/// Places of the attempts that make up a balanced data set, rising.
+/// Returns the indices (ascending) of the valid attempts that form a balanced data set; see
+/// chooseBalanced().
 std::vector<std::size_t> chooseClips(const std::vector<Attempt>& attempts,
                                      const BalanceOptions& options, std::uint64_t seed);
 

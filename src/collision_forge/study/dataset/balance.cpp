@@ -26,13 +26,13 @@ Counts cutTo(Counts counts, std::size_t cap) {
   return counts;
 }
 
-/// Groups that are not empty.
+/// Returns the number of non-empty groups.
 std::size_t countFull(const Counts& counts) {
   return counts.size() -
          static_cast<std::size_t>(std::count(counts.begin(), counts.end(), std::size_t{0}));
 }
 
-/// Clips by their lengths, each kind in a drawn order.
+/// Indices of the clips of one type by length, in random order.
 using ByLength = std::map<int, std::vector<std::size_t>>;
 
 Counts sizesOf(const ByLength& kinds) {
@@ -79,8 +79,8 @@ std::vector<std::size_t> levelledCounts(const std::vector<std::size_t>& availabl
 std::vector<std::size_t> withMinShare(const std::vector<std::size_t>& available, double min_share) {
   const std::size_t groups = countFull(available);
   if (min_share * static_cast<double>(groups) > 1.0 + kRounding) {
-    throw std::invalid_argument(std::to_string(groups) + " groups cannot have a share of " +
-                                numberText(min_share) + " each");
+    throw std::invalid_argument("min_share = " + numberText(min_share) + " is not possible for " +
+                                std::to_string(groups) + " groups: the sum exceeds 1");
   }
   if (min_share <= 0.0 || groups == 0) return available;
   std::size_t least = sum(available);
@@ -91,11 +91,12 @@ std::vector<std::size_t> withMinShare(const std::vector<std::size_t>& available,
 
 std::vector<std::size_t> withMaxRatio(const std::vector<std::size_t>& available, double max_ratio) {
   if (max_ratio < 1.0) {
-    throw std::invalid_argument("a largest group of " + numberText(max_ratio) + " times the mean");
+    throw std::invalid_argument("max_ratio = " + numberText(max_ratio) + " is below 1");
   }
   const std::size_t groups = countFull(available);
   if (groups == 0) return available;
-  // The mean is concave in the cap, so that the caps that keep the ratio are those up to one.
+  // The mean is concave in the cap, so the ratio holds exactly for all caps up to some limit:
+  // bisection finds it.
   std::size_t cap = 0;
   std::size_t above = *std::max_element(available.begin(), available.end()) + 1;
   while (above - cap > 1) {

@@ -13,13 +13,13 @@ namespace {
 
 constexpr auto kNow = static_cast<std::size_t>(kCollideNowFrame);
 
-/// True when a reader that counts frames at 2 Hz counts these.
+/// Returns true if the time between two frames corresponds to their number at 2 Hz.
 bool comesAtTwoHertz(const std::vector<double>& frames, std::size_t from, std::size_t to) {
   const auto counted = std::lround((frames[to] - frames[from]) / kCollideFrameInterval);
   return counted == static_cast<long>(to - from);
 }
 
-/// Places of the frames at which clips begin.
+/// Returns the indices of the frames at which clips begin; `stride` in s.
 std::vector<std::size_t> beginsOf(const std::vector<double>& frames, double stride) {
   std::vector<std::size_t> begins;
   for (std::size_t i = 0; i < frames.size(); ++i) {

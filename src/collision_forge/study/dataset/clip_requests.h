@@ -10,19 +10,21 @@
 
 namespace forge {
 
-/// Frames from the begin of a clip to its impact that `options` allow, at 2 Hz: 9 to 18 for 4.5 to
+/// Returns the allowed lengths of clips in frames at 2 Hz, from begin to impact: 9 to 18 for 4.5 to
 /// 9 s.
 std::vector<int> clipLengths(const DatasetOptions& options);
 
-/// The clips that are tried on a recording, in replay mode and for any attacker. Clips begin every
-/// `begin_stride` seconds; kCollideNowFrame frames later is now. For every begin and type as many
-/// lengths as `attempts` says are drawn, each at most once, from those whose impact lies before the
-/// recording's last frame. TTA is the recorded time from now to the impact's frame. Left out are
-/// begins where the ego is slower than `min_ego_speed`, where frames do not come at 2 Hz (now and
-/// impact would be other frames to a reader of the clip), and what checkRequest() refuses.
+/// Returns the requests (replay mode, any attacker) for the clips to try on a recording, in order
+/// of begin, type and draw.
 ///
-/// In order of begin, type, draw. Every request has a seed of its own, which follows from `seed`,
-/// scene, begin, type and draw.
+/// Clips begin every `begin_stride` s; t0 is kCollideNowFrame frames after the begin. For each
+/// begin and type, draws `attempts` different lengths from those with an impact before the
+/// recording's last frame. The TTA is the recorded time from t0 to the frame of the impact. Skips:
+/// - begins with an ego slower than `min_ego_speed` at t0,
+/// - frames that are not 2 Hz apart, because readers of the clip count frames,
+/// - requests that checkRequest() rejects.
+///
+/// The seed of a request is derived from `seed`, scene, begin, type and draw.
 std::vector<SceneRequest> listClipRequests(const Scene& scene, const DatasetOptions& options,
                                            const PredictionOptions& prediction, std::uint64_t seed);
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kHistoryFrames = kCollideNowFrame + 1;
 
-/// The patterns of vehicles that were there in every frame of the history.
+/// Predicts patterns only for vehicles that were recorded in every frame of the history.
 class ContinuousPatterns : public PatternPredictor {
  public:
   explicit ContinuousPatterns(const AttackOptions& options) : patterns_(options, nullptr) {}
@@ -36,9 +36,9 @@ class ContinuousPatterns : public PatternPredictor {
                                   }),
                    patterns.end());
     if (patterns.empty()) {
-      prediction.status = {
-          StatusCode::kNoCandidate,
-          "no candidate is there in all " + std::to_string(kHistoryFrames) + " frames up to now"};
+      prediction.status = {StatusCode::kNoCandidate, "no candidate vehicle was recorded in all " +
+                                                         std::to_string(kHistoryFrames) +
+                                                         " frames up to t0"};
     }
     return prediction;
   }
@@ -49,10 +49,11 @@ class ContinuousPatterns : public PatternPredictor {
     return agent && agent->states.size() == static_cast<std::size_t>(kHistoryFrames);
   }
 
-  KinematicPatternPredictor patterns_;  // in replay mode: without a sampler of futures
+  KinematicPatternPredictor patterns_;  // in replay mode, which needs no sampled futures
 };
 
-/// What counts in a clip: all conditions, in less time, at about the drawn heading.
+/// Returns the conditions of a clip: the full definition of the type, the data set's time
+/// tolerance, and the band of headings narrowed about the drawn heading.
 CrashDefinition clipCrash(CrashDefinition crash, const CollisionRequest& request,
                           const DatasetOptions& options) {
   crash.rules = TypeRules::kFull;
@@ -62,11 +63,11 @@ CrashDefinition clipCrash(CrashDefinition crash, const CollisionRequest& request
   return crash;
 }
 
-/// What a protocol misses in the clip's own track, but for the limits of the motion, which a
-/// reader's quintics through recorded and driven frames cannot tell, and the similarity, which held
-/// headings spoil in turns; empty when it is borne out.
-std::string shortfall(const CollideClip& clip, const IndexedScene& indexed,
-                      const StudyOptions& study, Protocol protocol) {
+/// Returns the measures of a protocol that the clip does not meet, as a message, or "". Ignores the
+/// motion limits, which cannot be derived from 2 Hz frames, and the similarity, because headings
+/// held between frames distort it in turns.
+std::string unmetMeasures(const CollideClip& clip, const IndexedScene& indexed,
+                          const StudyOptions& study, Protocol protocol) {
   static const std::set<std::string> left_out = {"angle_bands", "full_definitions", "limits_kept",
                                                  "similar"};
   EvaluationPlan plan;
@@ -81,29 +82,33 @@ std::string shortfall(const CollideClip& clip, const IndexedScene& indexed,
     if (!row.meets[i] && left_out.count(measures[i].name) == 0) missed += " " + measures[i].name;
   }
   if (missed.empty()) return {};
-  return std::string("the ") + toString(protocol) + " protocol misses of the clip" + missed;
+  return std::string("the clip does not meet these measures of the ") + toString(protocol) +
+         " protocol:" + missed;
 }
 
-/// What speaks against an attack that was found; empty when it makes a clip.
-std::string objection(const Scenario& scenario, const IndexedScene& indexed, const Moment& moment,
-                      const StudyOptions& study, const DatasetOptions& options) {
+/// Returns the reason why an attack cannot become a clip, or "".
+std::string rejectionReason(const Scenario& scenario, const IndexedScene& indexed,
+                            const Moment& moment, const StudyOptions& study,
+                            const DatasetOptions& options) {
   CollisionRequest request = scenario.asked.request;
   request.crash = study.crash;
   request.crash.time_tolerance = options.time_tolerance;
   const StrictOutcome outcome = strictOutcome(
       scenario.answer.trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes},
       study.attack.verification);
-  if (!outcome.meetsFullDefinitions()) return "the recording does not bear the attack out";
+  if (!outcome.meetsFullDefinitions()) {
+    return "against the recording, the attack does not meet the full definition of the type";
+  }
   if (outcome.report.off_road_share > options.max_off_road_share) {
     return formatted("leaves the road: off_road_share = %.3f is above %.3f",
                      outcome.report.off_road_share, options.max_off_road_share);
   }
   const auto clip = toCollideClip(scenario, indexed.scene, 0);
   if (const auto* obstacle = std::get_if<ClipObstacle>(&clip)) {
-    return std::string("no clip of COLLIDE's layout: ") + toString(*obstacle);
+    return std::string("cannot be written in COLLIDE's layout: ") + toString(*obstacle);
   }
   for (const Protocol protocol : {Protocol::kStrict, Protocol::kPublished}) {
-    const std::string missed = shortfall(std::get<CollideClip>(clip), indexed, study, protocol);
+    const std::string missed = unmetMeasures(std::get<CollideClip>(clip), indexed, study, protocol);
     if (!missed.empty()) return missed;
   }
   return {};
@@ -129,7 +134,7 @@ double drawnHeading(const CollisionRequest& request, const TypeDefinition& defin
 
 Realization findClip(const SceneRequest& asked, const IndexedScene& indexed,
                      const StudyOptions& study, const DatasetOptions& options) {
-  Scenario scenario{asked, study.ego_vehicle, {}};
+  Scenario scenario{asked, egoVehicleOf(indexed.scene, study.ego_vehicle.center_offset), {}};
   const auto found = momentAt(indexed, asked.now, kHistoryFrames);
   if (const Status* status = std::get_if<Status>(&found)) {
     scenario.answer.status = *status;
@@ -143,7 +148,7 @@ Realization findClip(const SceneRequest& asked, const IndexedScene& indexed,
   const SearchMethod method(study.attack, std::make_shared<ContinuousPatterns>(study.attack));
   scenario.answer = generateCollision(method, moment, request, prediction);
   if (scenario.answer.status.code != StatusCode::kOk) return scenario.answer;
-  const std::string problem = objection(scenario, indexed, moment, study, options);
+  const std::string problem = rejectionReason(scenario, indexed, moment, study, options);
   if (problem.empty()) return scenario.answer;
   return declined({StatusCode::kNoAttackWithinLimits, problem});
 }

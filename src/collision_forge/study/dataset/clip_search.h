@@ -9,27 +9,28 @@
 
 namespace forge {
 
-/// The type with the band of headings narrowed to `spread` rad on either side of `heading`, moved
-/// into the type's band where it would reach beyond it; `heading` is the nominal one.
+/// Returns the type with its band of relative headings narrowed to `heading` +- `spread` (rad). A
+/// band that would exceed the type's own band is shifted into it. The nominal heading becomes
+/// `heading`.
 TypeDefinition narrowedAbout(const TypeDefinition& definition, double heading, double spread);
 
-/// The heading that a request of a data set is placed at: drawn from the type's band by the
-/// request's seed.
+/// Returns a relative heading (rad), uniformly distributed over the type's band, drawn with the
+/// seed of the request.
 double drawnHeading(const CollisionRequest& request, const TypeDefinition& definition);
 
-/// Makes the clip of a request of listClipRequests(). The ego's box at the impact and everybody
-/// else are as recorded; candidates are the vehicles recorded in every frame of the clip up to now,
-/// and by `choice` vehicles that are added; the attack search of replay mode realises a placement
-/// of the type at drawnHeading(), touching within `time_tolerance` of the target time. The answer
-/// has code kOk only if
+/// Searches the attack for a request of listClipRequests(), in replay mode: ego and other agents
+/// move as recorded. Candidates are the vehicles recorded in every frame of the clip up to t0 and,
+/// depending on `options.choice`, added vehicles. The contact must come within `time_tolerance` of
+/// the target time at about drawnHeading().
 ///
-/// - strictOutcome() bears it out on the recording, by the full definition of the type;
-/// - at most `max_off_road_share` of the attacker is off the road;
-/// - it has a clip of COLLIDE's layout that shows the same to a reader, who sees frames at 2 Hz and
-///   boxes of one size: a hit in the published protocol, and in the strict one contact, type and
-///   time, and nobody touched before.
+/// Returns an attack with code kOk only if
+/// - strictOutcome() on the recording meets the full definition of the type;
+/// - the attacker's off_road_share is at most `max_off_road_share`;
+/// - it can be written as a clip in COLLIDE's layout (2 Hz, one box size), and that clip is a hit
+///   in the published protocol and has contact, type and time in the strict one, without an earlier
+///   contact.
 ///
-/// Else it has the search's code, or kNoAttackWithinLimits with the reason in the message.
+/// Otherwise returns the code of the search, or kNoAttackWithinLimits with the reason as message.
 Realization findClip(const SceneRequest& asked, const IndexedScene& indexed,
                      const StudyOptions& study, const DatasetOptions& options);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kDegrees = 180.0 / M_PI;
 
-/// How many clips of each split have a value.
+/// The number of clips per split that share one value.
 struct Row {
   std::string value;
   std::map<std::string, std::size_t> counts;
@@ -31,7 +31,7 @@ struct Group {
 
 std::string decimals(double value, int digits) { return formatted("%.*f", digits, value); }
 
-/// Rows in the order of `keyOf`, named by `nameOf`.
+/// Groups the clips by `keyOf`; rows are in the order of the keys and named by `nameOf`.
 template <typename KeyOf, typename NameOf>
 Group grouped(const std::string& name, const std::vector<DatasetClip>& clips, const KeyOf& keyOf,
               const NameOf& nameOf) {

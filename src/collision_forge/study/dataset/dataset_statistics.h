@@ -8,29 +8,31 @@
 
 namespace forge {
 
-/// What the statistics of a data set know of a clip that was kept.
+/// The properties of a kept clip that enter the statistics of a data set.
 struct DatasetClip {
   std::string split;
   std::string scene;
   std::string location;  ///< name of the map
   CollisionType type = CollisionType::kRearEnd;
-  int length = 0;                 ///< frames from begin to impact
-  double relative_heading = 0.0;  ///< rad, attacker's to ego's at first contact
-  double off_road_share = 0.0;    ///< [0, 1]
+  int length = 0;                 ///< frames (2 Hz) from begin to impact
+  double relative_heading = 0.0;  ///< rad, attacker's heading relative to the ego's at contact
+  double off_road_share = 0.0;    ///< 0..1
 };
 
-/// What became of the clips that were tried of a type.
+/// Counts the clips tried of one type.
 struct Attempts {
   std::size_t tried = 0;
   std::size_t valid = 0;  ///< before balancing
 };
 
-/// "group,value,train,val,test,all,share": rows of types, times to accident (from now), locations
-/// and scenes (how many), ending each; share is that of all clips, empty for scenes.
+/// Returns the text of statistics.csv, "group,value,train,val,test,all,share": one row per type,
+/// TTA (s), location, and a last row with the number of scenes. `share` is the share of all clips,
+/// empty for scenes. Each line ends with "\n".
 std::string datasetCsv(const std::vector<DatasetClip>& clips);
 
-/// The same as tables in Markdown, and of every type: clips tried, valid, kept, and of the kept
-/// ones mean |relative heading| in degrees and mean share off the road in percent.
+/// Returns the text of statistics.md: the tables of datasetCsv(), and for each type the clips
+/// tried, valid and kept, and the mean |relative heading| (degrees) and off-road share (%) of the
+/// kept ones.
 std::string datasetMarkdown(const std::vector<DatasetClip>& clips,
                             const std::map<CollisionType, Attempts>& attempts);
 

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A clip as a picture.
+/// Returns the view of a clip for its picture.
 ScenarioView viewOf(const Scenario& scenario, const Scene& scene) {
   const SceneRequest& asked = scenario.asked;
   return {asked.scene,
@@ -32,7 +32,7 @@ ScenarioView viewOf(const Scenario& scenario, const Scene& scene) {
           scenario.answer.report};
 }
 
-/// Writes all that is made of the chosen attempts.
+/// Writes the files of a data set; see writeDataset().
 class DatasetWriter {
  public:
   DatasetWriter(const std::string& folder, const std::string& path, const DatasetOptions& options,
@@ -52,7 +52,7 @@ class DatasetWriter {
   }
 
  private:
-  /// A split's part of the clip store, written aside.
+  /// The open output of one split; the scenario file is renamed into place at the end.
   struct Store {
     std::unique_ptr<AsideFile> file;
     std::unique_ptr<CollideExporter> exporter;

@@ -10,9 +10,11 @@
 
 namespace forge {
 
-/// Writes all that a data set has of the chosen attempts to a folder: clips and scenario files by
-/// split, pictures by type, statistics.csv and statistics.md, whose text is returned. `path`:
-/// attempts.jsonl, with a line an attempt. Throws std::runtime_error for what cannot be written.
+/// Writes the data set to `folder`: clips and scenario files per split, sheets of pictures per
+/// type, statistics.csv and statistics.md. Returns the text of statistics.md.
+///
+/// `path` is attempts.jsonl, with one line per element of `attempts`; `chosen` are the ascending
+/// indices of the attempts to write. Throws std::runtime_error if a file cannot be written.
 std::string writeDataset(const std::string& folder, const std::string& path,
                          const std::vector<Attempt>& attempts,
                          const std::vector<std::size_t>& chosen, const DatasetOptions& options,

@@ -12,8 +12,7 @@ namespace forge {
 void readOptions(Section& section, DatasetOptions& options, double time_margin) {
   constexpr double kShareRounding = 1e-9;  // 1 - 0.8 is less than 0.2
   options.begin_stride = section.positive("begin_stride");
-  // Now is 3.5 s after the begin, and the shortest TTA is 0.5 s after that; a clip's name has 8
-  // frames or more.
+  // t0 is 3.5 s after the begin and the shortest TTA is 0.5 s, so a clip has at least 8 frames.
   options.min_length = section.atLeast("min_length", 4.0);
   options.max_length = section.atLeast("max_length", options.min_length);
   options.min_ego_speed = section.nonNegative("min_ego_speed");

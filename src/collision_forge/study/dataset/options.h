@@ -8,36 +8,37 @@ namespace forge {
 
 class Section;
 
-/// How many clips of every kind a data set may have.
+/// Limits of the composition of a data set.
 struct BalanceOptions {
-  double min_type_share = 0.0;
-  double max_tta_ratio = 0.0;
+  double min_type_share = 0.0;  ///< minimum share 0..1 of the clips for each type
+  double max_tta_ratio = 0.0;   ///< maximum number of clips of one length over the mean of lengths
 };
 
-/// Shares of the scenes; what is left is the test split.
+/// Shares (0..1) of the scenes; the rest is the test split.
 struct SplitOptions {
   double train_share = 0.0;
   double val_share = 0.0;
 };
 
-/// config/study/dataset.yaml, where the unit and source of each of its keys stand.
+/// config/study/dataset.yaml, which documents the source of each value.
 struct DatasetOptions {
-  double begin_stride = 0.0;
-  double min_length = 0.0;
-  double max_length = 0.0;
-  double min_ego_speed = 0.0;
+  double begin_stride = 0.0;   ///< s between the begins of clips of one scene
+  double min_length = 0.0;     ///< s from begin to impact
+  double max_length = 0.0;     ///< s from begin to impact
+  double min_ego_speed = 0.0;  ///< m/s at t0
   AttackerChoice choice = AttackerChoice::kAny;
-  std::map<CollisionType, int> attempts;
-  double heading_spread = 0.0;
-  double time_tolerance = 0.0;
-  double max_off_road_share = 0.0;
+  std::map<CollisionType, int> attempts;  ///< lengths tried per begin
+  double heading_spread = 0.0;            ///< rad to either side of the drawn relative heading
+  double time_tolerance = 0.0;            ///< s between contact and target time
+  double max_off_road_share = 0.0;        ///< 0..1 of the attacker's box, mean from t0 to contact
   BalanceOptions balance;
   SplitOptions split;
-  int sheet_columns = 4;  ///< pictures side by side on the sheet of a type: as many as can be seen
-  int sheet_rows = 3;
+  int sheet_columns = 4;  ///< pictures per row on the sheet of a type
+  int sheet_rows = 3;     ///< rows of pictures on the sheet of a type
 };
 
-/// `time_margin` is that of SearchOptions, which attacks keep to the ends of every time tolerance.
+/// Reads the section `dataset`. `time_margin` is SearchOptions::time_margin, the lower limit of
+/// `time_tolerance` (s). Throws ConfigError.
 void readOptions(Section& section, DatasetOptions& options, double time_margin);
 
 }  // namespace forge

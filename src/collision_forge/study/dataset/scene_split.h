@@ -8,12 +8,12 @@
 
 namespace forge {
 
-/// "train", "val" and "test".
+/// Returns {"train", "val", "test"}.
 const std::vector<std::string>& splitNames();
 
-/// The split of every scene. Scenes are dealt whole, in an order that follows from their names
-/// alone: the first to val, the next to test, the rest to train, as many as the shares say, rounded
-/// down, but at least one to each as long as there are three.
+/// Returns the split of each scene, by name. Orders the scenes by a hash of their names and assigns
+/// the first to val, the next to test and the rest to train. Counts are the shares rounded down,
+/// but with three scenes or more at least one for each split with a share above 0.
 std::map<std::string, std::string> splitByScene(const std::vector<std::string>& scenes,
                                                 const SplitOptions& options);
 

@@ -5,10 +5,10 @@
 
 namespace forge {
 
-/// A seed that follows from a text and another seed: the mixed FNV-1a hash of 64 bits.
+/// Returns a seed derived from a text and another seed (mixed 64-bit FNV-1a hash).
 std::uint64_t seedOf(const std::string& text, std::uint64_t seed);
 
-/// A number in [0, 1) that follows from a seed.
+/// Returns a uniformly distributed number in [0, 1) derived from `seed`.
 double shareOf(std::uint64_t seed);
 
 }  // namespace forge

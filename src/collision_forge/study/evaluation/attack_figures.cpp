@@ -19,17 +19,17 @@ const std::vector<std::string> kColumns = {
     "off_road",  "on_walkway", "on_island", "steering_rate", "jerk",    "lateral_acceleration",
     "least_gap", "window"};
 
-/// Keeps the least distance of a box to others.
+/// Tracks the minimum distance of a moving box to the other agents.
 class LeastGap {
  public:
   LeastGap(const std::vector<Track>& others, const std::string& id) : others_(others), id_(id) {}
 
-  void look(const OrientedBox& box, double time) {
+  void update(const OrientedBox& box, double time) {
     for (const Track& other : others_) {
-      if (other.id != id_) look(box, other, time);
+      if (other.id != id_) update(box, other, time);
     }
   }
-  void look(const OrientedBox& box, const Track& other, double time) {
+  void update(const OrientedBox& box, const Track& other, double time) {
     const auto state = stateAt(other, time);
     if (!state) return;
     const double reach = circumradius(box.size) + circumradius(other.size);
@@ -99,7 +99,7 @@ bool parseWindow(const std::string& text, MotionWindow& window) {
   return static_cast<bool>(stream) && stream.eof();
 }
 
-/// The numbers of an attack, in the order of the columns from on_lane to lateral_acceleration.
+/// Returns pointers to the members of the columns on_lane to lateral_acceleration, in this order.
 std::vector<double*> sharesAndPeaks(AttackFigures& attack) {
   return {&attack.road.on_lane,   &attack.road.wrong_way,
           &attack.road.off_road,  &attack.road.on_walkway,
@@ -126,7 +126,7 @@ AttackFigures attackFigures(const Realization& answer, const Scene& recording,
   LeastGap gap(recording.agents, trajectory.attacker_id);
   for (const TrajectoryPoint& point : trajectory.points) {
     if (point.time > contact) break;
-    gap.look({point.pose, trajectory.size}, point.time);
+    gap.update({point.pose, trajectory.size}, point.time);
   }
   figures.least_gap = gap.found();
   figures.window =
@@ -145,8 +145,8 @@ std::vector<RecordedMotion> recordedMotion(const IndexedScene& recording,
       LeastGap gap(scene.agents, agent.id);
       for (const WindowSample& sample : window.samples) {
         points.push_back({sample.time, sample.pose, 0.0, 0.0, 0.0});
-        gap.look({sample.pose, agent.size}, sample.time);
-        gap.look({sample.pose, agent.size}, scene.ego, sample.time);
+        gap.update({sample.pose, agent.size}, sample.time);
+        gap.update({sample.pose, agent.size}, scene.ego, sample.time);
       }
       const RoadUse road = roadUse(points, agent.size, points.back().time, *recording.lanes,
                                    options.attack.verification.believability);

@@ -11,48 +11,49 @@
 
 namespace forge {
 
-/// The greatest absolute values of a motion.
+/// The peak absolute values of a motion.
 struct DrivePeaks {
   double steering_rate = 0.0;         ///< rad/s, of the front wheels
   double jerk = 0.0;                  ///< m/s3 along the heading
   double lateral_acceleration = 0.0;  ///< m/s2, speed times yaw rate
 };
 
-/// How an attacker drives from now to the contact that its method expects.
+/// Figures on the motion of an attacker from t0 to the contact predicted by its method.
 struct AttackFigures {
   std::string attacker_id;
   AgentClass agent_class = AgentClass::kCar;
   BoxSize size;
-  RoadUse road;                        ///< of its report
-  DrivePeaks peaks;                    ///< of the written speeds, accelerations and curvatures
-  std::optional<double> least_gap;     ///< m to the box of anybody but the ego; empty: nobody there
-  std::optional<MotionWindow> window;  ///< attackWindow(), its positions to the millimetre
+  RoadUse road;                        ///< road use from the report of the attack
+  DrivePeaks peaks;                    ///< of the trajectory's speed, acceleration and curvature
+  std::optional<double> least_gap;     ///< m, to the box of the nearest other agent; empty: none
+  std::optional<MotionWindow> window;  ///< attackWindow(); empty: see there
 };
 
-/// Of an answer with a contact. `recording`: the scene that the attacker's past is taken from, if
-/// it has none of its own; the others are where it has them.
+/// Computes the figures of an attack, whose report must hold a contact. `recording` provides the
+/// positions of other agents and the past of a recorded attacker.
 AttackFigures attackFigures(const Realization& answer, const Scene& recording,
                             const StudyOptions& options);
 
-/// What a recorded vehicle does in one of recordedWindows().
+/// Figures on a recorded vehicle in one of recordedWindows().
 struct RecordedMotion {
   MotionWindow window;
-  RoadUse road;                     ///< of its samples
-  std::optional<double> least_gap;  ///< m to the box of anybody, at its samples
+  RoadUse road;                     ///< road use at the samples of the window
+  std::optional<double> least_gap;  ///< m, to the nearest box (ego included) at the samples
 };
 
-/// Every window of a recording.
+/// Computes the figures of all recorded windows of all agents of a recording.
 std::vector<RecordedMotion> recordedMotion(const IndexedScene& recording,
                                            const StudyOptions& options);
 
-/// "attacker,class,length,width,on_lane,...,window": the columns of attackColumns(), without a line
-/// end. `window` is empty or holds the number of generated samples and of each sample time, x, y
-/// and yaw, apart by spaces.
+/// Returns the CSV header of attackColumns(), "attacker,class,length,width,on_lane,...,window",
+/// without a line end. The column `window` is empty or holds, separated by spaces, the number of
+/// generated samples and then time (s), x, y (m) and yaw (rad) of each sample.
 std::string attackHeader();
-/// Of as many columns as in the header, all empty without an attack. Commas in the id are replaced.
+/// Returns one value per column of attackHeader(), all empty without an attack. Replaces commas in
+/// the attacker's id.
 std::vector<std::string> attackColumns(const std::optional<AttackFigures>& attack);
-/// Of columns as attackColumns() writes them, into `attack`; false for any others. `scene` is the
-/// window's.
+/// Parses the output of attackColumns() into `attack`. Returns false for invalid columns. `scene`
+/// is stored as the scene of the window.
 bool readAttackColumns(const std::vector<std::string>& columns, const std::string& scene,
                        std::optional<AttackFigures>& attack);
 

@@ -8,36 +8,38 @@
 
 namespace forge {
 
-/// An attack that promises something and keeps it or does not.
+/// A predicted confidence with the outcome that it predicts.
 struct Promise {
-  double confidence = 0.0;  ///< promised, [0, 1]
-  Trial kept;
+  double confidence = 0.0;  ///< predicted success rate, 0..1
+  Trial kept;               ///< value 1 for success, 0 for failure
 };
 
-/// A tenth of the promises.
+/// One decile of the predictions.
 struct CalibrationGroup {
-  double promised = 0.0;  ///< mean
-  Rate kept;
+  double promised = 0.0;  ///< mean confidence, 0..1
+  Rate kept;              ///< success rate
 
   double difference() const { return kept.value - promised; }
 };
 
+/// The calibration of confidences against the success rate in one column of the protocol.
 struct Calibration {
-  std::string column;                     ///< of the protocol, by which promises are kept
-  std::vector<CalibrationGroup> deciles;  ///< least promised first
+  std::string column;                     ///< column of the protocol that defines success
+  std::vector<CalibrationGroup> deciles;  ///< lowest confidence first
 
-  /// Greatest |difference| of a decile; 0 without one.
+  /// Returns the largest |difference| of a decile; 0 without deciles.
   double largestDifference() const;
 };
 
-/// The promises, sorted by what they promise (equal ones in the order given), in ten groups as
-/// equal in number as can be; fewer than ten promises leave out the empty groups.
+/// Sorts the predictions by confidence (stable) and splits them into ten groups of nearly equal
+/// size. With fewer than ten predictions, empty groups are omitted.
 Calibration calibrate(const std::string& column, std::vector<Promise> promises);
 
-/// As Markdown: title, a row a decile in percent, and the largest difference.
+/// Returns a Markdown table: title, one row per decile in percent, and the largest difference.
 std::string toMarkdown(const Calibration& calibration);
 
-/// "column,decile,attacks,promised,kept,low,high" and a line a decile; shares in [0, 1].
+/// Returns CSV with the header "column,decile,attacks,promised,kept,low,high" and one line per
+/// decile; shares in 0..1.
 std::string toCsv(const std::vector<Calibration>& calibrations);
 
 }  // namespace forge

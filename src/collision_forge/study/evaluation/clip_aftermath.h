@@ -5,8 +5,8 @@
 
 namespace forge {
 
-/// The clip's recorded future for a picture: the set's own attacker stands still from the crash on,
-/// the clip's last frame, after which nobody knows where it drives.
+/// Returns `recorded` with the data set's attacker stopped at its pose in the last frame of the
+/// clip, the time of the crash. Used for pictures: COLLIDE does not define its motion afterwards.
 Future withAttackerStopped(const CollideClip& clip, Future recorded);
 
 }  // namespace forge

@@ -14,7 +14,7 @@ const CollideState& attackerAt(const CollideClip& clip, std::size_t frame) {
   return *clip.attacker().frames[frame];
 }
 
-/// Degree five in time on both axes through six frames in a row.
+/// Polynomial of degree five in time for x and y through six consecutive frames.
 class FrameQuintic {
  public:
   static constexpr int kFrames = 6;
@@ -33,7 +33,7 @@ class FrameQuintic {
     coefficients_ = powers.partialPivLu().solve(positions);
   }
 
-  /// The motion at `time`, seen along `yaw`.
+  /// Returns the motion at `time` (s), with speed and acceleration projected on the heading `yaw`.
   TrajectoryPoint at(double time, double yaw) const {
     const double t = (time - start_) / scale_;
     Vector2 position = Vector2::Zero();
@@ -64,12 +64,12 @@ class FrameQuintic {
 
  private:
   double start_;
-  double scale_;  // s; times are divided by it, which keeps the powers small
+  double scale_;  // s; divides the times for numerical stability
   Vector2 origin_;
   Eigen::Matrix<double, kFrames, 2> coefficients_;
 };
 
-/// Instants from now to the last frame, about `step` apart, both ends included.
+/// Returns the times (s) from t0 to the last frame, both included, about `step` s apart.
 std::vector<double> instants(const CollideClip& clip, double step) {
   const int steps = std::max(1, static_cast<int>(std::lround(clip.tta() / step)));
   std::vector<double> times;
@@ -94,7 +94,7 @@ CollisionRequest requestOf(const CollideClip& clip, Mode mode, double min_tta,
 AttackerTrajectory recordedAttacker(const CollideClip& clip, const BoxSize& box,
                                     const SearchOptions& search) {
   AttackerTrajectory trajectory{clip.attacker_id, AgentClass::kCar, box, {}};
-  std::size_t frame = kCollideNowFrame;  // the one at or before each instant
+  std::size_t frame = kCollideNowFrame;  // last frame at or before the instant
   const std::size_t last_interval = clip.times.size() - 2;
   const std::size_t last_first = clip.times.size() - FrameQuintic::kFrames;
   for (const double time : instants(clip, search.step)) {

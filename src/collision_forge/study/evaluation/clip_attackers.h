@@ -10,30 +10,29 @@
 
 namespace forge {
 
-/// The clip as a request: its type, its attacker, its time from now to the last frame (at least
-/// `min_tta`, which frames a little less than half a second apart fall short of). `crash` is what
-/// counts.
+/// Returns the request that a clip represents: its type, its attacker, and as TTA the time from t0
+/// to the last frame, at least `min_tta` (s), because frames may be slightly less than 0.5 s apart.
+/// `crash` defines the conditions of success.
 CollisionRequest requestOf(const CollideClip& clip, Mode mode, double min_tta,
                            CrashDefinition crash);
 
-// What attackers without a search drive, from now to `search.tail` seconds after the last frame of
-// the clip or the time asked for, a point every `search.step` seconds. A clip's `snapshot` and
-// `recorded` are those of io/collide/collide_scene.h.
+// Trajectories of attackers that need no search: from t0 to `search.tail` s after the last frame of
+// the clip, with a point every `search.step` s. `box` is the attacker's size.
 
-/// The set's own attacker. Speed, acceleration and curvature are those of the quintic through the
-/// six frames around each instant, which are exact where the track is one quintic, as the set's
-/// are; headings are the recorded ones, interpolated. After the last frame straight on.
+/// Returns the trajectory of the data set's attacker. Positions, speed, acceleration and curvature
+/// come from the quintic through the six frames around each instant, which is exact for COLLIDE,
+/// whose tracks are quintics; headings are interpolated. Continues straight after the last frame.
 AttackerTrajectory recordedAttacker(const CollideClip& clip, const BoxSize& box,
                                     const SearchOptions& search);
 
-/// The attacker keeps its speed and heading of now.
+/// Returns the trajectory of an attacker that keeps its speed and heading at t0.
 AttackerTrajectory constantVelocityAttacker(const CollideClip& clip, const BoxSize& box,
                                             const SearchOptions& search);
 
-/// The attacker's pose in every frame of the clip: up to now as recorded, then of the trajectory.
+/// Returns the attacker's pose in each frame of the clip: recorded up to t0, then on `trajectory`.
 std::vector<Pose2> framesOf(const CollideClip& clip, const AttackerTrajectory& trajectory);
 
-/// As recorded in every frame.
+/// Returns the recorded pose of the attacker in each frame of the clip.
 std::vector<Pose2> recordedFrames(const CollideClip& clip);
 
 }  // namespace forge

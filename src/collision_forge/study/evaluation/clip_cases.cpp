@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the two stand to each other in the recording at the time asked for; the set has no
-/// pattern.
+/// Returns the recorded relative pose of ego and attacker at t0 + TTA as the collision pattern,
+/// because the data set defines none.
 CollisionPattern patternOf(const PlannerCase& one, const PredictionOptions& prediction) {
   const CrashScenario& scenario = one.scenario;
   const double time = scenario.snapshot.now + one.request.tta;
@@ -37,7 +37,7 @@ CollisionPattern patternOf(const PlannerCase& one, const PredictionOptions& pred
   return pattern;
 }
 
-/// The method's attack in the case of a clip.
+/// Returns the attack of the method on a clip.
 Realization answerTo(const CollideClip& clip, const PlannerCase& one, const MethodMaker& method,
                      const StudyOptions& study, ClipAnswers answers) {
   const CrashScenario& scenario = one.scenario;

@@ -12,24 +12,30 @@
 
 namespace forge {
 
-// Clips of COLLIDE as cases that planners are tested on.
+// COLLIDE clips as test cases for planners.
 
-/// Who attacks in a clip of COLLIDE: the set's own attacker, or ours on the set's request.
-enum class ClipAttacker { kRecorded, kHistory, kReplay };
-
-/// Which answers of a method attack in clips.
-enum class ClipAnswers {
-  kVerified,  ///< a crash as asked, declined as the configuration says
-  kAll        ///< as the evaluation on clips judges them (ClipQuestion), hit or miss
+/// The source of the attacker in a COLLIDE clip.
+enum class ClipAttacker {
+  kRecorded,  ///< the data set's attacker
+  kHistory,   ///< made by a method in history mode
+  kReplay     ///< made by a method in replay mode
 };
 
-/// A clip of COLLIDE, boxes as the set's. Ours are searched by the heading alone (rulesOfClips()).
+/// The attacks of a method that become test cases.
+enum class ClipAnswers {
+  kVerified,  ///< only attacks that are verified with the configured conditions
+  kAll        ///< all attacks, hit or miss, as in the evaluation on clips (ClipQuestion)
+};
+
+/// Returns the test case of a COLLIDE clip, with the data set's box sizes. Attackers made by
+/// `method` use the type rules of clips, the relative heading only (rulesOfClips()). The case has
+/// the status of the method if it finds no attack.
 PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
                        std::shared_ptr<const LaneIndex> lanes, const MethodMaker& method,
                        const StudyOptions& study, ClipAnswers answers = ClipAnswers::kVerified);
 
-/// Clips of COLLIDE, named as their files; the source is the attacker's: "recorded", "history" or
-/// "replay".
+/// Opens COLLIDE clips as test cases, named by their files. `dataroot`: nuScenes root with the
+/// maps. PlannerCase::source is "recorded", "history" or "replay". `study` must outlive the result.
 std::unique_ptr<PlannerCases> openClipCases(const std::vector<std::string>& paths,
                                             const std::string& dataroot, ClipAttacker attacker,
                                             const std::string& method, ClipAnswers answers,

@@ -19,7 +19,7 @@ double nominalTtaOf(const CollideName& name) {
   return kCollideFrameInterval * (name.collision_frame - kCollideNowFrame);
 }
 
-/// As "of 9 clips in trajectory/val".
+/// Returns a text as "9 clips in trajectory/val".
 std::string describe(const std::vector<std::string>& paths) {
   const std::string count = std::to_string(paths.size()) + " clips";
   return paths.empty() ? count : count + " in " + fs::path(paths.front()).parent_path().string();
@@ -38,8 +38,8 @@ std::vector<std::string> drawClips(const std::vector<std::string>& paths, std::s
     ++fitting;
   }
   if (fitting < count) {
-    throw std::invalid_argument("of " + describe(paths) + " only " + std::to_string(fitting) +
-                                " are long enough, not " + std::to_string(count));
+    throw std::invalid_argument("only " + std::to_string(fitting) + " of " + describe(paths) +
+                                " are long enough; " + std::to_string(count) + " requested");
   }
   Random random(seed);
   std::vector<std::string> drawn;
@@ -56,19 +56,20 @@ std::vector<std::string> drawClips(const std::vector<std::string>& paths, std::s
 }
 
 std::string clipNamed(const std::vector<std::string>& paths, const std::string& name) {
-  std::vector<std::string> having;
+  std::vector<std::string> matches;
   for (const std::string& path : paths) {
     if (fs::path(path).filename() == name || nameOf(path) == name) return path;
-    if (nameOf(path).find(name) != std::string::npos) having.push_back(path);
+    if (nameOf(path).find(name) != std::string::npos) matches.push_back(path);
   }
-  if (having.size() == 1) return having.front();
-  if (having.empty()) {
-    throw std::invalid_argument("\"" + name + "\" is none of " + describe(paths) +
-                                (paths.empty() ? "" : ", as " + nameOf(paths.front())));
+  if (matches.size() == 1) return matches.front();
+  if (matches.empty()) {
+    throw std::invalid_argument(
+        "\"" + name + "\" matches none of " + describe(paths) +
+        (paths.empty() ? "" : "; names look like " + nameOf(paths.front())));
   }
-  throw std::invalid_argument("\"" + name + "\" is in the names of " +
-                              std::to_string(having.size()) + " clips, as " + nameOf(having[0]) +
-                              " and " + nameOf(having[1]));
+  throw std::invalid_argument("\"" + name + "\" matches " + std::to_string(matches.size()) +
+                              " clips, e.g. " + nameOf(matches[0]) + " and " + nameOf(matches[1]) +
+                              "; give a longer part of the name");
 }
 
 }  // namespace forge

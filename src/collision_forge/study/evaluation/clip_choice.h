@@ -7,17 +7,17 @@
 
 namespace forge {
 
-/// Some of the clips at these paths whose nominal time from now to the crash is `min_tta` s or
-/// more: of the types in turn, in the order of kCollisionTypes, one each, at random; a type that
-/// has none left is passed over. The same paths and seed give the same clips, and of a greater
-/// count the first ones. Throws std::invalid_argument where there are fewer than `count`,
-/// CollideError for a path that is no clip's.
+/// Draws `count` of the clips with a nominal TTA of at least `min_tta` s. Draws one clip at random
+/// from each type in turn, in the order of kCollisionTypes, and skips types without clips left. For
+/// the same paths and seed, a smaller count gives a prefix of the result. Throws
+/// std::invalid_argument if fewer than `count` clips qualify, CollideError for an invalid file
+/// name.
 std::vector<std::string> drawClips(const std::vector<std::string>& paths, std::size_t count,
                                    double min_tta, std::uint64_t seed);
 
-/// The path of the clip of that name, with or without its ending, else of the only clip that has
-/// `name` in its own. Throws std::invalid_argument for a name that no clip has, or several have in
-/// theirs; the message says which.
+/// Returns the path of the clip with the file name `name` (extension optional), else of the only
+/// clip whose file name contains `name`. Throws std::invalid_argument if no clip matches or several
+/// do.
 std::string clipNamed(const std::vector<std::string>& paths, const std::string& name);
 
 }  // namespace forge

@@ -17,7 +17,7 @@ namespace {
 const std::vector<std::string> kBaselines = {"recorded", "constant_velocity", "nominal"};
 constexpr char kFirstPlan[] = "first_plan";
 
-/// A clip made ready for all methods.
+/// A clip with the data that all methods share.
 class ClipCase {
  public:
   ClipCase(const CollideClip& clip, std::shared_ptr<const LaneIndex> lanes,
@@ -63,7 +63,7 @@ class ClipCase {
   }
 
  private:
-  /// Two rows ask for that of the plan's method.
+  /// Returns the first plan of a method; caches it, because two rows use the plan's method.
   Realization firstPlan(const MethodMaker& maker, const CollisionRequest& request) {
     const auto [found, is_new] = first_plans_.try_emplace({maker.name(), request.seed});
     if (!is_new) return found->second;
@@ -118,7 +118,7 @@ ResultRow rowOf(ClipCase& clip_case, const CollideClip& clip, Protocol protocol,
   return row;
 }
 
-/// Seeds matter to methods that draw alone.
+/// Returns the number of seeds to run; methods without random numbers run once.
 int seedsOf(const std::string& method, const EvaluationPlan& plan) {
   return plan.is_seeded && !isBaseline(method) ? plan.seeds : 1;
 }

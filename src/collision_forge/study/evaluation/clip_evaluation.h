@@ -11,39 +11,42 @@
 
 namespace forge {
 
-/// What is measured on every clip.
+/// Defines an evaluation: protocol, method, mode and seeds.
 struct EvaluationPlan {
   Protocol protocol = Protocol::kStrict;
   std::string method = "recorded";
-  bool is_seeded = true;  ///< of the method, if it is no baseline: MethodRegistry::Entry::is_seeded
+  bool is_seeded = true;  ///< MethodRegistry::Entry::is_seeded of `method`; unused for baselines
   Mode mode = Mode::kHistory;
-  int seeds = 1;  ///< a seeded method is run with seeds 0 to seeds - 1
-  /// Of requests, as in CrashDefinition; clips are judged by rulesOfClips().
+  int seeds = 1;  ///< number of runs of a seeded method, with seeds 0 to seeds - 1
+  /// Requests only, as in CrashDefinition; clips are judged by rulesOfClips().
   LimitSet limits = LimitSet::kDrivable;
-  bool believable = true;
-  /// Of clips: what was learned from all scenes is used, the clip's own included, as it is where
-  /// splits share scenes; otherwise what was learned without the clip's scene.
+  bool believable = true;  ///< requests only: attackers must be plausible
+  /// Clips only. True: use models trained on all scenes, including the clip's own, as if splits
+  /// shared scenes. False: use models trained without the clip's scene.
   bool seen_scenes = false;
 };
 
-/// Of a method that is measured in every plan: "recorded", "constant_velocity" or "nominal".
+/// Returns true for the baselines of every evaluation on clips: "recorded", "constant_velocity" and
+/// "nominal".
 bool isBaseline(const std::string& method);
 
-/// The plan's methods of clipMethods(): "recorded", "constant_velocity" and "nominal", which are
-/// measured in every plan, then its own; before one with networks the same without them. In
-/// adaptive mode then "first_plan".
+/// Returns the methods (names of clipMethods()) that the plan measures: the baselines, the plan's
+/// method without networks if it has any, the plan's method, and in adaptive mode "first_plan".
 std::vector<std::string> methodsOf(const EvaluationPlan& plan);
 
-/// Rows that evaluateClip() gives, the same for every clip.
+/// Returns the number of rows of evaluateClip(), which is the same for every clip.
 std::size_t rowsPerClip(const EvaluationPlan& plan);
 
-/// A row a method, of one that is seeded a row a seed. Methods and the strict protocol take the
-/// collision types by the heading alone (rulesOfClips()), and nothing is declined; what came is
-/// the clip's own recording. A method without an answer meets nothing. In adaptive mode what a
-/// method answers within the drivable limits is the first plan of an AdaptiveAttacker, to which the
-/// clip is revealed frame by frame. "first_plan" is what the plan's method answered, not changed
-/// any more; baselines drive what they plan. In the published protocol contact_after counts at the
-/// nominal 2 Hz. Throws std::invalid_argument as MethodMaker does.
+/// Evaluates all methods of the plan on a clip against its recorded future. Returns one row per
+/// method, for seeded methods one per seed. A method without an attack meets no measure.
+///
+/// - Collision types are judged by the relative heading only (rulesOfClips()), at any confidence.
+/// - Mode adaptive: the attack of a method, found with drivable limits, is the first plan of an
+///   AdaptiveAttacker, which observes the clip frame by frame. The row "first_plan" is that attack
+///   without replanning. Baselines do not replan.
+/// - Published protocol: contact_after is computed at the nominal 2 Hz.
+///
+/// Thread-safe. Throws std::invalid_argument for an unknown method, as MethodMaker.
 std::vector<ResultRow> evaluateClip(const CollideClip& clip, std::shared_ptr<const LaneIndex> lanes,
                                     const ClipEvaluationSetup& setup, const EvaluationPlan& plan);
 

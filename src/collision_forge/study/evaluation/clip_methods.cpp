@@ -15,8 +15,8 @@ const char* const kConstantVelocity = "constant_velocity";
 const char* const kPublishedSearch = "published_search";
 const char* const kPublishedNetwork = "published_network";
 
-/// A method that is told by the clip what its attacker drives. Held against what came by the
-/// protocols, so its report stays empty.
+/// A method that derives the attacker's trajectory from the clip. The protocols verify it against
+/// the recorded future, so the report stays empty.
 class ClipMethod : public AttackMethod {
  public:
   using Drive = std::function<AttackerTrajectory(const Moment&, const CollisionRequest&)>;
@@ -33,7 +33,8 @@ class ClipMethod : public AttackMethod {
   Drive drive_;
 };
 
-/// Another method's pattern, which is driven to as the set's own attacker arrives.
+/// Drives to the pattern of another method with the final speed and acceleration of the data set's
+/// attacker.
 class LookaheadMethod : public AttackMethod {
  public:
   LookaheadMethod(std::unique_ptr<const AttackMethod> method, const CollideClip* clip,
@@ -76,7 +77,7 @@ MethodRegistry clipMethods(const MethodRegistry& methods, const CollideClip* cli
                            const EvaluationOptions& evaluation) {
   const BoxSize box = evaluation.collide.box;
   MethodRegistry registry;
-  registry.add({"recorded", "the set's own attacker", false, [=](const MethodSetup& setup) {
+  registry.add({"recorded", "the data set's attacker", false, [=](const MethodSetup& setup) {
                   const SearchOptions search = setup.options.search;
                   return std::make_unique<ClipMethod>([=](const Moment&, const CollisionRequest&) {
                     return recordedAttacker(*clip, box, search);
@@ -95,17 +96,20 @@ MethodRegistry clipMethods(const MethodRegistry& methods, const CollideClip* cli
   if (methods.has(kPublishedNetwork)) {
     const MethodRegistry::Entry published = methods.at(kPublishedNetwork);
     registry.add({std::string(kPublishedNetwork) + "_lookahead",
-                  "the same as the released code, which looks at the recorded attacker's end",
+                  "the published network with the recorded attacker's final speed and "
+                  "acceleration, as in the released code",
                   published.is_seeded, [=](const MethodSetup& setup) {
                     return std::make_unique<LookaheadMethod>(published.make(setup), clip,
                                                              setup.options);
                   }});
   }
-  registry.add({kPublishedSearch, "the search on the published objective, without limits", true,
-                [=](const MethodSetup& setup) {
+  registry.add({kPublishedSearch,
+                "the attack search with the objective of the published protocol, without limits",
+                true, [=](const MethodSetup& setup) {
                   return publishedSearch(clip, evaluation, setup.options, setup.kinematic);
                 }});
-  registry.add({withNetworks(kPublishedSearch), "the same with the futures of the networks", true,
+  registry.add({withNetworks(kPublishedSearch),
+                "the same search with futures predicted by the network", true,
                 [=](const MethodSetup& setup) {
                   return publishedSearch(clip, evaluation, setup.options, networksOf(setup));
                 }});

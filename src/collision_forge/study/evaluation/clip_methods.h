@@ -6,12 +6,15 @@
 
 namespace forge {
 
-/// The methods that a clip of COLLIDE can be asked for: "recorded" (recordedAttacker()),
-/// "constant_velocity" (that of the clip), those of `methods`, "published_search" and
-/// "network+published_search" (publishedSearchAttacker()), and where there is "published_network",
-/// "published_network_lookahead": the same with the speed and acceleration at the end of the set's
-/// own attacker, which the paper's released code looks at. The methods made of it read `clip`,
-/// which must outlive them; a null clip serves for the names alone.
+/// Returns the methods available for COLLIDE clips:
+/// - "recorded": recordedAttacker();
+/// - "constant_velocity": constantVelocityAttacker(), replaces the entry of `methods`;
+/// - all other entries of `methods`;
+/// - "published_search", "network+published_search": publishedSearchAttacker();
+/// - "published_network_lookahead", if `methods` has "published_network": the same network with the
+///   final speed and acceleration of the data set's attacker, as in the paper's released code.
+///
+/// The methods read `clip`, which must outlive them; it may be null if only names are needed.
 MethodRegistry clipMethods(const MethodRegistry& methods, const CollideClip* clip,
                            const EvaluationOptions& evaluation);
 

@@ -13,38 +13,40 @@
 
 namespace forge {
 
-/// What clips are evaluated with.
+/// References to the inputs of an evaluation on clips, which must outlive it.
 struct ClipEvaluationSetup {
-  const MethodRegistry& methods;  ///< beside those of clipMethods()
+  const MethodRegistry& methods;  ///< configured methods; clipMethods() adds more
   const Foresight& foresight;
   const StudyOptions& study;
 };
 
-/// A method of clipMethods() for a clip, which must outlive it, by what was learned without the
-/// clip's scene; `seen_scenes`: by what was learned from all scenes, where the type is known, too.
-/// Throws as MethodMaker does.
+/// Returns the maker of a method of clipMethods() for `clip`, which must outlive it. Uses models
+/// trained without the clip's scene, or with `seen_scenes` models trained on all scenes that also
+/// know the collision type. Throws std::invalid_argument for an unknown name, as MethodMaker.
 MethodMaker clipMethod(const std::string& name, const CollideClip& clip,
                        const ClipEvaluationSetup& setup, bool seen_scenes);
 
-/// What a clip of COLLIDE asks of a method where every answer is to be judged: the clip's type,
-/// time and attacker, the types told by the heading alone (rulesOfClips()), whatever the
-/// confidence. What came is the clip's own recording.
+/// The request of a COLLIDE clip for evaluations that judge every attack: the clip's type, TTA and
+/// attacker, types by relative heading only (rulesOfClips()), minimum confidence 0. The recorded
+/// future is the clip's. The const members are thread-safe.
 class ClipQuestion {
  public:
+  /// `lanes`: map of the clip's city. `mode`: kHistory or kReplay.
   ClipQuestion(const CollideClip& clip, std::shared_ptr<const LaneIndex> lanes, Mode mode,
                const StudyOptions& study);
 
   const Moment& moment() const { return moment_; }
   const CollisionRequest& request() const { return request_; }
 
-  /// The clip as a recording: the snapshot and the future of the moment are of it.
+  /// Returns the clip as a scene, the source of the snapshot and the future of moment().
   const Scene& recording() const { return recording_; }
 
-  /// Why the method is not asked, as checkRequest(); kOk where it is, always of a baseline.
+  /// Returns the status of checkRequest() for seeded methods, kOk for all others.
   Status check(const MethodMaker& maker) const;
-  /// The method's answer with that seed, verified or not.
+  /// Runs the method with `seed` and returns its attack, verified or not.
   Realization ask(const AttackMethod& method, std::uint64_t seed) const;
-  /// The same of one that `maker` made for the clip; what check() says where it is not asked.
+  /// Calls check(), then ask() if it returns kOk; otherwise returns a rejection with that status.
+  /// `method` was made by `maker`.
   Realization answer(const MethodMaker& maker, const AttackMethod& method,
                      std::uint64_t seed) const;
 

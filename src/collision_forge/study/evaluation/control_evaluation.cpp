@@ -12,12 +12,12 @@
 namespace forge {
 namespace {
 
-/// What was asked, as the first columns.
+/// Returns the columns that describe the question, with a trailing comma.
 std::string askedCsv(const ControlQuestion& question) {
   const SceneRequest& asked = question.asked;
   if (asked.scene.find_first_of(",\r\n") != std::string::npos) {
     throw std::runtime_error("\"" + asked.scene +
-                             "\" cannot stand in a CSV file: it has commas or line ends");
+                             "\" cannot be written to a CSV file: it has commas or line ends");
   }
   std::ostringstream text;
   text << question.name << ',' << asked.scene << ',' << toString(asked.request.type) << ','

@@ -9,25 +9,26 @@
 
 namespace forge {
 
+/// The result of a control question.
 struct ControlAnswer {
   StatusCode status = StatusCode::kOk;
-  bool kept = false;  ///< with kOk: keepsControls()
+  bool kept = false;  ///< keepsControls(); meaningful only with kOk
 };
 
-/// Whether the attack is what a request in replay mode asks for, told anew: verify() finds it a
-/// crash as asked in the recorded future, and the scene has the attacker, or not, and of the class
-/// that was asked for. `moment` must have the recorded future.
+/// Returns true if the attack meets all constraints of the request, checked independently of the
+/// search: verify() against the recorded future finds the requested collision, and the attacker is
+/// recorded or added and of the class as requested. `moment.recorded` must be set.
 bool keepsControls(const AttackerTrajectory& trajectory, const CollisionRequest& request,
                    const Moment& moment, const VerificationOptions& options);
 
-/// Asks questions and holds what is answered against the recording. Thread-safe.
+/// Runs control questions and verifies the attacks against the recording. Thread-safe.
 class ControlEvaluator {
  public:
   /// `scenes` must outlive it.
   ControlEvaluator(SceneSource& scenes, MethodMaker method, const StudyOptions& options,
                    const EgoVehicle& ego);
 
-  /// Throws as RequestAnswerer::answer().
+  /// Runs one question. Throws the exceptions of RequestAnswerer::answer().
   ControlAnswer answer(const ControlQuestion& question) const;
 
  private:
@@ -39,13 +40,13 @@ class ControlEvaluator {
   AdaptiveOptions adaptive_;
 };
 
-/// A line a question: what was asked, the status and whether it was kept (empty without answer).
-/// Both without the line's end. toCsv() throws std::runtime_error for a scene with commas or line
-/// ends.
+// The header and one line per question of results.csv, without line ends. The column `kept` is
+// empty without an attack. toCsv() throws std::runtime_error for a scene name with commas or line
+// ends.
 std::string controlCsvHeader();
 std::string toCsv(const ControlQuestion& question, const ControlAnswer& answer);
 
-/// The answer of a line of toCsv(); empty for a line of another question or none at all.
+/// Parses a line of toCsv(). Returns nullopt for a malformed line or a line of another question.
 std::optional<ControlAnswer> controlAnswerFromCsv(const std::string& line,
                                                   const ControlQuestion& question);
 

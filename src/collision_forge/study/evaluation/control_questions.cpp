@@ -15,7 +15,7 @@ std::string toText(const Range& band) {
   return text.str();
 }
 
-/// Adds questions on one request.
+/// Collects the questions of one request.
 class QuestionList {
  public:
   explicit QuestionList(const ControlQuestion& plain) : questions_{plain} {}

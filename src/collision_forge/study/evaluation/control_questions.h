@@ -8,17 +8,18 @@
 
 namespace forge {
 
-/// One value of one control, asked for in place of all that a request of a list asks for.
+/// A request that sets exactly one control (constraint) to one value.
 struct ControlQuestion {
-  std::string name;  ///< of the request, its line in the list
-  SceneRequest asked;
-  std::string control;  ///< "none", or as the fields of a list: "choice", "attacker_class", ...
-  std::string value;    ///< "any" of none; of a band its ends, "0.25 to 0.5"
+  std::string name;     ///< line of the original request in its list
+  SceneRequest asked;   ///< the request with the control
+  std::string control;  ///< field name, as "choice" or "attacker_class"; "none": no control
+  std::string value;    ///< value of the control, as "0.25 to 0.5" for a band; "any" for "none"
 };
 
-/// Of a request of a list, which gives scene, now, type, TTA, seed and crash: one without any
-/// control, then one for each value of each control alone, of the manoeuvres those of the type. All
-/// in replay mode, where the future is the recorded one and every answer can be held against it.
+/// Returns the questions derived from one request: one without controls, then one per value of each
+/// control, manoeuvres only of the request's type. Scene, t0, type, TTA, seed and crash definition
+/// are copied from `listed`; its controls are ignored. All questions use replay mode, so that
+/// attacks can be verified against the recorded future. `name` is copied to each question.
 std::vector<ControlQuestion> controlQuestions(const std::string& name, const SceneRequest& listed,
                                               const ControlOptions& options);
 

@@ -17,7 +17,7 @@ struct ControlTrials {
   std::vector<Trial> kept;
 };
 
-/// "0.8125", empty without trials.
+/// Returns the rate as "0.8125", or "" without trials.
 std::string shareText(const Rate& rate) {
   return rate.trials > 0 ? formatted("%.4f", rate.value) : "";
 }
@@ -29,8 +29,8 @@ Rate withoutInterval(Rate rate) {
   return rate;
 }
 
-/// In what order values stand in the tables: each behind what was asked of its control before, as
-/// a request has the manoeuvres of its own type alone.
+/// The order of the rows: values in order of first occurrence, grouped by control. Grouping is
+/// needed because requests of different types have different manoeuvres.
 class ControlOrder {
  public:
   void add(const ControlQuestion& question) {
@@ -92,7 +92,8 @@ std::vector<ControlRates> controlRates(const std::vector<AnsweredQuestion>& ques
 
 std::string toMarkdown(const std::vector<ControlRates>& rates) {
   std::ostringstream out;
-  out << "| control | value | asked | declined for the road | answered | % of the others | kept |";
+  out << "| control | value | requests | not allowed by the road | solved | % of the others | "
+         "constraint met |";
   for (const CollisionType type : kCollisionTypes) out << ' ' << toString(type) << ", % |";
   out << "\n|---|---|---|---|---|---|---|";
   for (std::size_t i = 0; i < std::size(kCollisionTypes); ++i) out << "---|";

@@ -11,27 +11,28 @@ namespace forge {
 
 using AnsweredQuestion = std::pair<ControlQuestion, ControlAnswer>;
 
-/// How one value of a control fared.
+/// The success rates of one value of a control.
 struct ControlRates {
   std::string control;
   std::string value;
-  int asked = 0;
-  int declined = 0;  ///< for the road (kRoadDoesNotAllow): no control is the reason
-  Rate answered;     ///< of the others
-  Rate kept;         ///< of what was answered
+  int asked = 0;     ///< requests
+  int declined = 0;  ///< requests that the road does not allow (kRoadDoesNotAllow)
+  Rate answered;     ///< solved requests, among the requests that the road allows
+  Rate kept;         ///< attacks that meet the control, of the solved requests
   std::vector<Rate> answered_by_type;  ///< as `answered`, in the order of kCollisionTypes
 };
 
-/// One each value, in the order in which they are first asked for, those of a control together.
+/// Returns the rates of each value, grouped by control, in the order of first occurrence.
 std::vector<ControlRates> controlRates(const std::vector<AnsweredQuestion>& questions);
 
-/// A row a value: how often it was asked, declined for the road, answered and kept, and the share
-/// answered by type.
+/// Returns a Markdown table with one row per value: the counts, the rates in percent, and the share
+/// of solved requests by type.
 std::string toMarkdown(const std::vector<ControlRates>& rates);
 
-/// "control,value,type,trials,answered,low,high,kept", a line a value and type, and one of all
-/// types, which alone has an interval and what was kept. Trials are what was not declined for the
-/// road. Each with its end; shares in [0, 1], empty without trials.
+/// Returns CSV with the header "control,value,type,trials,answered,low,high,kept" and, for each
+/// value, one line for all types and one per type; only the first has the interval (low, high) and
+/// `kept`. `trials` counts the requests that the road allows. Shares are in 0..1, empty without
+/// trials.
 std::string toCsv(const std::vector<ControlRates>& rates);
 
 }  // namespace forge

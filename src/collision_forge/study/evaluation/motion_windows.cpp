@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-constexpr double kShortestStep = 0.25;  // s between neighbours of a recorded window
+constexpr double kShortestStep = 0.25;  // s between successive samples of a recorded window
 constexpr double kLongestStep = 0.75;   // s
 constexpr double kLeastWay = 1.0;       // m between the first and the last sample
 

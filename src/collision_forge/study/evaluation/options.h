@@ -9,34 +9,35 @@
 
 namespace forge {
 
-/// The protocol of arXiv 2510.12206, as published.
+/// Constants of the evaluation protocol of arXiv 2510.12206, as published.
 struct PublishedOptions {
-  BoxSize box = CollideOptions().box;
-  double min_overlap = 0.02;   ///< shared over joint area above which two boxes collide
-  int steps_per_interval = 5;  ///< that the interval between two frames is cut into
-  int steps_after = 20;        ///< of the same length after the last frame, that frame included
-  double similar_heading = 0.174532925;  ///< rad (10 degrees); below it a crash is similar
+  BoxSize box = CollideOptions().box;    ///< m, of all vehicles
+  double min_overlap = 0.02;             ///< intersection over union above which two boxes collide
+  int steps_per_interval = 5;            ///< steps between two frames
+  int steps_after = 20;                  ///< steps from the last frame on, that frame included
+  double similar_heading = 0.174532925;  ///< rad (10 degrees), heading error of similar crashes
 };
 
-/// The attack search on what the published protocol counts, limits off; chosen by the rates of
-/// docs/results.md.
+/// Options of the attack search with the objective of the published protocol, without vehicle
+/// limits; tuned for the rates in docs/results.md.
 struct PublishedSearchOptions {
-  double heading_tolerance = 0.12;  ///< rad about the set's heading, less than `similar_heading`
-  double latest = 1.0;              ///< s after the time asked for; contact may come at any before
-  double overlap_margin = 0.15;     ///< m, as in search.yaml, for `min_overlap`
-  double max_lead = 1.0;    ///< s straight on before the contact, at most, in half the draws
-  double max_speed = 40.0;  ///< m/s of what is tried
-  int kept = 80;            ///< best attacks that are judged by the protocol itself ...
-  int futures = 32;         ///< ... in as many of the ego's futures
+  double heading_tolerance = 0.12;  ///< rad about the data set's heading, below `similar_heading`
+  double latest = 1.0;           ///< s, latest contact after t0 + TTA; any earlier one is allowed
+  double overlap_margin = 0.15;  ///< m, as SearchOptions::overlap_margin, to exceed `min_overlap`
+  double max_lead = 1.0;    ///< s, maximum straight motion before the contact, in half of the draws
+  double max_speed = 40.0;  ///< m/s, of candidates
+  int kept = 80;            ///< number of best attacks that are scored by the protocol itself
+  int futures = 32;         ///< number of predicted ego futures for that score
 };
 
-/// config/study/evaluation.yaml, section controls: the ends of the bands that are asked for,
-/// rising. Each number but the last begins a band.
+/// config/study/evaluation.yaml, section controls: the limits of the bands to request, ascending;
+/// each pair of successive numbers is a band.
 struct ControlOptions {
-  std::vector<double> impact_speeds;
-  std::vector<double> overlaps;
+  std::vector<double> impact_speeds;  ///< m/s
+  std::vector<double> overlaps;       ///< share 0..1 of the ego's hit side
 };
 
+/// The options of evaluations; only `controls` is read from a file.
 struct EvaluationOptions {
   CollideOptions collide;
   PublishedOptions published;
@@ -44,11 +45,12 @@ struct EvaluationOptions {
   ControlOptions controls;
 };
 
-/// What attacks are made by and judged by in a study.
+/// The configuration of the product with the options of evaluations.
 struct StudyOptions : Config {
   EvaluationOptions evaluation;
 };
 
+/// Reads the section `evaluation` of evaluation.yaml. Throws ConfigError.
 void readOptions(Section& section, EvaluationOptions& options);
 
 }  // namespace forge

@@ -5,9 +5,9 @@
 
 namespace forge {
 
-/// Fills in what the outcome says: which measures are met, when and how the boxes touch, the share
-/// off the road, and as a note the broken limit, whom the attacker touches before and what no
-/// driver would do.
+/// Copies the outcome of the strict protocol to `row`: the measures, time (relative to `now`, t0 on
+/// the scene's clock, s) and heading of the contact, the off-road share, and as note the broken
+/// limit, the agent touched earlier and the reason why the motion is implausible.
 void describeOutcome(const StrictOutcome& outcome, double now, ResultRow& row);
 
 }  // namespace forge

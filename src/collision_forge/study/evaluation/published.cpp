@@ -19,7 +19,8 @@ struct Other {
   Steps steps;
 };
 
-/// Step `step` of an interval: position linear, and beyond its end straight on; heading held.
+/// Returns the pose at step `step` of an interval: linear position, extrapolated beyond the end,
+/// and the heading of the start.
 Pose2 stepped(const Pose2& start, const Pose2& end, double step, double steps_per_interval) {
   const Vector2 position =
       start.position() + step / steps_per_interval * (end.position() - start.position());
@@ -54,7 +55,7 @@ Frames framesOf(const CollideTrack& track) {
   return frames;
 }
 
-/// Everybody but the ego, by id; the attacker with the poses given.
+/// Returns all agents except the ego, sorted by id; the attacker has the given poses.
 std::vector<Other> othersOf(const CollideClip& clip, const std::vector<Pose2>& attacker,
                             const PublishedOptions& options) {
   std::vector<Other> others;
@@ -76,7 +77,7 @@ bool collide(const Pose2& a, const Pose2& b, const PublishedOptions& options) {
   return intersectionOverUnion({a, options.box}, {b, options.box}) > options.min_overlap;
 }
 
-/// What happens between the ego, the attacker and one of the others in one step.
+/// Tests one agent (the attacker if `is_attacker`) against ego and attacker in one step.
 Event eventWith(bool is_attacker, const Pose2& other, const Pose2& ego, const Pose2& attacker,
                 const PublishedOptions& options) {
   if (is_attacker) return collide(ego, attacker, options) ? Event::kHit : Event::kNone;

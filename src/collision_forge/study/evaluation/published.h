@@ -8,54 +8,53 @@
 
 namespace forge {
 
-/// What the paper's protocol sees in one clip.
+/// The outcome of one clip in the protocol of the paper.
 struct PublishedOutcome {
   enum class Event {
-    kNone,           ///< nothing happens
-    kHit,            ///< the ego and the clip's attacker
-    kAttackerOther,  ///< the attacker and somebody else: a miss
-    kEgoOther,       ///< the ego and somebody else: a miss
+    kNone,           ///< no collision
+    kHit,            ///< ego and attacker collide
+    kAttackerOther,  ///< attacker and another agent collide: a miss
+    kEgoOther,       ///< ego and another agent collide: a miss
   };
-  Event event = Event::kNone;     ///< the first one; it ends the clip
-  int step = 0;                   ///< at which it happens, from frame 0; these three with an event
-  std::string other_id;           ///< whom the attacker or the ego touches, the ego aside
-  double relative_heading = 0.0;  ///< rad in [0, pi], ego to attacker; with a hit
-  bool similar = false;           ///< a hit at about the angle of the file's name
+  Event event = Event::kNone;  ///< the first collision, which ends the clip
+  int step = 0;                ///< step of the event, from frame 0; unset with kNone
+  std::string other_id;        ///< the attacker with kHit, else the other agent; empty with kNone
+  double relative_heading = 0.0;  ///< rad in [0, pi], between ego and attacker; only with kHit
+  bool similar = false;           ///< hit with about the angle in the file name
 
   bool isHit() const { return event == Event::kHit; }
 };
 
-/// The protocol of arXiv 2510.12206, as the published figures were measured. It looks at the whole
-/// clip, history included, at a fixed number of steps, and limits neither the attacker's motion nor
-/// the time of impact.
+/// Evaluates a clip by the protocol of arXiv 2510.12206, as the published figures were measured.
+/// The protocol tests the whole clip, history included, at fixed steps, and limits neither the
+/// attacker's motion nor the time of impact.
 ///
-/// 1. Steps. The interval between two frames is cut into `steps_per_interval` steps: positions
-///    linear, the heading held from the interval's start. The last frame and those after it,
-///    `steps_after` in all, go straight on by the last interval's steps, with the heading of the
-///    frame before the last. Who is missing at either end of an interval is not there in it.
-/// 2. Two boxes collide where their shared area over their joint area is above `min_overlap`.
-/// 3. All steps are looked at in order, and in a step the others in the order of their ids: the
-///    attacker against the ego; anybody else against the attacker, then against the ego. The first
-///    collision ends the clip. It is a hit only if it is the attacker's with the ego: an ego that
-///    collides with a third vehicle first makes a miss.
-/// 4. A hit is similar if its |relative heading| is less than `similar_heading` away from the angle
-///    in the file's name.
+/// 1. Steps: each interval between two frames has `steps_per_interval` steps with linear positions
+///    and the heading of the interval's start. From the last frame on, `steps_after` steps continue
+///    straight with the step length of the last interval and the heading of the frame before the
+///    last. An agent that is missing at either end of an interval is absent in that interval.
+/// 2. Two boxes collide if their intersection over union is above `min_overlap`.
+/// 3. Steps are tested in order, and in each step the agents in order of their ids: the attacker
+///    against the ego; every other agent against the attacker, then against the ego. The first
+///    collision ends the clip. It is a hit only if ego and attacker collide.
+/// 4. A hit is similar if its |relative heading| differs by less than `similar_heading` from the
+///    angle in the file name.
 ///
-/// `attacker` holds the attacker's pose in every frame, 0 to collision_frame; those up to now as
-/// recorded. Throws std::invalid_argument for another number of poses.
+/// `attacker`: its pose (map frame) in each frame, 0 to collision_frame, as recorded up to t0.
+/// Throws std::invalid_argument for another number of poses.
 PublishedOutcome publishedOutcome(const CollideClip& clip, const std::vector<Pose2>& attacker,
                                   const PublishedOptions& options);
 
-/// The same with an ego that drives as given: `ego` is its pose at every step. Throws
-/// std::invalid_argument for another number of these, too.
+/// Evaluates a clip with another ego motion: `ego` is its pose at each step of publishedSteps().
+/// Throws std::invalid_argument for another number of poses of either vehicle.
 PublishedOutcome publishedOutcome(const CollideClip& clip, const std::vector<Pose2>& attacker,
                                   const std::vector<Pose2>& ego, const PublishedOptions& options);
 
-/// The steps of rule 1 of somebody who is there in every frame.
+/// Returns the poses at the steps of rule 1 for an agent with a pose in each frame (at least two).
 std::vector<Pose2> publishedSteps(const std::vector<Pose2>& frames,
                                   const PublishedOptions& options);
 
-/// The ego's pose in every frame.
+/// Returns the recorded pose of the ego in each frame of the clip.
 std::vector<Pose2> egoFrames(const CollideClip& clip);
 
 }  // namespace forge

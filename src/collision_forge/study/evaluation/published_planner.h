@@ -11,39 +11,41 @@
 
 namespace forge {
 
-// Clips of COLLIDE whose ego is driven by a planner, for publishedOutcome().
+// COLLIDE clips with an ego driven by a planner, for publishedOutcome().
 
-/// The clip with the ego driving as given in every frame from the first point on; frames after the
-/// last point keep its pose. Throws std::invalid_argument without points.
+/// Returns the clip with the ego's frames replaced by `driven` (map frame) from the time of its
+/// first point on; frames after the last point repeat its pose. Throws std::invalid_argument for an
+/// empty `driven`.
 CollideClip withEgo(CollideClip clip, const std::vector<TrajectoryPoint>& driven);
 
-/// The clip with its attacker driving as given in the frames after now; its speed there is that
-/// since the frame before.
+/// Returns the clip with the attacker's frames after t0 replaced by `trajectory`; speeds are mean
+/// speeds since the previous frame.
 CollideClip withAttacker(CollideClip clip, const AttackerTrajectory& trajectory);
 
-/// One step of an ego that IDM drives.
+/// One step of an ego driven by IDM.
 struct PublishedIdmStep {
-  Pose2 pose;
-  double speed = 0.0;  ///< m/s, over the step that ends here
+  Pose2 pose;          ///< at the end of the step, map frame
+  double speed = 0.0;  ///< m/s, over the step
 };
 
-/// The ego of a clip as the planner test of arXiv 2510.12206 drives it by IDM behind the clip's
-/// attacker, at every step of publishedOutcome():
+/// Simulates the ego of the planner test of arXiv 2510.12206: IDM that follows the clip's attacker.
+/// Returns its state at each step of publishedOutcome().
 ///
-/// 1. It starts in frame 0, at the recorded place and speed.
-/// 2. Each step it takes the speed of publishedIdmSpeed() behind where the attacker is at the end
-///    of the step, at the recorded speed (column V) of the frame at or before it, in the last frame
-///    and after it of the frame before. Distances are those of the middles.
-/// 3. It moves by that speed in the direction in which the recorded ego moves in the same step, and
-///    stays where that stands still. Its heading is the recorded one, held from frame to frame.
+/// 1. The ego starts in frame 0 with its recorded pose and speed.
+/// 2. In each step its speed is publishedIdmSpeed() with the attacker as lead: the distance between
+///    the centres, with the attacker's position at the end of the step, and the attacker's recorded
+///    speed (column V) in the last frame before, from the last frame on in the frame before the
+///    last.
+/// 3. It moves with that speed in the direction of the recorded ego in the same step, and stays if
+///    the recorded ego stands still. Its heading is the recorded one, held between frames.
 ///
-/// Who is missing in a frame is not there around it, while in the original its row of zeros is a
-/// place to drive to and from; it is not known to change a hit.
+/// Deviation from the original: an agent that is missing in a frame is absent, while the original
+/// uses a row of zeros as its position. No hit is known to depend on it.
 std::vector<PublishedIdmStep> publishedIdmDrive(const CollideClip& clip,
                                                 const PublishedIdmOptions& idm,
                                                 const PublishedOptions& protocol);
 
-/// publishedOutcome() on `clip`, whose attacker drives as in the case.
+/// Returns the protocol that applies publishedOutcome() to `clip` for a given motion of the ego.
 std::shared_ptr<const PublishedProtocol> publishedProtocol(CollideClip clip,
                                                            const PublishedOptions& options);
 

@@ -15,11 +15,11 @@
 namespace forge {
 namespace {
 
-constexpr double kNone = 1e6;     // a limit that nothing reaches
-constexpr double kSimilar = 0.3;  // worth of a hit's similarity, beside the hit
+constexpr double kNone = 1e6;     // an unreachable limit
+constexpr double kSimilar = 0.3;  // score of a similar heading, in addition to 1 for the hit
 
-/// The clip with everybody but the attacker moving as in `future` from now on; who is not there
-/// then is missing.
+/// Returns the clip with all agents but the attacker moving as in `future` after t0; agents without
+/// a state at the time of a frame are missing in it.
 CollideClip withFuture(CollideClip clip, const Future& future, const Track& ego) {
   const std::string ego_id = clip.ego().id;
   for (CollideTrack& track : clip.tracks) {
@@ -40,7 +40,7 @@ CollideClip withFuture(CollideClip clip, const Future& future, const Track& ego)
   return clip;
 }
 
-/// What the protocol may see, in equally likely futures.
+/// Returns one clip per predicted future of the ego, at most about `count`, equally likely.
 std::vector<CollideClip> likelyClips(CollideClip clip, const Future& future, double angle,
                                      int count) {
   clip.angle = angle;
@@ -54,7 +54,7 @@ std::vector<CollideClip> likelyClips(CollideClip clip, const Future& future, dou
   return clips;
 }
 
-double worth(const std::vector<CollideClip>& clips, const AttackerTrajectory& trajectory,
+double score(const std::vector<CollideClip>& clips, const AttackerTrajectory& trajectory,
              const PublishedOptions& options) {
   double sum = 0.0;
   for (const CollideClip& clip : clips) {
@@ -75,7 +75,7 @@ AttackOptions withPublishedObjective(AttackOptions options, const EvaluationOpti
   search.overlap_margin = wanted.overlap_margin;
   search.max_lead = wanted.max_lead;
   search.bicycle_targets = search.bicycle_rounds = 0;
-  options.steering.rounds = 0;
+  search.steering_rounds = 0;
   search.kept = wanted.kept;
   search.off_road_weight = 0.0;
   search.good_off_road = 1.0;
@@ -117,18 +117,18 @@ AttackerTrajectory publishedSearchAttacker(const CollideClip& clip, const Snapsh
 
   const std::vector<CollideClip> clips = likelyClips(clip, future, any_time.bands().nominal_heading,
                                                      evaluation.published_search.futures);
-  // Contact at any time up to the latest.
+  // A band about half the latest contact time covers all times from t0 on.
   any_time.tta = 0.5 * (request.tta + evaluation.published_search.latest);
   any_time.crash.time_tolerance = any_time.tta;
   AttackerTrajectory best = nominalAttacker(clip.attacker_id, snapshot, recorded, request, options);
-  double best_worth = worth(clips, best, evaluation.published);
+  double best_score = score(clips, best, evaluation.published);
   for (const FoundAttack& attack :
        searchAttacks({snapshot, future, egos, prediction.patterns, any_time, lanes}, objective)) {
     AttackerTrajectory candidate = best;
     candidate.points = attack.points;
-    const double candidate_worth = worth(clips, candidate, evaluation.published);
-    if (candidate_worth <= best_worth) continue;
-    best_worth = candidate_worth;
+    const double candidate_score = score(clips, candidate, evaluation.published);
+    if (candidate_score <= best_score) continue;
+    best_score = candidate_score;
     best = std::move(candidate);
   }
   return best;

@@ -12,20 +12,19 @@
 
 namespace forge {
 
-/// Options for a search of what the published protocol counts: a contact at about the angle that
-/// the set gives attackers of the type, by any motion, on the road or off it. No vehicle limit is
-/// kept and no answer declined.
+/// Returns the options of a search with the objective of the published protocol: any motion, on or
+/// off the road, without vehicle limits or rejections.
 AttackOptions withPublishedObjective(AttackOptions options, const EvaluationOptions& evaluation);
 
-/// What counts there as the crash: an angle about that of the set, at any time up to the latest, by
-/// rulesOfClips().
+/// Returns the conditions of success of that search: rulesOfClips() with the relative heading
+/// within `heading_tolerance` of the data set's heading for the type.
 CrashDefinition withPublishedObjective(CrashDefinition crash, const NominalOptions& nominal,
                                        const PublishedSearchOptions& options);
 
-/// The clip's attacker on that attack (of contacts at any time up to a little after the one asked
-/// for) of searchAttacks(), or on nominalAttacker(), that the
-/// published protocol would count in most of the ego's futures: hits, and similar ones a third
-/// more. `recorded` is null in history mode; the angle in the file's name is never looked at.
+/// Returns the trajectory of the clip's attacker with the highest score among nominalAttacker() and
+/// the attacks of searchAttacks() with a contact up to `latest` s after t0 + TTA. The score sums
+/// over the ego's predicted futures: 1 for a hit in the published protocol, 0.3 more if similar.
+/// `recorded`: the recorded future, null in history mode. The angle in the file name is not used.
 AttackerTrajectory publishedSearchAttacker(const CollideClip& clip, const Snapshot& snapshot,
                                            const Future* recorded, const CollisionRequest& request,
                                            const LaneIndex& lanes,

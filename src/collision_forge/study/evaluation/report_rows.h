@@ -7,11 +7,11 @@
 
 namespace forge {
 
-/// The row of forge report for a row of results.csv of forge study evaluate.
+/// Converts a row of results.csv of forge study evaluate to a row of the HTML report.
 ReportRow rowOfResult(const ResultRow& result);
 
-/// The files results.csv of forge study evaluate that forge report reads: those of requests and
-/// those of clips by the strict protocol.
+/// Returns the formats of results.csv that the HTML report reads: requests, and clips by the strict
+/// protocol.
 std::vector<RowFormat> evaluationFormats();
 
 }  // namespace forge

@@ -41,15 +41,15 @@ std::vector<RequestEvaluator::MethodRow> methodRows(const EvaluationPlan& plan) 
   return rows;
 }
 
-/// What counts; what comes is measured, whatever the confidence.
-StudyOptions measuring(StudyOptions study, const EvaluationPlan& plan) {
+/// Returns the options with the plan's limits and plausibility and without a minimum confidence.
+StudyOptions withPlan(StudyOptions study, const EvaluationPlan& plan) {
   study.crash.min_confidence = 0.0;
   study.crash.limits = plan.limits;
   study.crash.believable = plan.believable;
   return study;
 }
 
-/// The same of those who know no wheels and no lanes.
+/// Returns the request for baselines, which model neither steering nor lanes.
 CollisionRequest asBaseline(CollisionRequest request) {
   request.crash.limits = LimitSet::kStrict;
   request.crash.believable = false;
@@ -63,7 +63,7 @@ std::vector<MethodMaker> baselinesOf(const MethodRegistry& methods, const Attack
   return makers;
 }
 
-/// What every method is held against.
+/// The inputs to verify the attack of a method.
 struct RequestCase {
   const CollisionRequest& request;
   const Moment& moment;
@@ -75,18 +75,18 @@ struct RequestCase {
   }
 };
 
-/// Why no method can answer, if so.
+/// Returns the reason why no method can solve the request, or kOk.
 Status checkCase(const RequestCase& request_case) {
   const auto& [request, moment, options] = request_case;
   const Status status = checkRequest(request, moment.snapshot, options.prediction);
   if (status.code != StatusCode::kOk) return status;
   if (!stateAt(moment.recorded->ego, moment.snapshot.now + request.tta)) {
-    return {StatusCode::kBeyondRecording, "the ego's recording ends before the impact"};
+    return {StatusCode::kBeyondRecording, "the recording of the ego ends before t0 + TTA"};
   }
   return {};
 }
 
-/// What the agent itself drove, if it was recorded until then without a gap.
+/// Returns the recorded motion of the agent up to `until` (s), or nullopt if it has a gap.
 std::optional<AttackerTrajectory> ownMotion(const std::string& id, const Future& recorded,
                                             double until) {
   const Track* track = findTrack(recorded.agents, id);
@@ -143,7 +143,7 @@ std::vector<std::string> possibleAttackers(const RequestCase& request_case) {
   return ids;
 }
 
-/// How much of what is asked for an outcome meets; more is better.
+/// Ranks the outcome of a baseline; higher is better.
 int rankOf(const StrictOutcome& outcome) {
   return outcome.meetsFullDefinitions() ? 3
          : outcome.meetsAngleBands()    ? 2
@@ -167,7 +167,7 @@ void evaluateBaseline(const AttackMethod& method, const RequestCase& request_cas
     judge(request_case, *best, best_outcome, row);
   } else {
     refuse({StatusCode::kNoCandidate,
-            "no vehicle within candidate_radius, seen now and in the frame before"},
+            "no vehicle within candidate_radius was observed at t0 and in the frame before"},
            row);
   }
 }
@@ -180,7 +180,7 @@ void judgeAnswer(const RequestCase& request_case, const Realization& answer, Res
   }
 }
 
-/// An answer with the time that it took.
+/// An attack with the wall-clock time of its search.
 struct TimedAnswer {
   Realization answer;
   double milliseconds = 0.0;
@@ -221,17 +221,17 @@ RequestEvaluator::RequestEvaluator(SceneSource& scenes, const StudyOptions& stud
                                    const Foresight& foresight, const MethodRegistry& methods,
                                    const EvaluationPlan& plan)
     : scenes_(scenes),
-      study_(measuring(study, plan)),
+      study_(withPlan(study, plan)),
       plan_(plan),
       rows_(methodRows(plan)),
       baselines_(baselinesOf(methods, study.attack, foresight)),
       method_(plan.method, methods, study.attack, foresight) {
   if (plan.protocol != Protocol::kStrict) {
-    throw std::invalid_argument("requests are not evaluated by the " +
-                                std::string(toString(plan.protocol)) + " protocol");
+    throw std::invalid_argument("protocol = " + std::string(toString(plan.protocol)) +
+                                " is not supported for requests; use strict");
   }
   if (!rows_.empty() && plan.is_seeded != method_.isSeeded()) {
-    throw std::invalid_argument("is_seeded of the plan is not that of method " + plan.method);
+    throw std::invalid_argument("is_seeded of the plan contradicts the method " + plan.method);
   }
 }
 
@@ -279,10 +279,11 @@ EvaluatedRequest RequestEvaluator::evaluate(const std::string& name,
       Realization answer;
       if (kind.mode == Mode::kAdaptive) {
         AdaptiveAnswer adaptive = answerAdaptively(
-            *method, *moment, recording->scene, study_.ego_vehicle, seeded,
+            *method, *moment, recording->scene,
+            egoVehicleOf(recording->scene, study_.ego_vehicle.center_offset), seeded,
             {method_.egoFuturesWithoutScene(asked.scene), study_.attack, study_.adaptive});
         for (const double time : adaptive.milliseconds) {
-          evaluated.times.push_back({"adaptive, a look at a frame", time});
+          evaluated.times.push_back({"adaptive, per update step", time});
         }
         answer = std::move(adaptive.attack);
         judgeAnswer(request_case, answer, row);

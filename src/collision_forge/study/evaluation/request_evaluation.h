@@ -10,65 +10,69 @@
 
 namespace forge {
 
-// Requests over logs, judged by the strict protocol (attack/verify/strict_outcome.h) against the
-// recording.
+// Evaluation of requests over logs by the strict protocol (attack/verify/strict_outcome.h) against
+// the recording.
 
-/// What one row a request (of seeded methods one a seed) is of: the baselines "constant_velocity"
-/// and "nominal", which every plan measures beside its method, then the method; of a seeded one a
-/// column of the strict protocol, and in history mode the same with the recorded future known:
-/// "search_full_definitions" (or "network+search_..."), "replay_full_definitions"; in adaptive mode
-/// before these two "adaptive_full_definitions", of a method without seeds "adaptive". Where the
-/// attacker need not be believable there are the angle bands, too, each before the other column:
-/// "search_angle_bands", "replay_angle_bands".
+/// Returns the values of the column `method` in the rows of a request, in order:
+///
+/// | plan's method | rows |
+/// |---|---|
+/// | all | "constant_velocity", "nominal" (baselines) |
+/// | not seeded | METHOD; in adaptive mode before it "adaptive" |
+/// | seeded, METHOD = search | "search_full_definitions", "replay_full_definitions" |
+/// | seeded, adaptive mode | before these "adaptive_full_definitions" |
+/// | seeded, not `believable` | before each of these the same with "_angle_bands" |
+///
+/// "replay" is the plan's method in replay mode, omitted if that is the plan's mode.
 std::vector<std::string> requestRowMethods(const EvaluationPlan& plan);
 
-/// Those of them that are no baselines.
+/// Returns requestRowMethods() without the baselines.
 std::vector<std::string> attackingRowMethods(const EvaluationPlan& plan);
 
-/// Rows that RequestEvaluator::evaluate() gives, the same for every request.
+/// Returns the number of rows of RequestEvaluator::evaluate(), which is the same for every request.
 std::size_t rowsPerRequest(const EvaluationPlan& plan);
 
-/// How long one search took.
+/// The time of one search, or of one update step of an adaptive attacker.
 struct SearchTime {
-  std::string method;  ///< of requestRowMethods()
-  double milliseconds = 0.0;
+  std::string method;         ///< of requestRowMethods(), or the label of the update steps
+  double milliseconds = 0.0;  ///< wall-clock time
 };
 
-/// A request's rows, in the order of requestRowMethods() and then of the seeds.
+/// The rows of a request, in the order of requestRowMethods(), then of the seeds.
 struct EvaluatedRequest {
   std::vector<ResultRow> rows;
-  std::vector<SearchTime> times;  ///< one a row of a search, in their order
+  std::vector<SearchTime> times;  ///< of seeded methods and adaptive attackers, in order
 };
 
-/// Evaluates requests over recorded scenes. Thread-safe; the rows of a request are the same in
-/// every process.
+/// Evaluates requests over recorded scenes. Thread-safe; deterministic across processes.
 ///
-/// - A seeded method is asked whatever the confidence, with the request's seed and those after it;
-///   its type rules are those of the column that it is for, in whose measures alone it counts.
-/// - The method's attackers keep the plan's limits and are believable if the plan says so;
-/// baselines
-///   are held to the strict limits and need not be believable.
-/// - A baseline takes, if the request names no attacker, of all candidates (isCandidate()) the
-///   first that meets the full definitions, else the angle bands, else touches the ego: an upper
-///   bound, for nobody knows now which one will.
-/// - Rows of a request that no method can answer (checkRequest(), no frame, a recording that ends
-///   before the time asked for) have its status and meet nothing.
+/// - A seeded method runs at any confidence with the request's seed and the following ones. Its
+///   type rules depend on the row's column (angle bands or full definitions), and it counts only
+///   in the measures of that column.
+/// - Attackers of the plan's method keep the plan's limits, and must be plausible if
+///   `plan.believable`. Baselines are judged by the strict limits and need not be plausible.
+/// - For a request without attacker, a baseline uses the candidate (isCandidate()) with the best
+///   outcome: full definitions, else angle bands, else contact. This is an upper bound, because the
+///   choice uses the recorded future.
+/// - The rows of a request that no method can solve (rejected by checkRequest(), no frame at t0,
+///   the recording ends before t0 + TTA) have that status and meet no measure.
 class RequestEvaluator {
  public:
-  /// What a row of the plan's method is of.
+  /// The runs of the plan's method that yield the rows named `name`.
   struct MethodRow {
     std::string name;
     TypeRules rules;
     Mode mode;
-    int seeds;
+    int seeds;  ///< number of runs
   };
 
-  /// `scenes` must outlive it. Throws std::invalid_argument for a plan of another protocol, and as
-  /// MethodMaker does.
+  /// `scenes` must outlive the evaluator. Throws std::invalid_argument for a plan with another
+  /// protocol than kStrict, a wrong `plan.is_seeded`, or an unknown method.
   RequestEvaluator(SceneSource& scenes, const StudyOptions& study, const Foresight& foresight,
                    const MethodRegistry& methods, const EvaluationPlan& plan);
 
-  /// `name` is that of the rows. Throws as SceneSource::at() does.
+  /// Evaluates one request; `name` is the column `name` of its rows. Throws the exceptions of
+  /// SceneSource::at().
   EvaluatedRequest evaluate(const std::string& name, const SceneRequest& asked) const;
 
  private:

@@ -13,10 +13,10 @@ namespace {
 /// A column of the strict protocol.
 struct Column {
   const char* title;
-  const char* suffix;      ///< of the methods that are for it
+  const char* suffix;      ///< suffix of the row names of its methods
   std::size_t headline;    ///< index of the measure of all conditions
   std::size_t type;        ///< index of the measure of the type
-  const char* given_name;  ///< of the headline among the requests that replay meets
+  const char* given_name;  ///< name of the recall against replay mode
 };
 
 std::size_t measureAt(const std::string& name) {
@@ -40,7 +40,7 @@ bool endsWith(const std::string& text, const std::string& end) {
          text.compare(text.size() - end.size(), std::string::npos, end) == 0;
 }
 
-/// The columns that the plan's methods are for.
+/// Returns the columns that the plan measures.
 std::vector<Column> columnsOf(const EvaluationPlan& plan) {
   std::vector<Column> found(columns().begin(), columns().end());
   if (plan.believable) found.erase(found.begin());
@@ -65,7 +65,7 @@ const Column* columnOfMeasure(std::size_t measure) {
   return nullptr;
 }
 
-/// What a method is called in a table of the column; empty if it does not count there.
+/// Returns the name of a method in the tables of a column, or "" if it does not belong there.
 std::string nameIn(const Column* column, const std::string& method) {
   const Column* of_method = columnOfMethod(method);
   if (!column || !of_method) return method;
@@ -83,7 +83,7 @@ RateTable tableOf(const std::vector<ResultRow>& rows, std::size_t index, const M
   return tabulateTrials(measure, trials);
 }
 
-/// The rows of the requests that the road allows, or of those that it does not.
+/// Returns the rows of the requests that the road allows (`allows`) or does not allow.
 std::vector<ResultRow> rowsThatRoadAllows(const std::vector<ResultRow>& rows, bool allows) {
   std::vector<ResultRow> found;
   for (const ResultRow& row : rows) {
@@ -94,11 +94,11 @@ std::vector<ResultRow> rowsThatRoadAllows(const std::vector<ResultRow>& rows, bo
 
 Measure ofWhatRoadAllows(Measure measure) {
   measure.name += "_of_allowed";
-  measure.title += ", of what the road allows";
+  measure.title += ", requests allowed by the road";
   return measure;
 }
 
-/// The rows of the requests that replay meets with any seed.
+/// Returns the rows of the requests that replay mode solves with any seed.
 std::vector<ResultRow> rowsThatReplayMeets(const std::vector<ResultRow>& rows,
                                            const Column& column) {
   const std::string replay = std::string("replay") + column.suffix;
@@ -119,14 +119,14 @@ bool isHistorySearch(const EvaluationPlan& plan) {
 
 Measure givenReplay(const Column& column) {
   const std::string& title = measuresOf(Protocol::kStrict)[column.headline].title;
-  return {column.given_name, title + ", of what replay meets", std::nullopt, true};
+  return {column.given_name, title + ", recall against replay mode", std::nullopt, true};
 }
 
 RateTable givenReplayTable(const std::vector<ResultRow>& rows, const Column& column,
                            const EvaluationPlan& plan) {
   RateTable table =
       tableOf(rowsThatReplayMeets(rows, column), column.headline, givenReplay(column), plan);
-  table.methods.pop_back();  // replay itself, which meets all of them
+  table.methods.pop_back();  // replay itself, whose recall is 100 %
   table.rates.pop_back();
   return table;
 }
@@ -145,9 +145,9 @@ RateTable offRoadTable(const std::vector<ResultRow>& rows, const std::string& me
   return tabulateTrials({"off_road_" + method, title + method, std::nullopt, false}, trials);
 }
 
-/// How many of the requests the road allows.
+/// Returns the share of requests that the road allows.
 RateTable roadTable(const std::vector<ResultRow>& rows, const EvaluationPlan& plan) {
-  const std::string each = requestRowMethods(plan).front();  // has one row a request
+  const std::string each = requestRowMethods(plan).front();  // has one row per request
   std::vector<Trial> trials;
   for (const ResultRow& row : rows) {
     if (row.method != each || !row.request || !row.request->road_allows) continue;
@@ -157,8 +157,8 @@ RateTable roadTable(const std::vector<ResultRow>& rows, const EvaluationPlan& pl
                         {{"requests", trials}});
 }
 
-/// The answers to what the road does not allow.
-RateTable nevertheless(const std::vector<ResultRow>& rows, const EvaluationPlan& plan) {
+/// Returns the share of solved requests among those that the road does not allow.
+RateTable solvedOffRoadTable(const std::vector<ResultRow>& rows, const EvaluationPlan& plan) {
   MethodTrials trials;
   for (const std::string& method : requestRowMethods(plan)) {
     if (columnOfMethod(method) == nullptr) continue;
@@ -170,11 +170,11 @@ RateTable nevertheless(const std::vector<ResultRow>& rows, const EvaluationPlan&
     }
   }
   return tabulateTrials(
-      {"answered_of_not_allowed", "Answered, of what the road does not allow", std::nullopt, false},
+      {"answered_of_not_allowed", "Solved, requests not allowed by the road", std::nullopt, false},
       trials);
 }
 
-/// Of the attacks that touch the ego in the recording.
+/// Returns the share of plausible attacks among those that touch the recorded ego.
 RateTable believableTable(const std::vector<ResultRow>& rows, const EvaluationPlan& plan) {
   MethodTrials trials;
   for (const std::string& method : requestRowMethods(plan)) {
@@ -186,10 +186,10 @@ RateTable believableTable(const std::vector<ResultRow>& rows, const EvaluationPl
     }
   }
   return tabulateTrials(
-      {"believable", "Believable, of those that touch the ego", std::nullopt, false}, trials);
+      {"believable", "Plausible, of the attacks that touch the ego", std::nullopt, false}, trials);
 }
 
-/// One a measure, of the full definitions each followed by that of what the road allows.
+/// Returns one table per measure, followed by the same over the requests that the road allows.
 std::vector<RateTable> measureTables(const std::vector<ResultRow>& rows,
                                      const EvaluationPlan& plan) {
   std::vector<RateTable> tables;
@@ -220,7 +220,7 @@ std::vector<RateTable> requestTables(const std::vector<ResultRow>& rows,
     tables.push_back(std::move(table));
   }
   tables.push_back(roadTable(rows, plan));
-  if (plan.is_seeded) tables.push_back(nevertheless(rows, plan));
+  if (plan.is_seeded) tables.push_back(solvedOffRoadTable(rows, plan));
   tables.push_back(believableTable(rows, plan));
   for (const std::string& method : requestRowMethods(plan)) {
     tables.push_back(offRoadTable(rows, method));

@@ -9,21 +9,24 @@
 
 namespace forge {
 
-// What the rows of RequestEvaluator say; docs/protocols.md defines every figure.
+// Tables over the rows of RequestEvaluator; docs/protocols.md defines every figure.
 
-/// The tables: for each measure of the strict protocol the methods that count in it (for a measure
-/// by angle bands or by full definitions the searches with these rules, called by the
-/// plan's method and "replay"), once of all requests and, but for angle bands, once of those that
-/// the road allows; with a history search the headlines among the requests that replay
-/// meets with any seed, replay left out; how many requests the road allows, and how many of the
-/// others a search answered nevertheless; how many of the attacks that touch the ego are
-/// believable; and for each method the share off the drivable area of its attacks that touch the
-/// ego while the attacker itself is recorded without a gap, of the same attackers' own motion, and
-/// the difference. Where the plan's attackers are believable there are no angle bands.
+/// Returns the tables of an evaluation of requests:
+///
+/// 1. For each measure of the strict protocol, the rate of each method, over all requests and over
+///    the requests that the road allows. A measure by angle bands (only if not `plan.believable`,
+///    only over all requests) or by full definitions has only the searches with these rules.
+/// 2. For a seeded method outside replay mode: the headline measures over the requests that replay
+///    mode solves with any seed (recall against replay mode).
+/// 3. The share of requests that the road allows, and how many of the others a search solved.
+/// 4. The share of plausible attacks among the attacks that touch the ego.
+/// 5. For each method: the off-road share of its attacks that touch the ego, of the same agents'
+///    own recorded motion, and the difference.
 std::vector<RateTable> requestTables(const std::vector<ResultRow>& rows,
                                      const EvaluationPlan& plan);
 
-/// One a column of the strict protocol that the plan has; none but for a history search.
+/// Returns one calibration per column of the strict protocol in the plan; empty unless the plan has
+/// a seeded method outside replay mode.
 std::vector<Calibration> requestCalibrations(const std::vector<ResultRow>& rows,
                                              const EvaluationPlan& plan);
 

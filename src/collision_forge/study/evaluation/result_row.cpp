@@ -21,7 +21,7 @@ constexpr EnumWord<Protocol> kProtocolWords[] = {
 
 constexpr double kDegree = M_PI / 180.0;  // rad
 constexpr std::size_t kFixedColumns = 13;
-constexpr double kLargest = 1e9;  // no figure of a row comes near it, and all of it is written
+constexpr double kLargest = 1e9;  // upper limit of valid figures
 
 std::string decimals(const char* format, const std::optional<double>& value) {
   return value ? formatted(format, *value) : "";
@@ -84,12 +84,12 @@ const std::vector<Measure>& measuresOf(Protocol protocol) {
   static const std::vector<Measure> strict = {
       {"angle_bands", "All conditions, angle bands", std::nullopt, true},
       {"full_definitions", "All conditions, full definitions", std::nullopt, true},
-      {"contact", "Contact after now", std::nullopt, false},
+      {"contact", "Contact after t0", std::nullopt, false},
       {"type_angle_bands", "Type, angle bands", std::nullopt, false},
       {"type_full", "Type, full definitions", std::nullopt, false},
       {"on_time", "On time", std::nullopt, false},
       {"limits_kept", "Limits kept", std::nullopt, false},
-      {"nobody_before", "Nobody touched before", std::nullopt, false}};
+      {"nobody_before", "No earlier contact", std::nullopt, false}};
   return protocol == Protocol::kPublished ? published : strict;
 }
 
@@ -105,7 +105,7 @@ std::string toCsv(const ResultRow& row) {
   for (const std::string& name : {row.name, row.scene}) {
     if (csvText(name) != name) {
       throw std::runtime_error("\"" + name +
-                               "\" cannot stand in a CSV file: it has commas or line ends");
+                               "\" cannot be written to a CSV file: it has commas or line ends");
     }
   }
   std::ostringstream text;
@@ -164,7 +164,8 @@ std::vector<ResultRow> readResultRows(const std::string& where, const std::strin
   for (std::string line; std::getline(stream, line);) {
     auto row = rowFromCsv(line, protocol);
     if (!row || row->name != name) {
-      throw std::runtime_error(where + ": \"" + line + "\" is not the row expected there");
+      throw std::runtime_error(where + ": \"" + line + "\" is not a row of \"" + name +
+                               "\"; choose another --out");
     }
     rows.push_back(std::move(*row));
   }

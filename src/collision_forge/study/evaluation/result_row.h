@@ -11,56 +11,58 @@
 
 namespace forge {
 
-/// How a clip is judged: study/evaluation/published.h or attack/verify/strict_outcome.h.
+/// The evaluation protocol: study/evaluation/published.h or attack/verify/strict_outcome.h.
 enum class Protocol { kPublished, kStrict };
+/// Returns "published" or "strict".
 const char* toString(Protocol protocol);
 
-/// Published: collision, similar. Strict: all conditions by angle bands and by full definitions,
-/// then each condition.
+/// Returns the measures of a protocol, in the order of ResultRow::meets. Published: collision,
+/// similar. Strict: all conditions by angle bands, by full definitions, then each condition.
 const std::vector<Measure>& measuresOf(Protocol protocol);
 
-/// What rows of requests over logs say beyond those of clips.
+/// Columns of results.csv that only rows of requests have.
 struct RequestFacts {
-  std::optional<bool> road_allows;      ///< roadAllows() on the recorded ego; empty: no such moment
-  std::optional<bool> believable;       ///< of the contact in the recording, if there is one
-  std::optional<AttackFigures> attack;  ///< of an answer, if the method is no baseline
+  std::optional<bool> road_allows;  ///< roadAllows() for the recorded ego; empty: no frame at t0
+  std::optional<bool> believable;   ///< plausible up to the recorded contact; empty: no contact
+  std::optional<AttackFigures> attack;  ///< of an attack; empty for baselines
 };
 
-/// How one method did in one clip or request: a row of results.csv.
+/// The result of one method on one clip or request: a row of results.csv.
 struct ResultRow {
-  std::string name;  ///< of the clip; of a request its line in the list
-  std::string scene;
+  std::string name;   ///< clip name, or line of the request in its list
+  std::string scene;  ///< name
   CollisionType type = CollisionType::kRearEnd;
-  double tta = 0.0;  ///< s, nominal in a clip
+  double tta = 0.0;  ///< s, nominal for clips
   std::string method;
   std::uint64_t seed = 0;
-  std::string status;                      ///< "OK", or why the method has no answer
-  std::vector<bool> meets;                 ///< one a measure
-  std::optional<double> contact_after;     ///< s from now to contact, negative before
-  std::optional<double> relative_heading;  ///< rad at contact
-  std::optional<double> confidence;        ///< promised by the search, [0, 1]
-  /// Mean share of the attacker's box off the drivable area from now to contact, [0, 1], and that
-  /// of its own recorded motion over the same span.
+  std::string status;                      ///< "OK", or the status code of the rejection
+  std::vector<bool> meets;                 ///< one per measure of the protocol
+  std::optional<double> contact_after;     ///< s from t0 to contact, negative before t0
+  std::optional<double> relative_heading;  ///< rad, between ego and attacker at contact
+  std::optional<double> confidence;        ///< predicted by the search, 0..1
+  /// Mean share, 0..1, of the attacker's box off the drivable area from t0 to contact.
   std::optional<double> off_road_share;
+  /// The same share of the agent's own recorded motion; empty for a recording with a gap.
   std::optional<double> own_off_road_share;
-  std::string note;  ///< a broken limit, whom else the attacker touches, what no driver would do
-  std::optional<RequestFacts> request;  ///< of requests alone
+  std::string note;  ///< broken limit, other agent touched, reason of implausibility or rejection
+  std::optional<RequestFacts> request;  ///< requests only
 };
 
-/// What results.csv has a row of.
+/// The items of results.csv.
 enum class RowsOf { kClips, kRequests };
 
-/// Both without the line's end. Times have three decimals, shares four, headings are degrees with
-/// two. toCsv() throws std::runtime_error for a name or scene with commas or line ends.
+// Header and line of results.csv, without line ends. Times have three decimals, shares four,
+// headings are in degrees with two. toCsv() throws std::runtime_error for a name or scene with
+// commas or line ends.
 std::string csvHeader(Protocol protocol, RowsOf rows_of = RowsOf::kClips);
 std::string toCsv(const ResultRow& row);
 
-/// The row of a line as toCsv() writes it, of a request if it has their columns; empty for any
-/// other line (one that was cut off).
+/// Parses a line of toCsv(), of a request if it has the columns of requests. Returns nullopt for a
+/// malformed or truncated line.
 std::optional<ResultRow> rowFromCsv(const std::string& line, Protocol protocol);
 
-/// The rows of an item of that name, a line each. Throws std::runtime_error for lines that are none
-/// of its rows; `where` says where they stand.
+/// Parses the rows of one item, one per line. Throws std::runtime_error if a line is malformed or
+/// its column `name` differs from `name`; `where` (file and line) begins the message.
 std::vector<ResultRow> readResultRows(const std::string& where, const std::string& lines,
                                       Protocol protocol, const std::string& name);
 

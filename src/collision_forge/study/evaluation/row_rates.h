@@ -10,11 +10,13 @@
 
 namespace forge {
 
-/// The rows of one method as trials of the measure at an index; all, or those that meet `given`.
+/// Returns the rows of `method` as trials of the measure with index `measure`. With `given`, only
+/// rows that meet the measure with that index.
 std::vector<Trial> trialsOf(const std::vector<ResultRow>& rows, const std::string& method,
                             std::size_t measure, const std::optional<std::size_t>& given = {});
 
-/// One table a measure of the protocol. Methods in the order given; rows of others are left out.
+/// Returns one table per measure of the protocol, with the given methods in this order. Ignores
+/// rows of other methods.
 std::vector<RateTable> tabulate(const std::vector<ResultRow>& rows, Protocol protocol,
                                 const std::vector<std::string>& methods);
 

@@ -12,8 +12,8 @@ void runStudyProgram(const std::string& name, const std::vector<std::string>& ar
   const auto ended = runProgram(command);
   if (!ended) return;
   throw std::runtime_error(
-      command[1] + ": ended " + *ended +
-      "; it needs Debian's python3-matplotlib, python3-scipy and python3-sklearn");
+      command[1] + " failed: ended " + *ended +
+      "; it needs the packages python3-matplotlib, python3-scipy and python3-sklearn");
 }
 
 }  // namespace forge

@@ -16,13 +16,13 @@ namespace {
 
 constexpr const char* kFormat = "collision_forge traffic generator 2";
 
-/// What libtorch complains of, without the backtrace that follows.
+/// Returns the message of a libtorch exception without its backtrace.
 std::string firstLine(const std::exception& error) {
   const std::string text = error.what();
   return text.substr(0, text.find('\n'));
 }
 
-/// What `read` returns; whatever goes wrong names the file.
+/// Returns the result of `read`; converts exceptions to errors that name the file.
 template <typename Read>
 auto readNamed(const std::string& path, Read read) {
   try {
@@ -34,7 +34,7 @@ auto readNamed(const std::string& path, Read read) {
   }
 }
 
-/// Does `read` with the file's archive.
+/// Calls `read` with the archive of the file.
 template <typename Read>
 void withArchive(const std::string& path, Read read) {
   readNamed(path, [&] {
@@ -69,7 +69,7 @@ std::vector<std::string> textsIn(torch::serialize::InputArchive& archive, const 
   return texts;
 }
 
-/// Weights under their names, copied into a network that has the same ones.
+/// Copies the weights of an archive, by name, into a network with the same parameters.
 void copyWeights(const std::string& path, torch::serialize::InputArchive& archive,
                  torch::nn::Module& network) {
   const torch::NoGradGuard no_gradients;
@@ -91,7 +91,7 @@ void copyWeights(const std::string& path, torch::serialize::InputArchive& archiv
   }
 }
 
-/// A model and the scenes that it has not seen.
+/// A model and the scenes that were left out in its training.
 struct LoadedModel {
   std::shared_ptr<const TrafficModel> model;
   std::vector<std::string> left_out_scenes;
@@ -105,7 +105,7 @@ LoadedModel loadModel(const std::string& name, const std::string& path) {
   readGenerator(path, *model, false);
   model->network()->eval();
   for (torch::Tensor& parameter : model->network()->parameters()) {
-    parameter.set_requires_grad(false);  // methods look for latent numbers, on many threads
+    parameter.set_requires_grad(false);  // methods differentiate by latents, on many threads
   }
   return {model, header.left_out_scenes};
 }
@@ -163,7 +163,7 @@ std::string generatorBytes(const GeneratorHeader& header, const TrafficModel& mo
     model.saveTraining(rest);
     archive.write("training", rest);
   }
-  std::ostringstream bytes;  // an archive that cannot write to a file ends the process
+  std::ostringstream bytes;  // writing an archive to a file directly aborts on errors
   archive.save_to(bytes);
   return bytes.str();
 }

@@ -9,25 +9,27 @@
 
 namespace forge {
 
-/// Which model a file holds, and what it was made with.
+/// The metadata of a weight file.
 struct GeneratorHeader {
-  std::string name;
-  std::string config;  ///< text with the mappings of sectionsOf()
-  int history_frames = 0;
-  int epochs = 0;                            ///< that it was trained
-  std::vector<std::string> left_out_scenes;  ///< that it was not trained on
+  std::string name;                          ///< model, one of trafficModelNames()
+  std::string config;                        ///< YAML text with the sections of sectionsOf()
+  int history_frames = 0;                    ///< frames of history at 2 Hz, t0 included
+  int epochs = 0;                            ///< epochs trained
+  std::vector<std::string> left_out_scenes;  ///< scenes left out in the training
 };
 
-/// Options of a header; throws ConfigError naming `path`.
+/// Parses the options of a header. Throws ConfigError naming `path`.
 GeneratorOptions optionsOf(const GeneratorHeader& header, const std::string& path);
 
-/// The bytes of a file with the weights of a model, and with `training` all that going on takes.
+/// Returns the content of a weight file. `training`: includes the state to resume the training.
 std::string generatorBytes(const GeneratorHeader& header, const TrafficModel& model, bool training);
 
-/// Throws TrafficGeneratorError, naming the file, for one that is absent, damaged, of another
-/// format or generator than `name`, and for weights of another shape or that are not finite.
+/// Reads the header of a weight file. Throws TrafficGeneratorError, naming the file, if it is
+/// missing, damaged, or of another format or model than `name`.
 GeneratorHeader readGeneratorHeader(const std::string& path, const std::string& name);
-/// The same of what fills a model that was made with that header's options.
+/// Loads the weights, and with `training` the training state, into a model that was made with the
+/// options of the file's header. Throws as readGeneratorHeader(), and for weights with other shapes
+/// or values that are not finite.
 void readGenerator(const std::string& path, TrafficModel& model, bool training);
 
 }  // namespace forge

@@ -11,14 +11,14 @@
 namespace forge {
 namespace {
 
-/// A frame of the attacker as it is driven.
+/// A predicted frame of the attacker.
 struct Knot {
   double time = 0.0;
   Pose2 pose;
   Vector2 velocity{0.0, 0.0};
 };
 
-/// Velocities of the frames: that of now as it is, then from the frames beside each.
+/// Sets the velocities of the frames: the estimated one at t0, central differences afterwards.
 void findVelocities(std::vector<Knot>& knots, const Motion& now) {
   knots.front().velocity = now.speed * now.pose.heading();
   for (std::size_t i = 1; i < knots.size(); ++i) {
@@ -29,7 +29,7 @@ void findVelocities(std::vector<Knot>& knots, const Motion& now) {
   }
 }
 
-/// Between two frames: a cubic that has their places and velocities, and the headings in between.
+/// Interpolates between two frames: cubic Hermite positions, linear headings.
 TrajectoryPoint between(const Knot& from, const Knot& to, double time) {
   const double span = to.time - from.time;
   const double t = (time - from.time) / span;
@@ -44,7 +44,7 @@ TrajectoryPoint between(const Knot& from, const Knot& to, double time) {
   const Pose2 pose{place.x(), place.y(), yaw};
   const double speed = velocity.dot(pose.heading());
   const double yaw_rate = angleBetween(from.pose.yaw, to.pose.yaw) / span;
-  constexpr double kStandstill = 0.1;  // m/s; below it the curvature is not defined well
+  constexpr double kStandstill = 0.1;  // m/s; below it the curvature is ill-defined
   return {time, pose, speed, acceleration.dot(pose.heading()),
           std::abs(speed) > kStandstill ? yaw_rate / speed : 0.0};
 }
@@ -74,7 +74,7 @@ void rollOut(const TrafficGenerator& generator, std::uint64_t seed, TrafficClip&
     const TrafficBatch history = batchOf({{&clip, now}}, options, 0);
     const torch::Tensor driven = generator.predict(history, noise).contiguous();
     if (!driven.isfinite().all().item<bool>()) {
-      throw std::runtime_error("a generator drives to a place that is no finite number");
+      throw std::runtime_error("the generator predicts a position that is not finite");
     }
     const auto poses = driven.accessor<float, 4>();
     const torch::Tensor there = seenThroughout(history, options.history_frames);

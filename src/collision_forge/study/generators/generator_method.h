@@ -8,15 +8,15 @@
 
 namespace forge {
 
-/// The attacker as a generator drives it. The generator drives everybody, a few frames an
-/// iteration, each on what it drove before (open loop, arXiv 2510.12206, Sec. 4); of all that only
-/// the attacker's way is taken. No limit of a vehicle is looked at. Without an attacker in the
-/// request as bestOfCandidates().
+/// Attack method based on a learned traffic generator. Iteratively predicts a few frames for all
+/// agents, open loop (arXiv 2510.12206, Sec. 4), and uses only the attacker's trajectory. Ignores
+/// vehicle limits. For a request without attacker, tries all candidates; see bestOfCandidates().
+/// Thread-safe.
 class GeneratorMethod : public AttackMethod {
  public:
   GeneratorMethod(std::shared_ptr<const TrafficGenerator> generator, const AttackOptions& options);
 
-  /// Throws std::runtime_error for a generator that gives numbers that are not finite.
+  /// Throws std::runtime_error if the generator returns values that are not finite.
   Realization answer(const Moment& moment, const CollisionRequest& request) const override;
 
  private:
@@ -24,12 +24,13 @@ class GeneratorMethod : public AttackMethod {
   AttackOptions options_;
 };
 
-/// Drives everybody on from the history up to the frame of the crash. Whoever was not seen
-/// throughout the history leaves.
+/// Extends all agents of `clip` from the history to the frame of the crash. Agents without a pose
+/// in each frame of the history disappear.
 void rollOut(const TrafficGenerator& generator, std::uint64_t seed, TrafficClip& clip);
 
-/// The attacker of a clip that is driven up to the frame of the crash, as an answer: a smooth curve
-/// through its frames, then straight on. `ego` is the frame of the clip.
+/// Converts the attacker's frames of a clip, complete up to the frame of the crash, to an attack: a
+/// smooth curve through the frames, then straight. `ego` is the ego's pose at t0 (map frame), the
+/// origin of the clip; `now` is the index of the frame at t0.
 Realization drivenThrough(const TrafficClip& clip, const Pose2& ego, const std::string& attacker,
                           const Moment& moment, const CollisionRequest& request, int now,
                           const AttackOptions& options);

@@ -7,8 +7,9 @@
 
 namespace forge {
 
-/// The options of a model that sees no lanes are made to have none. Throws std::invalid_argument
-/// for an unknown name. `seed` of the weights before training.
+/// Creates an untrained model, one of trafficModelNames(), on a device. `seed` determines the
+/// initial weights. For models that ignore lanes, sets max_lanes to 0. Throws std::invalid_argument
+/// for an unknown name.
 std::shared_ptr<TrafficModel> makeTrafficModel(const std::string& name, GeneratorOptions options,
                                                torch::Device device, std::uint64_t seed);
 

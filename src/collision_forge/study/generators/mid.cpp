@@ -11,9 +11,9 @@ using torch::Tensor;
 namespace nn = torch::nn;
 
 constexpr long kStateNumbers = 6;          // x, y, their velocity, their acceleration
-constexpr double kPositionBase = 10000.0;  // of the sinusoids that number the tokens
+constexpr double kPositionBase = 10000.0;  // base of the sinusoidal position encoding
 
-/// Vectors [N, T, 2 k], every pair of numbers turned by `angle` [N].
+/// Returns vectors [N, T, 2 k] with each pair of numbers rotated by `angle` [N].
 Tensor turned(const Tensor& vectors, const Tensor& angle) {
   const Tensor cos = angle.cos().view({-1, 1, 1});
   const Tensor sin = angle.sin().view({-1, 1, 1});
@@ -23,8 +23,9 @@ Tensor turned(const Tensor& vectors, const Tensor& angle) {
   return torch::stack({cos * x - sin * y, sin * x + cos * y}, 3).flatten(2);
 }
 
-/// [B, A, T, 6] in m, m/s and m/s^2. Differences look back, as now knows no next frame (MID's are
-/// central and do); the first velocity is the second one.
+/// Returns [B, A, T, 6]: positions, velocities, accelerations in m, m/s and m/s^2. Uses backward
+/// differences, because there is no frame after t0 (MID uses central ones); the first velocity is a
+/// copy of the second.
 Tensor statesOf(const Tensor& poses) {
   const Tensor places = poses.slice(3, 0, 2);
   const Tensor steps = places.diff(1, 2) / kFrameInterval;
@@ -34,27 +35,28 @@ Tensor statesOf(const Tensor& poses) {
   return torch::cat({places, velocities, accelerations}, 3);
 }
 
-/// N agents, picked from a batch's B x A, each in its own frame: there at now, x along its heading.
-/// MID keeps the world's axes and learns from turned copies; this needs none.
+/// N agents of a batch, each in its own frame at t0, with x along its heading. MID uses world axes
+/// and rotated copies of the data, which this frame makes unnecessary.
 struct Drivers {
   Tensor rows;       // [N] into B x A
-  Tensor pose;       // [N, 3] at now, in the batch's frame
-  Tensor velocity;   // [N, 1, 2] m/s at now
+  Tensor pose;       // [N, 3] at t0, in the batch's frame
+  Tensor velocity;   // [N, 1, 2] m/s at t0
   Tensor own;        // [N, T, 6] states, in units of the scales
-  Tensor others;     // [N, T, 6] the same of the neighbours, relative to now's, added up
-  Tensor company;    // [N, 1] 1 who has a neighbour, else 0
+  Tensor others;     // [N, T, 6] sum of the neighbours' states, relative to `pose`
+  Tensor company;    // [N, 1] 1 for an agent with a neighbour, else 0
   Tensor condition;  // [N, 6]
 };
 
-/// [B, A, A] 1 where the second agent is a neighbour of the first. Trajectron++ fades a neighbour
-/// in over four frames; here it is one or not, by its distance now.
+/// Returns [B, A, A] with 1 if the second agent is a neighbour of the first, by the distance at t0.
+/// Trajectron++ fades neighbours in over four frames.
 Tensor neighboursOf(const Tensor& places, const Tensor& there, double reach) {
   const Tensor apart = (places.unsqueeze(1) - places.unsqueeze(2)).norm(2, 3);
   const Tensor other = 1.0 - torch::eye(places.size(1), places.options());
   return (apart < reach) * other * there.unsqueeze(1);
 }
 
-/// The agents of a history that `picked` [B, A] counts; `there` [B, A] may be neighbours.
+/// Returns the agents of a history selected by `picked` [B, A]; agents in `there` [B, A] can be
+/// their neighbours.
 Drivers driversOf(const TrafficBatch& history, const Tensor& picked, const Tensor& there,
                   const MidOptions& options) {
   const Tensor states = statesOf(history.poses);
@@ -83,8 +85,8 @@ Drivers driversOf(const TrafficBatch& history, const Tensor& picked, const Tenso
           of(condition)};
 }
 
-/// The paper's layer that is told the context: a linear layer, gated and shifted by it. The context
-/// is one of an agent, so that its part is computed once for all of the agent's tokens.
+/// The paper's context layer: a linear layer, gated and shifted by the context of the agent, which
+/// is computed once for all its tokens.
 struct GatedLayer : nn::Module {
   GatedLayer(long from, long to, long context) {
     layer = register_module("layer", nn::Linear(from, to));
@@ -92,7 +94,7 @@ struct GatedLayer : nn::Module {
     shift = register_module("shift", nn::Linear(nn::LinearOptions(context, to).bias(false)));
   }
 
-  /// [F, N, from] and [N, context] to [F, N, to].
+  /// Maps [F, N, from] and [N, context] to [F, N, to].
   Tensor forward(const Tensor& tokens, const Tensor& context) {
     return layer(tokens) * torch::sigmoid(gate(context)) + shift(context);
   }
@@ -100,14 +102,14 @@ struct GatedLayer : nn::Module {
   nn::Linear layer{nullptr}, gate{nullptr}, shift{nullptr};
 };
 
-/// [F, 1, width]: sines and cosines that tell a token its frame.
+/// Returns the sinusoidal encoding of the frame numbers, [F, 1, width].
 Tensor frameNumbers(long frames, long width) {
   const Tensor powers = torch::arange(0, width, 2) * (-std::log(kPositionBase) / width);
   const Tensor angles = torch::arange(frames).unsqueeze(1) * powers.exp();
   return torch::stack({angles.sin(), angles.cos()}, 2).view({frames, 1, width});
 }
 
-/// Trajectron++'s encoder of histories and MID's transformer, which says what of a future is noise.
+/// Trajectron++'s encoder of histories and MID's transformer, which predicts the noise in a future.
 struct Denoiser : nn::Module {
   Denoiser(const MidOptions& options, long future_frames) : options(options) {
     const auto recurrent = [&](long from) {
@@ -133,8 +135,8 @@ struct Denoiser : nn::Module {
     frame_numbers = register_buffer("frame_numbers", frameNumbers(future_frames, width));
   }
 
-  /// [N, 2 encoder + 6], once for any number of denoising steps. Trajectron++ weighs kinds of
-  /// neighbours by attention; of the one kind here the weight is 1, and it is left out.
+  /// Returns the context [N, 2 encoder + 6], computed once for all denoising steps. Trajectron++'s
+  /// attention over classes of neighbours is omitted, because there is only one class here.
   Tensor contextOf(const Drivers& drivers) {
     const auto last = [&](nn::LSTM& encoder, const Tensor& states) {
       return torch::dropout(std::get<0>(encoder(states)).select(1, states.size(1) - 1),
@@ -146,17 +148,17 @@ struct Denoiser : nn::Module {
                       1);
   }
 
-  /// The noise in `noised` [F, N, 2] after steps of `beta` [N, 1]; frames that `unknown` [N, F]
-  /// has are not looked at. MID tells the beta as it is, at most 0.05, which the net hardly sees:
-  /// in shares of the last one, as here, it learns faster.
+  /// Returns the predicted noise in `noised` [F, N, 2] at diffusion steps with `beta` [N, 1];
+  /// frames set in `unknown` [N, F] are ignored. The input is beta divided by the last beta; MID
+  /// uses beta itself, at most 0.05, with which training is slower.
   Tensor noiseIn(const Tensor& noised, const Tensor& beta, const Tensor& context,
                  const Tensor& unknown) {
     const Tensor share = beta / options.beta_last;
-    const Tensor told = torch::cat({share, share.sin(), share.cos(), context}, 1);
-    const Tensor tokens = torch::dropout(input->forward(noised, told) + frame_numbers,
+    const Tensor inputs = torch::cat({share, share.sin(), share.cos(), context}, 1);
+    const Tensor tokens = torch::dropout(input->forward(noised, inputs) + frame_numbers,
                                          options.dropout, is_training());
     const Tensor seen = transformer(tokens, Tensor(), unknown);
-    return output_3->forward(output_2->forward(output_1->forward(seen, told), told), told);
+    return output_3->forward(output_2->forward(output_1->forward(seen, inputs), inputs), inputs);
   }
 
   MidOptions options;
@@ -187,8 +189,7 @@ class Mid : public TrafficGenerator {
     const Tensor drawn = denoised(drivers, noise).transpose(0, 1);  // [N, F, 2]
     if (!drawn.isfinite().all().item<bool>()) {
       throw std::runtime_error(
-          "the diffusion of c_mid leaves the finite numbers: its weights are "
-          "broken");
+          "the diffusion of c_mid returns values that are not finite: its weights are damaged");
     }
     const Tensor velocities = drivers.velocity + options_.target_scale * drawn;
     const Tensor driven = kFrameInterval * turned(velocities, drivers.pose.select(1, 2));
@@ -208,8 +209,8 @@ class Mid : public TrafficGenerator {
     const Tensor loss = lossOn(batch);
     if (!loss.isfinite().item<bool>()) {
       throw std::runtime_error(
-          "the loss of c_mid leaves the finite numbers: its learning_rate is "
-          "too large, or its input is broken");
+          "the loss of c_mid is not finite: its learning_rate is too large or its input is "
+          "damaged");
     }
     optimizer_.zero_grad();
     loss.backward();
@@ -227,7 +228,7 @@ class Mid : public TrafficGenerator {
   void loadTraining(torch::serialize::InputArchive& archive) override { optimizer_.load(archive); }
 
  private:
-  /// [F, N, 2] drawn by DDIM, or by DDPM where no step of the diffusion is left out.
+  /// Returns samples [F, N, 2], drawn by DDIM, or by DDPM if no step of the diffusion is skipped.
   Tensor denoised(const Drivers& drivers, torch::Generator& noise) const {
     const Tensor context = denoiser_->contextOf(drivers);
     const long agents = drivers.rows.size(0);
@@ -246,7 +247,8 @@ class Mid : public TrafficGenerator {
     return noised;
   }
 
-  /// From step t to an earlier one without drawing (Song et al. 2021, arXiv 2010.02502, eta 0).
+  /// Denoises deterministically from step t to an earlier one (Song et al. 2021, arXiv 2010.02502,
+  /// eta 0).
   Tensor byDdim(const Tensor& noised, const Tensor& found, int t, int earlier) const {
     const double from = schedule_.alpha_bar[static_cast<std::size_t>(t)];
     const double to = schedule_.alpha_bar[static_cast<std::size_t>(earlier)];
@@ -254,7 +256,7 @@ class Mid : public TrafficGenerator {
     return std::sqrt(to) * signal + std::sqrt(1.0 - to) * found;
   }
 
-  /// The mean of step t - 1 (Ho et al. 2020, arXiv 2006.11239).
+  /// Returns the mean at step t - 1 (Ho et al. 2020, arXiv 2006.11239).
   Tensor byDdpm(const Tensor& noised, const Tensor& found, int t) const {
     const auto at = static_cast<std::size_t>(t);
     const double beta = schedule_.beta[at];
@@ -262,16 +264,16 @@ class Mid : public TrafficGenerator {
            std::sqrt(1.0 - beta);
   }
 
-  /// The standard deviation around that mean.
+  /// Returns the standard deviation around that mean.
   double spreadAt(int t) const {
     const auto at = static_cast<std::size_t>(t);
     return std::sqrt(schedule_.beta[at] * (1.0 - schedule_.alpha_bar[at - 1]) /
                      (1.0 - schedule_.alpha_bar[at]));
   }
 
-  /// [F, N, 2] what is diffused: how far the velocities that came are from that of now, in the
-  /// agent's frame. MID diffuses the velocities themselves, unscaled: of cars their mean would be
-  /// lost, as the last step of the diffusion leaves some of it where drawing starts from none.
+  /// Returns the diffused quantity [F, N, 2]: future velocities minus the velocity at t0, in the
+  /// agent's frame. MID diffuses the unscaled velocities. For cars this loses their mean: some of
+  /// it is left in the last step of the diffusion, while sampling starts from zero mean.
   Tensor targetOf(const TrafficBatch& batch, const Drivers& drivers) const {
     const Tensor places = batch.poses.slice(2, traffic().history_frames - 1).slice(3, 0, 2);
     const Tensor came = (places.diff(1, 2) / kFrameInterval).flatten(0, 1);
@@ -279,9 +281,9 @@ class Mid : public TrafficGenerator {
     return ((own - drivers.velocity) / options_.target_scale).transpose(0, 1);
   }
 
-  /// Mean squared error of the noise that is found, at a step of the diffusion drawn for each
-  /// agent, over everybody who is there. That the attacker counts more is ours: the others, most
-  /// of whom just drive on, are many.
+  /// Returns the mean squared error of the predicted noise over all present agents, at a random
+  /// diffusion step for each. The higher weight of the attacker is our addition, because most other
+  /// agents just continue.
   Tensor lossOn(const TrafficBatch& batch) {
     const int now = traffic().history_frames - 1;
     const TrafficBatch history = historyOf(batch, now + 1);

@@ -7,20 +7,19 @@
 
 namespace forge {
 
-/// How much noise each step of a diffusion adds, and what is left of the signal after it.
+/// The noise schedule of a diffusion model.
 struct NoiseSchedule {
-  std::vector<double> beta;       ///< of step t at index t; 0 at index 0, the signal itself
+  std::vector<double> beta;       ///< noise variance of step t at index t; 0 at index 0
   std::vector<double> alpha_bar;  ///< product of 1 - beta up to step t; 1 at index 0
 };
 
-/// Betas at equal distances from `beta_first` to `beta_last`.
+/// Returns a schedule with betas linearly spaced from `beta_first` to `beta_last`.
 NoiseSchedule noiseSchedule(const MidOptions& options);
 
-/// C-MID: MID (Gu et al., CVPR 2022, arXiv 2203.13777), a diffusion model of futures, with the
-/// request's type and time beside what its denoiser sees (arXiv 2510.12206, Sec. 4). What is
-/// simplified or left to choose is named in the source. Predicts with the dropout of its network's
-/// mode; made in that of evaluation. Throws std::runtime_error where the diffusion leaves the
-/// finite numbers.
+/// Creates C-MID: MID (Gu et al., CVPR 2022, arXiv 2203.13777), a diffusion model of futures, with
+/// the request's type and time as additional input of the denoiser (arXiv 2510.12206, Sec. 4). The
+/// .cpp lists deviations. Created in evaluation mode; in training mode predict() applies dropout.
+/// predict() throws std::runtime_error for values that are not finite.
 std::shared_ptr<TrafficGenerator> makeMid(const MidOptions& options, const TrafficOptions& traffic,
                                           torch::Device device);
 

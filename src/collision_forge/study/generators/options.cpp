@@ -6,8 +6,8 @@
 
 namespace forge {
 
-// Weights of earlier versions also hold numbers of training, which no longer have a key and are
-// ignored: a trained model does not depend on them.
+// Weight files of earlier versions also contain training options that no longer are keys. They are
+// ignored, because a trained model does not depend on them.
 
 static void readOptions(Section& section, TrafficLaneOptions& options) {
   options.reach = section.positive("reach");
@@ -52,11 +52,11 @@ static void readOptions(Section& section, MidOptions& options) {
   options.layers = section.count("layers", 1, kMaxModelCount);
   options.heads = section.count("heads", 1, kMaxModelCount);
   if (options.width % 4 != 0 || options.width % options.heads != 0) {
-    section.refuse("width", "is no multiple of 4 and of heads");
+    section.refuse("width", "is not a multiple of 4 and of heads");
   }
   options.feed_forward = section.count("feed_forward", 1, kMaxModelWidth);
   options.diffusion_steps = section.count("diffusion_steps", 1, kMaxModelSteps);
-  constexpr double kLeastBeta = 1e-6;  // with none at all a step divides by 0
+  constexpr double kLeastBeta = 1e-6;  // above 0, because steps divide by it
   constexpr double kMostBeta = 0.999;
   options.beta_first = section.within("beta_first", kLeastBeta, kMostBeta);
   options.beta_last = section.within("beta_last", options.beta_first, kMostBeta);

@@ -7,158 +7,159 @@ namespace forge {
 
 class Section;
 
-// What a model may be made with, in config/ and in a file of weights alike.
-inline constexpr int kMaxModelWidth = 1024;   ///< of a layer
-inline constexpr int kMaxModelCount = 256;    ///< of frames, agents, lanes, points, layers, samples
-inline constexpr int kMaxModelSteps = 10000;  ///< of a search, of diffusion
+// Upper limits of the sizes of models, in config/ and in weight files.
+inline constexpr int kMaxModelWidth = 1024;   ///< width of a layer
+inline constexpr int kMaxModelCount = 256;    ///< frames, agents, lanes, points, layers, samples
+inline constexpr int kMaxModelSteps = 10000;  ///< steps of a search or a diffusion
 
-/// config/study/generators.yaml, section lanes, where each number's unit stands.
+/// config/study/generators.yaml, section lanes: the lane input of a model.
 struct TrafficLaneOptions {
-  double reach = 0.0;
-  int max_lanes = 0;  ///< 0: a model that sees none
-  int points = 0;
-  double spacing = 0.0;
+  double reach = 0.0;    ///< m around ego and attacker at t0
+  int max_lanes = 0;     ///< maximum number of lane pieces; 0: the model ignores lanes
+  int points = 0;        ///< points per piece
+  double spacing = 0.0;  ///< m between points
 };
 
-/// config/study/generators.yaml, section traffic, where each number's unit stands.
+/// config/study/generators.yaml, section traffic: the agent input of a model, at 2 Hz.
 struct TrafficOptions {
-  int history_frames = 0;  ///< of PredictionOptions; the last one is now
-  int future_frames = 0;
-  int max_agents = 0;
-  double min_motion = 0.0;
-  double min_step = 0.0;
+  int history_frames = 0;   ///< PredictionOptions::history_frames; the last frame is t0
+  int future_frames = 0;    ///< frames per prediction
+  int max_agents = 0;       ///< including ego and attacker
+  double min_motion = 0.0;  ///< m over the history; other agents with less motion are omitted
+  double min_step = 0.0;    ///< m per frame; below it headings are kept
   TrafficLaneOptions lanes;
 };
 
-/// config/study/generators.yaml, section c_sgan, where the unit and source of each of its keys
-/// stand; "there" is Social-GAN (Gupta et al. 2018), scripts/run_traj.sh.
+/// config/study/generators.yaml, section c_sgan. "Original": Social-GAN (Gupta et al. 2018),
+/// scripts/run_traj.sh. Integers without comment are layer widths.
 struct SocialGanOptions {
   int epochs = 0;
-  int batch = 0;
+  int batch = 0;  ///< windows per step
   double learning_rate = 0.0;
-  double max_gradient = 1.5;  ///< norm, of the generator
+  double max_gradient = 1.5;  ///< norm, generator only
   int embedding = 0;
   int encoder = 0;
   int decoder = 0;
   int pooled = 0;
   int pooling_layer = 0;
   int context_layer = 0;
-  int noise = 0;
+  int noise = 0;  ///< numbers of noise, below `decoder`
   int discriminator = 0;
-  int discriminator_steps = 2;  ///< for one of the generator
-  int variety = 10;             ///< samples, of which the best one of a scene counts
-  double step_scale = 0.0;
-  double position_scale = 0.0;
+  int discriminator_steps = 2;  ///< per step of the generator
+  int variety = 10;             ///< samples per scene; only the best one enters the loss
+  double step_scale = 0.0;      ///< m, unit of steps
+  double position_scale = 0.0;  ///< m, unit of positions
 };
 
-/// config/study/generators.yaml, section c_mid, where the unit and source of each of its keys
-/// stand; "there" is MID (Gu et al. 2022), configs/baseline.yaml.
+/// config/study/generators.yaml, section c_mid. "Original": MID (Gu et al. 2022),
+/// configs/baseline.yaml.
 struct MidOptions {
   int epochs = 0;
-  int batch = 0;
+  int batch = 0;  ///< windows per step
   double learning_rate = 0.0;
-  double attacker_weight = 3.0;  ///< of the attacker's error, as 1 of anybody else's; 1 there
-  int encoder = 0;
-  double encoder_dropout = 0.25;
-  int width = 0;  ///< a multiple of 4 and of `heads`
-  int layers = 0;
-  int heads = 0;
-  int feed_forward = 0;
-  double dropout = 0.1;
+  double attacker_weight = 3.0;   ///< loss weight of the attacker; others have 1; original 1
+  int encoder = 0;                ///< width of the encoded history
+  double encoder_dropout = 0.25;  ///< probability 0..1
+  int width = 0;                  ///< width of a token, a multiple of 4 and of `heads`
+  int layers = 0;                 ///< of the transformer
+  int heads = 0;                  ///< of the attention
+  int feed_forward = 0;           ///< width
+  double dropout = 0.1;           ///< probability 0..1
   int diffusion_steps = 0;
-  double beta_first = 0.0;
-  double beta_last = 0.0;
-  int sampling_steps = 0;  ///< a divisor of `diffusion_steps`
-  double neighbour_reach = 0.0;
-  double position_scale = 0.0;
-  double velocity_scale = 0.0;
-  double acceleration_scale = 0.0;
-  double target_scale = 0.0;
+  double beta_first = 0.0;          ///< noise variance of the first step
+  double beta_last = 0.0;           ///< noise variance of the last step
+  int sampling_steps = 0;           ///< a divisor of `diffusion_steps`
+  double neighbour_reach = 0.0;     ///< m
+  double position_scale = 0.0;      ///< m, unit of positions
+  double velocity_scale = 0.0;      ///< m/s, unit of velocities
+  double acceleration_scale = 0.0;  ///< m/s^2, unit of accelerations
+  double target_scale = 0.0;        ///< m/s, unit of the diffused velocity change
 };
 
-/// config/study/generators.yaml, section c_strive, where the unit and source of each of its keys
-/// stand; "there" is STRIVE (Rempe et al. 2022), configs/train_traffic.cfg.
+/// config/study/generators.yaml, section c_strive. "Original": STRIVE (Rempe et al. 2022),
+/// configs/train_traffic.cfg.
 struct StriveOptions {
   int epochs = 0;
-  int batch = 0;
+  int batch = 0;  ///< windows per step
   double learning_rate = 0.0;
-  double max_gradient = 1.0;  ///< norm; none there
-  int hidden = 0;
-  int feature = 0;
-  int latent = 0;
-  int lane_hidden = 0;
-  int lanes_of_agent = 0;
-  double map_ahead = 0.0;
-  double lane_reach = 0.0;
-  double length = 0.0;
-  double width = 0.0;
-  double position_scale = 0.0;
-  double speed_mean = 0.0;
-  double speed_scale = 0.0;
-  double turn_scale = 0.0;
-  double acceleration_scale = 0.0;
-  double turn_change_scale = 0.0;
-  double noise = 0.01;           ///< of the scaled past in training
-  double attacker_weight = 3.0;  ///< of its reconstruction; 1 there
+  double max_gradient = 1.0;    ///< norm; original: no limit
+  int hidden = 0;               ///< layer width
+  int feature = 0;              ///< width of the features of past and map
+  int latent = 0;               ///< latent numbers per agent
+  int lane_hidden = 0;          ///< layer width of the lane encoder
+  int lanes_of_agent = 0;       ///< nearest lane pieces per agent
+  double map_ahead = 0.0;       ///< m ahead of the agent, reference of "nearest"
+  double lane_reach = 0.0;      ///< m from a lane's centre line beyond which an agent is off lanes
+  double length = 0.0;          ///< m, of all agents
+  double width = 0.0;           ///< m, of all agents
+  double position_scale = 0.0;  ///< m, unit of positions
+  double speed_mean = 0.0;      ///< m/s
+  double speed_scale = 0.0;     ///< m/s, unit of speeds about the mean
+  double turn_scale = 0.0;      ///< rad/s, unit of turn
+  double acceleration_scale = 0.0;  ///< m/s^2, unit of the decoder's acceleration
+  double turn_change_scale = 0.0;   ///< rad/s^2, unit of the decoder's change of turn
+  double noise = 0.01;              ///< on the scaled past in training
+  double attacker_weight = 3.0;     ///< reconstruction weight of the attacker; original 1
   double divergence_weight = 0.004;
-  int divergence_steps = 6000;  ///< in which this weight rises from 0; 20 epochs there
+  int divergence_steps = 6000;  ///< steps in which that weight rises from 0; original 20 epochs
   double overlap_weight = 0.05;
   double off_lanes_weight = 0.1;
 };
 
-/// STRIVE's search in the latent space (configs/adv_gen_*.cfg), for the method strive_optimised.
+/// Options of strive_optimised, STRIVE's search in the latent space (configs/adv_gen_*.cfg).
+/// "Others" are all agents but the attacker.
 struct StriveAttackOptions {
-  int iterations = 200;  ///< at most
-  int hold = 10;         ///< iterations with the crash that end the search; none do there
-  int window = 1;        ///< frames before the time asked for in which the crash may be
+  int iterations = 200;  ///< maximum
+  int hold = 10;         ///< iterations with the collision that end the search; original: none
+  int window = 1;        ///< frames before t0 + TTA in which the collision may come
   double learning_rate = 0.05;
-  double temperature = 1.0;  ///< m, of the nearest frame
+  double temperature = 1.0;  ///< m, of the soft minimum over frames
   double crash_weight = 2.0;
-  double heading_weight = 5.0;  ///< of the relative heading of the type; none there
-  double prior_weight = 1.0;    ///< of all but the attacker
+  double heading_weight = 5.0;  ///< relative heading of the type; original: none
+  double prior_weight = 1.0;    ///< others
   double attacker_prior_weight = 0.005;
-  double stay_weight = 0.5;  ///< of all but the attacker
+  double stay_weight = 0.5;  ///< others
   double attacker_stay_weight = 0.05;
-  double overlap_weight = 20.0;    ///< of all but the ego
-  double off_lanes_weight = 20.0;  ///< of all but the ego
+  double overlap_weight = 20.0;    ///< all agents but the ego
+  double off_lanes_weight = 20.0;  ///< all agents but the ego
 };
 
-/// config/study/network_published.yaml, section network, where the unit and source of each of its
-/// keys stand; "there" is the code released with arXiv 2510.12206.
+/// config/study/network_published.yaml, section network. "Original": the code released with arXiv
+/// 2510.12206. Integers without comment are layer widths.
 struct PublishedNetworkOptions {
   int epochs = 0;
-  int batch = 0;
+  int batch = 0;  ///< clips per step
   double learning_rate = 0.0;
-  int decay_from = 0;
-  int decay_every = 0;
-  double decay = 0.75;   ///< the rate's factor each time, as there
-  double dropout = 0.1;  ///< before the last layers of the heads
+  int decay_from = 0;    ///< steps before the first decay of the learning rate
+  int decay_every = 0;   ///< steps between decays
+  double decay = 0.75;   ///< factor of a decay, original value
+  double dropout = 0.1;  ///< probability 0..1, before the last layers of the heads
   int width = 0;
   int condition = 0;
   int selector = 0;
   int anchor_1 = 0;
   int anchor_2 = 0;
   int anchor_3 = 0;
-  double anchor_scale = 0.0;
-  double place_scale = 0.0;
-  double positive_radius = 0.0;
-  double positive_weight = 28.0;  ///< of a positive anchor, one of another counts 1; 27 to 29 there
+  double anchor_scale = 0.0;      ///< m, unit of anchor positions
+  double place_scale = 0.0;       ///< m, unit of the regressed ego position
+  double positive_radius = 0.0;   ///< m around the ego at the crash; anchors within it are positive
+  double positive_weight = 28.0;  ///< loss weight of positive anchors, others 1; original 27 to 29
   // Weights of the losses, each summed over a clip, then averaged over a batch.
-  double anchors_loss = 0.02;       ///< 0.001 there, of a loss whose logit was a probability
-  double anchor_offset_loss = 0.1;  ///< 0.008 there, over all anchors; here over the positive ones
+  double anchors_loss = 0.02;       ///< original 0.001, for a loss with probabilities as logits
+  double anchor_offset_loss = 0.1;  ///< over positive anchors; original 0.008 over all anchors
   double target_points_loss = 1.0;  ///< not published
   double regression_loss = 0.4;     ///< not published
-  double ego_yaw_loss = 10.0;       ///< as there, like all below
+  double ego_yaw_loss = 10.0;       ///< this and all below: original values
   double attacker_offset_loss = 0.4;
   double attacker_yaw_loss = 20.0;
   double selection_loss = 1.0;
 };
 
-/// config/study/generators.yaml, a member a section, or network_published.yaml, which has the last
-/// one. What a model was made with is kept in its weights.
+/// config/study/generators.yaml, one member per section, or network_published.yaml, which has the
+/// last one. Weight files store the values that their model was made with.
 struct GeneratorOptions {
   TrafficOptions traffic;
-  double validation_share = 0.1;  ///< of the scenes, to find the best epoch
+  double validation_share = 0.1;  ///< share 0..1 of the scenes for the choice of the best epoch
   SocialGanOptions c_sgan;
   MidOptions c_mid;
   StriveOptions c_strive;
@@ -166,23 +167,24 @@ struct GeneratorOptions {
   PublishedNetworkOptions published_network;
 };
 
-/// The models that there are: "c_sgan", "c_mid", "c_strive" and "published_network" with each head.
+/// Returns the names of all models: "c_sgan", "c_mid", "c_strive", and "published_network",
+/// "published_network_target_points", "published_network_regression".
 std::vector<std::string> trafficModelNames();
 
-/// True for the models that read `published_network` of GeneratorOptions.
+/// Returns true for the models that use GeneratorOptions::published_network.
 bool isPublishedNetwork(const std::string& model);
 
-/// The file of config/ that a model's numbers stand in.
+/// Returns the configuration file of a model, relative to config/.
 std::string configFileOf(const std::string& model);
 
-/// The mappings of that file that a model needs.
+/// Returns the sections of that file that a model needs.
 std::vector<std::string> sectionsOf(const std::string& model);
 
-/// All mappings of generators.yaml.
+/// Returns all sections of generators.yaml.
 std::vector<std::string> sectionsOfGenerators();
 
-/// Reads these mappings of a file, which has no others. `history_frames` are those of
-/// PredictionOptions.
+/// Reads the given sections of a file, which must have no others. `history_frames`:
+/// PredictionOptions::history_frames. Throws ConfigError.
 void readOptions(Section& file, GeneratorOptions& options, const std::vector<std::string>& sections,
                  int history_frames);
 

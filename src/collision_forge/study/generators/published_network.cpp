@@ -7,22 +7,21 @@
 #include "collision_forge/study/generators/published_patterns.h"
 #include "collision_forge/study/generators/published_predictor.h"
 
-// Otherwise than in the released code, or chosen where the paper leaves it open:
-// - The ego drives along x. Places are told as shares of the lanes' reach and steps in spacings of
-//   lane points, not in metres.
-// - A polyline is a piece of a lane, not a lane. A vector tells its place, step, yaw, frame and
-//   whether it is in an intersection; traffic control, turns and the polyline's number are left
-//   out.
-// - LayerNorm where the layers of the anchors have BatchNorm there.
-// - The polyline that is joined to an anchor is the one that it lies on. There "the nearest" were
-//   looked for among learned numbers, and an axis was mixed up where there were several.
-// - The score of an anchor is one real logit. There the softmax's probability was taken as one.
-// - Offsets are learned at positive anchors. There they were to be 0 at those judged negative.
-// - The softmax of the selector is learned by cross entropy.
-// - A loss is summed over a clip and averaged over a batch. The weights of the anchors' two losses
-//   are others, as these losses are.
-// - Which side the attacker's heading comes from is that of its place now, as seen from the ego's
-//   predicted box. There it was looked up in the recorded future.
+// Deviations from the released code, and choices that the paper leaves open:
+// - The ego's heading is along x. Positions are in units of the lanes' reach and steps in units of
+//   the spacing of lane points, not in metres.
+// - A polyline is a piece of a lane, not a lane. A vector has position, step, yaw, frame and an
+//   intersection flag; traffic control, turns and the polyline's number are omitted.
+// - The anchor layers use LayerNorm; the released code uses BatchNorm.
+// - The polyline joined to an anchor is the one on which the anchor lies. The released code
+//   searches "the nearest" among learned features and confuses an axis if there are several.
+// - The score of an anchor is a logit. The released code uses the softmax probability as logit.
+// - Offsets are trained at positive anchors. The released code trains them to 0 at negative ones.
+// - The softmax of the selector is trained with cross entropy.
+// - Losses are summed over a clip and averaged over a batch. The weights of the two anchor losses
+//   differ accordingly.
+// - The side of the attacker's heading is the side of its position at t0 relative to the ego's
+//   predicted box. The released code takes it from the recorded future.
 
 namespace forge {
 namespace {
@@ -32,24 +31,24 @@ namespace nn = torch::nn;
 
 Tensor wrapped(const Tensor& angle) { return torch::atan2(torch::sin(angle), torch::cos(angle)); }
 
-/// Vectors [B, 2] turned by `angle` [B].
+/// Returns vectors [B, 2] rotated by `angle` [B].
 Tensor turned(const Tensor& vectors, const Tensor& angle) {
   const Tensor x = vectors.select(1, 0), y = vectors.select(1, 1);
   const Tensor c = torch::cos(angle), s = torch::sin(angle);
   return torch::stack({c * x - s * y, s * x + c * y}, 1);
 }
 
-/// Summed over all but the first dimension, then averaged over the clips; an angle's to 0 as well.
+/// Returns the smooth L1 loss, summed over all dimensions but the first, averaged over the clips.
 Tensor smoothL1(const Tensor& error) {
   return torch::smooth_l1_loss(error, torch::zeros_like(error), torch::Reduction::Sum) /
          error.size(0);
 }
 
-/// What came at the crash, as PublishedTold has it.
+/// The recorded targets at the crash, in the layout of PublishedPrediction.
 struct Truth {
   Tensor ego;           ///< [B, 3]
   Tensor offset;        ///< [B, 2]
-  Tensor attacker_yaw;  ///< [B] with its side
+  Tensor attacker_yaw;  ///< [B] rad, signed
 };
 
 Truth truthOf(const TrafficBatch& batch, int history_frames) {
@@ -64,11 +63,11 @@ Truth truthOf(const TrafficBatch& batch, int history_frames) {
   return {ego, turned((attacker - ego).slice(1, 0, 2), -yaw), wrapped(attacker.select(1, 2) - yaw)};
 }
 
-/// What the heads are told.
+/// The inputs of the heads.
 struct Seen {
   Tensor all;                ///< [B, width] F_final
-  PublishedAnchors anchors;  ///< of the heads that have some
-  Tensor scores;             ///< [N] of the anchors
+  PublishedAnchors anchors;  ///< empty for the regression head
+  Tensor scores;             ///< [N] logits of the anchors
 };
 
 class PublishedNetwork : public TrafficModel {
@@ -87,10 +86,10 @@ class PublishedNetwork : public TrafficModel {
     return {"ego_place", "ego_yaw", "attacker_offset", "attacker_yaw", "selection"};
   }
 
-  /// The three modules learn jointly, by a weighted sum, later ever slower.
+  /// Trains the three modules jointly with a weighted sum of losses and a decaying learning rate.
   std::vector<double> trainStep(const TrafficBatch& batch) override {
     const Truth truth = truthOf(batch, traffic_.history_frames);
-    const Seen seen = look(batch);
+    const Seen seen = encode(batch);
     const std::vector<Tensor> losses = {
         placeLoss(seen, truth),
         options_.ego_yaw_loss *
@@ -104,12 +103,12 @@ class PublishedNetwork : public TrafficModel {
     torch::stack(losses).sum().backward();
     steps_.step();
     ++batches_;
-    std::vector<double> told;
-    for (const Tensor& loss : losses) told.push_back(loss.item<double>());
-    return told;
+    std::vector<double> values;
+    for (const Tensor& loss : losses) values.push_back(loss.item<double>());
+    return values;
   }
 
-  /// The ego's place is judged where one is told.
+  /// The error of the ego's position covers only clips with a predicted position.
   std::vector<std::string> errorNames() const override {
     return {"ego_yaw_deg", "relative_heading_deg", "offset_m", "selection_missed", "ego_m"};
   }
@@ -139,9 +138,10 @@ class PublishedNetwork : public TrafficModel {
   std::unique_ptr<const AttackMethod> method(const std::string& name,
                                              const AttackOptions& options) const override;
 
-  /// Of a batch's histories; on the device of the network, whose module is in eval mode.
-  PublishedTold tell(const TrafficBatch& batch) const {
-    const Seen seen = look(batch);
+  /// Predicts from histories, which must be on the network's device. The module must be in eval
+  /// mode.
+  PublishedPrediction predict(const TrafficBatch& batch) const {
+    const Seen seen = encode(batch);
     const auto [placed, place] = egoPlace(seen);
     return {placed,
             place,
@@ -162,7 +162,7 @@ class PublishedNetwork : public TrafficModel {
 
   bool hasAnchors() const { return patterns_->head != PublishedHead::kRegression; }
 
-  Seen look(const TrafficBatch& batch) const {
+  Seen encode(const TrafficBatch& batch) const {
     const PublishedPieces pieces = piecesOf(batch, traffic_.lanes.reach);
     const Tensor graph = patterns_->graphOf(batch, pieces);
     Seen seen{patterns_->joined(graph.select(1, 0), batch.condition), {}, {}};
@@ -174,7 +174,8 @@ class PublishedNetwork : public TrafficModel {
     return seen;
   }
 
-  /// The best anchor with its offset, or the regression: where there is one, and the places [B, 2].
+  /// Returns a mask of the clips with a predicted ego position, and the positions [B, 2]: the best
+  /// anchor with its offset, or the regression.
   std::pair<Tensor, Tensor> egoPlace(const Seen& seen) const {
     const long clips = seen.all.size(0);
     if (!hasAnchors()) {
@@ -203,7 +204,7 @@ class PublishedNetwork : public TrafficModel {
     return proposalLoss(seen, ego);
   }
 
-  /// The anchors around the ego's place are to be proposed, and to tell where it is from there.
+  /// Returns the losses of anchor scores and of the offsets of positive anchors.
   Tensor proposalLoss(const Seen& seen, const Tensor& ego) const {
     const PublishedAnchors& anchors = seen.anchors;
     const Tensor missing = ego.index({anchors.clip}) - anchors.place;
@@ -212,13 +213,13 @@ class PublishedNetwork : public TrafficModel {
         seen.scores, positive.to(torch::kFloat), {},
         torch::tensor(options_.positive_weight, seen.scores.options()), torch::Reduction::Sum);
     const Tensor which = positive.nonzero().squeeze(1);
-    const Tensor told = patterns_->shifts(anchors.place.index({which}),
-                                          seen.all.index_select(0, anchors.clip.index({which})));
-    const Tensor shifted = (told - missing.index({which})).abs().sum();
+    const Tensor predicted = patterns_->shifts(
+        anchors.place.index({which}), seen.all.index_select(0, anchors.clip.index({which})));
+    const Tensor shifted = (predicted - missing.index({which})).abs().sum();
     return (options_.anchors_loss * scored + options_.anchor_offset_loss * shifted) / ego.size(0);
   }
 
-  /// Of all points the one that is nearest to the ego's place is the right one.
+  /// Returns the classification loss; the target is the point nearest to the true ego position.
   Tensor targetPointLoss(const Seen& seen, const Tensor& ego) const {
     const PublishedAnchors& anchors = seen.anchors;
     const long clips = ego.size(0);
@@ -245,9 +246,9 @@ class PublishedNetwork : public TrafficModel {
 std::vector<ErrorSum> PublishedNetwork::errorsOn(const TrafficBatch& batch,
                                                  torch::Generator) const {
   const Truth truth = truthOf(batch, traffic_.history_frames);
-  const PublishedTold told = tell(batch);
+  const PublishedPrediction predicted = predict(batch);
   const auto attacker = static_cast<long>(kAttackerAgent);
-  const Tensor yaw = relativeYaws(told, batch, traffic_.history_frames).select(1, attacker);
+  const Tensor yaw = relativeYaws(predicted, batch, traffic_.history_frames).select(1, attacker);
   const auto sumOf = [](const Tensor& numbers) {
     return numbers.sum(torch::kFloat64).item<double>();
   };
@@ -255,12 +256,12 @@ std::vector<ErrorSum> PublishedNetwork::errorsOn(const TrafficBatch& batch,
     return sumOf(wrapped(error).abs()) * 180.0 / M_PI;
   };
   const auto count = static_cast<double>(batch.poses.size(0));
-  const Tensor apart = (told.ego_place - truth.ego.slice(1, 0, 2)).norm(2, 1);
-  return {{degrees(told.ego_yaw - truth.ego.select(1, 2)), count},
+  const Tensor apart = (predicted.ego_place - truth.ego.slice(1, 0, 2)).norm(2, 1);
+  return {{degrees(predicted.ego_yaw - truth.ego.select(1, 2)), count},
           {degrees(yaw - truth.attacker_yaw), count},
-          {sumOf((told.offset - truth.offset).norm(2, 1)), count},
-          {sumOf(told.selection.argmax(1) != attacker), count},
-          {sumOf(apart * told.placed), sumOf(told.placed)}};
+          {sumOf((predicted.offset - truth.offset).norm(2, 1)), count},
+          {sumOf(predicted.selection.argmax(1) != attacker), count},
+          {sumOf(apart * predicted.placed), sumOf(predicted.placed)}};
 }
 
 std::unique_ptr<const AttackMethod> PublishedNetwork::method(const std::string&,
@@ -268,7 +269,7 @@ std::unique_ptr<const AttackMethod> PublishedNetwork::method(const std::string&,
   patterns_->eval();
   const auto self = std::static_pointer_cast<const PublishedNetwork>(shared_from_this());
   const auto tell = [self](const TrafficBatch& batch) {
-    return self->tell(movedTo(batch, self->device_));
+    return self->predict(movedTo(batch, self->device_));
   };
   return std::make_unique<PatternQuinticMethod>(
       options, makePublishedPredictor(tell, traffic_, options.prediction));

@@ -7,10 +7,10 @@
 
 namespace forge {
 
-/// The collision-pattern network as published (arXiv 2510.12206, Sec. 3, and its released code):
-/// VectorNet over the ego's history and the lanes, joined with the type and the time; heads for the
-/// ego's place, the attacker's offset and who attacks. Its methods drive one quintic to the
-/// predicted box. What is otherwise than published is named in the source.
+/// Creates the collision-pattern network as published (arXiv 2510.12206, Sec. 3, and its released
+/// code): VectorNet over the ego's history and the lanes, joined with type and time; heads for the
+/// ego's position, the attacker's offset and the choice of the attacker. Its attack methods drive
+/// one quintic to the predicted box. The .cpp lists deviations.
 std::shared_ptr<TrafficModel> makePublishedNetwork(PublishedHead head,
                                                    const PublishedNetworkOptions& options,
                                                    const TrafficOptions& traffic,

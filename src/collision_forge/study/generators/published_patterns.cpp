@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kVectorNumbers = 7;  // of vectorsOf()
 
-/// Kaiming's initial weights, as in the released code.
+/// Returns a linear layer with Kaiming initialisation, as in the released code.
 nn::Linear linear(long from, long to) {
   nn::Linear layer(from, to);
   nn::init::kaiming_normal_(layer->weight);
@@ -23,8 +23,8 @@ nn::Linear linear(long from, long to) {
 
 nn::LayerNorm norm(long width) { return nn::LayerNorm(nn::LayerNormOptions({width})); }
 
-/// A layer on [own, shared], where `shared` is the same along a dimension of size 1: what comes of
-/// it is computed there once.
+/// Applies a layer to the concatenation [own, shared]. `shared` has a dimension of size 1, along
+/// which its part is computed only once.
 Tensor onBoth(nn::Linear& layer, const Tensor& own, const Tensor& shared) {
   const long width = own.size(-1);
   return nn::functional::linear(own, layer->weight.slice(1, 0, width), layer->bias) +
@@ -33,7 +33,7 @@ Tensor onBoth(nn::Linear& layer, const Tensor& own, const Tensor& shared) {
 
 }  // namespace
 
-/// Two layers with a shortcut.
+/// A residual block of two layers.
 struct PublishedBlock : nn::Module {
   PublishedBlock(long from, long to) {
     layer_1 = register_module("layer_1", linear(from, to));
@@ -48,7 +48,7 @@ struct PublishedBlock : nn::Module {
   Tensor forward(const Tensor& input) {
     return finished(layer_1(input), shortcut ? shortcut_norm(shortcut(input)) : input);
   }
-  /// Of [own, shared] as onBoth().
+  /// Applies the block to [own, shared]; see onBoth().
   Tensor forward(const Tensor& own, const Tensor& shared) {
     return finished(onBoth(layer_1, own, shared), shortcut_norm(onBoth(shortcut, own, shared)));
   }
@@ -61,7 +61,7 @@ struct PublishedBlock : nn::Module {
   nn::LayerNorm norm_1{nullptr}, norm_2{nullptr}, shortcut_norm{nullptr};
 };
 
-/// VectorNet's net of a polyline: three blocks, each joined with the most of all its vectors.
+/// VectorNet's polyline subgraph: three blocks, each joined with the maximum over all vectors.
 struct PublishedSubGraph : nn::Module {
   explicit PublishedSubGraph(long width) {
     block_1 = register_module("block_1", std::make_shared<PublishedBlock>(kVectorNumbers, width));
@@ -70,7 +70,7 @@ struct PublishedSubGraph : nn::Module {
     output = register_module("output", linear(2 * width, width));
   }
 
-  /// Vectors [N, V, kVectorNumbers] to polylines [N, width] of length 1.
+  /// Maps vectors [N, V, kVectorNumbers] to polyline features [N, width] of norm 1.
   Tensor forward(const Tensor& vectors) {
     const Tensor first = block_1->forward(vectors);
     const Tensor second = block_2->forward(first, first.amax(1, true));
@@ -188,7 +188,7 @@ Tensor PublishedPatterns::lanePolylines(const PublishedPieces& pieces) {
   const Tensor none = torch::zeros_like(centers.select(2, 0));
   const Tensor vectors =
       vectorsOf(centers, places.diff(1, 1), none, none, pieces.points.select(2, 4).slice(1, 1));
-  // A shorter piece has its first vector more often, which changes nothing in the most of all.
+  // Pads shorter pieces with copies of the first vector, which do not change the maximum.
   const Tensor seen = pieces.seen.slice(1, 1).unsqueeze(2) > 0;
   return polylinesOf(torch::where(seen, vectors, vectors.slice(1, 0, 1)));
 }

@@ -8,74 +8,80 @@
 namespace forge {
 
 inline constexpr int kConditionTypes = kConditionNumbers - 1;
-inline constexpr double kAbsentLogit = -1e9;  ///< of what is not there
+inline constexpr double kAbsentLogit = -1e9;  ///< logit of padding
 
-/// The pieces of lanes near the egos of a batch, all clips' in one list.
+/// The lane pieces near the egos of a batch, of all clips in one list.
 struct PublishedPieces {
   torch::Tensor points;    ///< [N, P, kLaneNumbers]
-  torch::Tensor seen;      ///< [N, P]
-  torch::Tensor clip;      ///< [N] whose
-  torch::Tensor polyline;  ///< [N] from 1 on within the clip; 0 is the ego
+  torch::Tensor seen;      ///< [N, P] 1 for a point, 0 for padding
+  torch::Tensor clip;      ///< [N] index of the clip
+  torch::Tensor polyline;  ///< [N] index within the clip, from 1; 0 is the ego
 };
 
-/// Those that have a point within `reach` of the ego, wherever its attacker is.
+/// Returns the pieces with a point within `reach` (m) of the ego at t0.
 PublishedPieces piecesOf(const TrafficBatch& batch, double reach);
 
-/// Points of lanes where the ego may be at the crash, all clips' in one list, in order of the clip.
+/// Lane points that are candidate positions of the ego at the crash, of all clips in one list,
+/// sorted by clip.
 struct PublishedAnchors {
   torch::Tensor place;   ///< [N, 2] m
-  torch::Tensor clip;    ///< [N] whose
-  torch::Tensor piece;   ///< [N] of PublishedPieces
-  torch::Tensor point;   ///< [N] of the piece
-  torch::Tensor column;  ///< [N] from 0 on within the clip
-  long most = 0;         ///< of one clip, 1 at least
+  torch::Tensor clip;    ///< [N] index of the clip
+  torch::Tensor piece;   ///< [N] index in PublishedPieces
+  torch::Tensor point;   ///< [N] index in the piece
+  torch::Tensor column;  ///< [N] index within the clip, from 0
+  long most = 0;         ///< maximum number of anchors of a clip, at least 1
 
-  /// Numbers [N, ...] of each as [B, most, ...], `none` where there is no anchor.
+  /// Arranges values [N, ...] of the anchors as [B, most, ...], padded with `none`.
   torch::Tensor inRows(const torch::Tensor& numbers, long clips, double none) const;
 };
 
-/// All points but the last one of a full piece, which is the first of the next.
+/// Returns all points of the pieces, without the last point of a full piece, which is the first of
+/// the next piece. `clips`: number of clips B.
 PublishedAnchors anchorsOf(const PublishedPieces& pieces, long clips);
 
 struct PublishedBlock;
 struct PublishedSubGraph;
 
-/// The parts of the published network.
+/// The modules of the published network.
 struct PublishedPatterns : torch::nn::Module {
   PublishedPatterns(PublishedHead head, const PublishedNetworkOptions& options,
                     const TrafficOptions& traffic);
 
-  /// What the two heads with anchors have beside.
+  /// Registers the layers of the two heads with anchors.
   void addAnchorLayers();
-  /// [N, V, kVectorNumbers]: where each step is and how long, [N, V, 2], and what else is told.
+  /// Returns vectors [N, V, kVectorNumbers] from positions `at` and `steps` [N, V, 2] and
+  /// attributes.
   torch::Tensor vectorsOf(const torch::Tensor& at, const torch::Tensor& steps,
                           const torch::Tensor& yaw, const torch::Tensor& frame,
                           const torch::Tensor& intersection) const;
-  /// [N, width + 2] with the least x and y of each.
+  /// Returns polyline features [N, width + 2], with the minimum x and y of each polyline.
   torch::Tensor polylinesOf(const torch::Tensor& vectors);
+  /// Returns the features of the egos' histories [B, width + 2].
   torch::Tensor egoPolylines(const TrafficBatch& batch);
+  /// Returns the features of the lane pieces [N, width + 2].
   torch::Tensor lanePolylines(const PublishedPieces& pieces);
-  /// The global graph: [B, 1 + L, width], the ego and its lanes, each with what it sees in all.
+  /// Returns the output of the global graph [B, 1 + L, width]: self-attention over ego and lanes.
   torch::Tensor graphOf(const TrafficBatch& batch, const PublishedPieces& pieces);
-  /// The paper's F_final [B, width]: scene, type and time, for all heads.
+  /// Returns the paper's F_final [B, width], the joint feature of scene, type and time.
   torch::Tensor joined(const torch::Tensor& ego, const torch::Tensor& condition);
-  /// [N, width] of what an anchor's place says.
+  /// Returns the features [N, width] of the anchors' positions.
   torch::Tensor placesOf(const PublishedAnchors& anchors);
-  /// [N] logits of anchors. Of each piece that they lie on `polylines` and its clip's F_final
-  /// `seen`, [pieces, width].
+  /// Returns the logits [N] of the anchors. `polylines` and `seen` [pieces, width] are the features
+  /// of their pieces and the F_final of their clips.
   torch::Tensor scores(const PublishedAnchors& anchors, const torch::Tensor& polylines,
                        const torch::Tensor& seen);
-  /// [N, 2] m from places to where the ego is rather; `seen` F_final of each.
+  /// Returns the offsets [N, 2] (m) from anchors to the ego. `places`: placesOf(); `seen`: F_final
+  /// of each anchor's clip.
   torch::Tensor shifts(const torch::Tensor& places, const torch::Tensor& seen);
-  /// [B, 2] m, without a lane.
+  /// Returns the ego position [B, 2] (m) of the regression head.
   torch::Tensor regressed(const torch::Tensor& seen);
-  /// [B] rad.
+  /// Returns the ego's yaw [B] at the crash, rad.
   torch::Tensor egoYawOf(const torch::Tensor& seen);
-  /// [B, 2] m, of the attacker in the frame of the ego's box.
+  /// Returns the attacker's position [B, 2] in the frame of the ego's box, m.
   torch::Tensor offsetOf(const torch::Tensor& seen);
-  /// [B] rad, to the ego's yaw, to whichever side.
+  /// Returns the angle [B] between the attacker's and the ego's yaw, rad, without sign.
   torch::Tensor attackerYawOf(const torch::Tensor& seen);
-  /// [B, A] logits.
+  /// Returns the logits [B, A] of the choice of the attacker.
   torch::Tensor selection(const TrafficBatch& batch, const torch::Tensor& seen);
 
   PublishedHead head;

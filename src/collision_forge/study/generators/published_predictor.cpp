@@ -15,24 +15,25 @@ namespace forge {
 
 using torch::Tensor;
 
-Tensor relativeYaws(const PublishedTold& told, const TrafficBatch& batch, int history_frames) {
+Tensor relativeYaws(const PublishedPrediction& predicted, const TrafficBatch& batch,
+                    int history_frames) {
   const Tensor places = batch.poses.select(2, history_frames - 1).slice(2, 0, 2);
-  const Tensor from_ego = places - told.ego_place.unsqueeze(1);
-  const Tensor yaw = told.ego_yaw.unsqueeze(1);
+  const Tensor from_ego = places - predicted.ego_place.unsqueeze(1);
+  const Tensor yaw = predicted.ego_yaw.unsqueeze(1);
   const Tensor left =
       torch::cos(yaw) * from_ego.select(2, 1) - torch::sin(yaw) * from_ego.select(2, 0);
   const Tensor side = torch::where(left > 0.0, -1.0, 1.0);
-  return side * told.attacker_yaw.unsqueeze(1);
+  return side * predicted.attacker_yaw.unsqueeze(1);
 }
 
 namespace {
 
-/// The likeliest first, whom the request allows.
+/// See makePublishedPredictor().
 class PublishedPatternPredictor : public PatternPredictor {
  public:
-  PublishedPatternPredictor(TellPatterns tell, const TrafficOptions& traffic,
+  PublishedPatternPredictor(RunPublishedNetwork run_network, const TrafficOptions& traffic,
                             const PredictionOptions& options)
-      : tell_(std::move(tell)), traffic_(traffic), options_(options) {}
+      : run_network_(std::move(run_network)), traffic_(traffic), options_(options) {}
 
   PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
                             const CollisionRequest& request,
@@ -45,25 +46,26 @@ class PublishedPatternPredictor : public PatternPredictor {
     if (allowed.empty()) {
       prediction.status = {StatusCode::kNoCandidate, "no vehicle within candidate_radius = " +
                                                          numberText(options_.candidate_radius) +
-                                                         " m, seen now and in the frame before"};
+                                                         " m was observed at t0 and in the frame "
+                                                         "before"};
       return prediction;
     }
     const TrafficClip clip = trafficOf(snapshot, allowed.front(), request, traffic_, &lanes);
     const TrafficBatch batch = batchOf({{&clip, traffic_.history_frames - 1}}, traffic_, 0);
     const torch::NoGradGuard no_gradients;
-    const PublishedTold told = tell_(batch);
-    if (!told.placed.item<bool>()) {
+    const PublishedPrediction predicted = run_network_(batch);
+    if (!predicted.placed.item<bool>()) {
       prediction.status = {StatusCode::kRoadDoesNotAllow,
                            "no lane within " + numberText(traffic_.lanes.reach) +
-                               " m of the ego, where the crash could be"};
+                               " m of the ego at t0, on which the network could place the crash"};
       return prediction;
     }
-    fillIn(told, batch, clip, allowed, snapshot, request, prediction);
+    fillIn(predicted, batch, clip, allowed, snapshot, request, prediction);
     return prediction;
   }
 
  private:
-  /// The nearest to the ego first.
+  /// Returns the ids of the vehicles that the request allows, nearest to the ego first.
   std::vector<std::string> allowedBy(const CollisionRequest& request,
                                      const Snapshot& snapshot) const {
     if (request.attacker) return {*request.attacker};
@@ -80,22 +82,24 @@ class PublishedPatternPredictor : public PatternPredictor {
     return ids;
   }
 
-  /// A pattern for each of the allowed whom the network sees.
-  void fillIn(const PublishedTold& told, const TrafficBatch& batch, const TrafficClip& clip,
-              const std::vector<std::string>& allowed, const Snapshot& snapshot,
-              const CollisionRequest& request, PatternPrediction& prediction) const {
-    const Tensor yaws = relativeYaws(told, batch, traffic_.history_frames)[0];
-    const Tensor offset = told.offset[0], place = told.ego_place[0];
+  /// Appends a pattern for each allowed vehicle that is in the network's input.
+  void fillIn(const PublishedPrediction& predicted, const TrafficBatch& batch,
+              const TrafficClip& clip, const std::vector<std::string>& allowed,
+              const Snapshot& snapshot, const CollisionRequest& request,
+              PatternPrediction& prediction) const {
+    const Tensor yaws = relativeYaws(predicted, batch, traffic_.history_frames)[0];
+    const Tensor offset = predicted.offset[0], place = predicted.ego_place[0];
     const auto number = [](const Tensor& tensor) {
       const double found = tensor.item<double>();
       if (!std::isfinite(found)) {
-        throw std::runtime_error("the published network tells a number that is not finite");
+        throw std::runtime_error("the published network returns values that are not finite");
       }
       return found;
     };
     const Pose2 now = estimateMotion(snapshot.ego, options_.motion_frames).pose;
-    const Pose2 ego = compose(now, {number(place[0]), number(place[1]), number(told.ego_yaw[0])});
-    const Tensor order = told.selection[0].argsort(0, true);
+    const Pose2 ego =
+        compose(now, {number(place[0]), number(place[1]), number(predicted.ego_yaw[0])});
+    const Tensor order = predicted.selection[0].argsort(0, true);
     for (long i = 0; i < order.size(0); ++i) {
       const long agent = order[i].item<long>();
       const std::string& id = clip.ids[static_cast<std::size_t>(agent)];
@@ -112,17 +116,17 @@ class PublishedPatternPredictor : public PatternPredictor {
     }
   }
 
-  TellPatterns tell_;
+  RunPublishedNetwork run_network_;
   TrafficOptions traffic_;
   PredictionOptions options_;
 };
 
 }  // namespace
 
-std::shared_ptr<const PatternPredictor> makePublishedPredictor(TellPatterns tell,
+std::shared_ptr<const PatternPredictor> makePublishedPredictor(RunPublishedNetwork run_network,
                                                                const TrafficOptions& traffic,
                                                                const PredictionOptions& options) {
-  return std::make_shared<PublishedPatternPredictor>(std::move(tell), traffic, options);
+  return std::make_shared<PublishedPatternPredictor>(std::move(run_network), traffic, options);
 }
 
 }  // namespace forge

@@ -9,28 +9,28 @@
 
 namespace forge {
 
-/// What the network tells of B clips with A agents. Lengths in m, angles in rad; ego's frame at
-/// now.
-struct PublishedTold {
-  torch::Tensor placed;        ///< [B] false: there are no anchors, and the place means nothing
-  torch::Tensor ego_place;     ///< [B, 2] at the crash
+/// The output of the published network for B clips with A agents: poses at the crash in the ego's
+/// frame at t0, in m and rad.
+struct PublishedPrediction {
+  torch::Tensor placed;        ///< [B] false: no anchors, so `ego_place` is undefined
+  torch::Tensor ego_place;     ///< [B, 2] position of the ego
   torch::Tensor ego_yaw;       ///< [B]
-  torch::Tensor offset;        ///< [B, 2] of the attacker, in the frame of the ego's box then
-  torch::Tensor attacker_yaw;  ///< [B] how far it is turned from the ego's, to whichever side
-  torch::Tensor selection;     ///< [B, A] logits; that of nobody and of the ego is kAbsentLogit
+  torch::Tensor offset;        ///< [B, 2] attacker's position in the frame of the ego's box
+  torch::Tensor attacker_yaw;  ///< [B] angle between attacker's and ego's yaw, without sign
+  torch::Tensor selection;     ///< [B, A] logits of the attacker; padding and ego: kAbsentLogit
 };
 
-/// [B, A] the yaw of each agent relative to the ego's, if it is the attacker: one that comes from
-/// the left is turned to the right.
-torch::Tensor relativeYaws(const PublishedTold& told, const TrafficBatch& batch,
+/// Returns the signed yaw [B, A] of each agent relative to the ego, assuming it is the attacker: an
+/// attacker from the left is turned to the right.
+torch::Tensor relativeYaws(const PublishedPrediction& predicted, const TrafficBatch& batch,
                            int history_frames);
 
-/// What a batch of one clip is answered with; from many threads.
-using TellPatterns = std::function<PublishedTold(const TrafficBatch&)>;
+/// Runs the network on a batch of one clip. Called from several threads.
+using RunPublishedNetwork = std::function<PublishedPrediction(const TrafficBatch&)>;
 
-/// A pattern for each vehicle that the request allows, the likeliest first. The ego's place is
-/// always the network's, in replay mode too.
-std::shared_ptr<const PatternPredictor> makePublishedPredictor(TellPatterns tell,
+/// Creates a predictor that returns one pattern per vehicle that the request allows, most likely
+/// first. The ego's position is always the network's, even in replay mode.
+std::shared_ptr<const PatternPredictor> makePublishedPredictor(RunPublishedNetwork run_network,
                                                                const TrafficOptions& traffic,
                                                                const PredictionOptions& options);
 

@@ -9,11 +9,11 @@ namespace {
 using torch::Tensor;
 namespace nn = torch::nn;
 
-// Labels that the discriminator is told, drawn anew for every batch (Social-GAN's code).
+// Ranges of the labels for the discriminator, drawn anew for each batch (Social-GAN's code).
 constexpr double kRealLabel[] = {0.7, 1.2};
 constexpr double kFakeLabel[] = {0.0, 0.3};
 
-/// Kaiming's initial weights, as in Social-GAN's code.
+/// Returns a linear layer with Kaiming initialisation, as in Social-GAN's code.
 nn::Linear linear(long from, long to) {
   nn::Linear layer(from, to);
   nn::init::kaiming_normal_(layer->weight);
@@ -24,14 +24,15 @@ nn::LSTM recurrent(long from, long to) {
   return nn::LSTM(nn::LSTMOptions(from, to).batch_first(true));
 }
 
-/// [B, A, T, 2]: where each frame is from the one before, in units of `scale`; the first one 0.
+/// Returns the steps between successive frames [B, A, T, 2] in units of `scale` (m); the first is
+/// 0.
 Tensor stepsOf(const Tensor& poses, double scale) {
   const Tensor places = poses.slice(3, 0, 2);
   const Tensor first = torch::zeros_like(places.slice(2, 0, 1));
   return torch::cat({first, places.diff(1, 2)}, 2) / scale;
 }
 
-/// The last output of a recurrent net over each agent's steps: [B, A, T, 2] to [B, A, H].
+/// Returns the last output of an LSTM over each agent's steps: [B, A, T, 2] to [B, A, H].
 Tensor lastOutput(nn::Linear& embedding, nn::LSTM& net, const Tensor& steps) {
   const Tensor flat = embedding(steps).flatten(0, 1);
   const Tensor last = std::get<0>(net(flat)).select(1, flat.size(1) - 1);
@@ -58,7 +59,7 @@ struct Driver : nn::Module {
     output = register_module("output", linear(options.decoder, 2));
   }
 
-  /// [B, A, P]: for each agent the most that the net sees in any of the others and itself.
+  /// Returns the pooled feature [B, A, P]: the maximum over all agents, as seen from each agent.
   Tensor pooled(const Tensor& hidden, const Tensor& places, const Tensor& there) {
     const Tensor relative = places.unsqueeze(1) - places.unsqueeze(2);               // [B, i, j, 2]
     const Tensor others = hidden.unsqueeze(1).expand({-1, hidden.size(1), -1, -1});  // [B, i, j, H]
@@ -67,7 +68,7 @@ struct Driver : nn::Module {
     return (judged * there.unsqueeze(1).unsqueeze(3)).amax(2);  // ReLU is never below 0
   }
 
-  /// [B, A, decoder - noise], once for any number of samples.
+  /// Returns the context [B, A, decoder - noise], computed once for all samples.
   Tensor contextOf(const TrafficBatch& history) {
     const Tensor hidden =
         lastOutput(encoder_embedding, encoder, stepsOf(history.poses, options.step_scale));
@@ -78,7 +79,8 @@ struct Driver : nn::Module {
     return torch::relu(context_2(torch::relu(context_1(all))));
   }
 
-  /// The next steps [B, A, F, 2] in units of step_scale; `noise` [B, noise], shared by a scene.
+  /// Predicts the next steps [B, A, F, 2] in units of step_scale; `noise` [B, noise] is shared by
+  /// all agents of a scene.
   Tensor decode(const Tensor& context, Tensor step, const Tensor& condition, const Tensor& noise) {
     const long agents = context.size(1);
     const auto ofEach = [&](const Tensor& of_scene) {
@@ -106,7 +108,7 @@ struct Driver : nn::Module {
   nn::LSTMCell decoder{nullptr};
 };
 
-/// The paper's discriminator: is a way of twelve frames a recorded one?
+/// The paper's discriminator: scores whether a path of twelve frames is recorded.
 struct Judge : nn::Module {
   explicit Judge(const SocialGanOptions& options) {
     embedding = register_module("embedding", linear(2, options.embedding));
@@ -115,7 +117,8 @@ struct Judge : nn::Module {
     score_2 = register_module("score_2", linear(options.discriminator, 1));
   }
 
-  /// [B, A]. Social-GAN's code has a ReLU here, whose gradient is 0 once all scores are; left out.
+  /// Returns the scores [B, A]. Omits the final ReLU of Social-GAN's code, whose gradient vanishes
+  /// once all scores are 0.
   Tensor forward(const Tensor& steps) {
     const Tensor hidden = torch::relu(score_1(lastOutput(embedding, encoder, steps)));
     return score_2(hidden).squeeze(2);
@@ -202,13 +205,13 @@ class SocialGan : public TrafficGenerator {
     return torch::randn({scenes, options_.noise}, torch::device(device_));
   }
 
-  /// [B, A] `label` for who is there, between the two numbers; one draw a batch.
+  /// Returns a label for all scores [B, A], drawn from the range once per batch.
   static Tensor labels(const Tensor& scores, const double (&range)[2]) {
     const double drawn = torch::rand({1}).item<double>();
     return torch::full_like(scores, range[0] + (range[1] - range[0]) * drawn);
   }
 
-  /// Cross entropy over the agents that `there` counts.
+  /// Returns the cross entropy over the agents set in `there`.
   static Tensor judged(const Tensor& scores, const double (&range)[2], const Tensor& there) {
     return torch::binary_cross_entropy_with_logits(scores, labels(scores, range), there, {},
                                                    torch::Reduction::Sum) /
@@ -219,8 +222,8 @@ class SocialGan : public TrafficGenerator {
     return historyOf(batch, traffic().history_frames);
   }
 
-  /// History and the steps that are driven, for the discriminator.
-  Tensor wholeWay(const TrafficBatch& history, const Tensor& driven) const {
+  /// Joins the history and the predicted steps for the discriminator.
+  Tensor fullMotion(const TrafficBatch& history, const Tensor& driven) const {
     return torch::cat({stepsOf(history.poses, options_.step_scale), driven}, 2);
   }
 
@@ -236,17 +239,17 @@ class SocialGan : public TrafficGenerator {
     judge_steps_.zero_grad();
     const Tensor loss =
         judged(judge_->forward(stepsOf(batch.poses, options_.step_scale)), kRealLabel, there) +
-        judged(judge_->forward(wholeWay(history, driven)), kFakeLabel, there);
+        judged(judge_->forward(fullMotion(history, driven)), kFakeLabel, there);
     loss.backward();
     judge_steps_.step();
     return loss.item<double>();
   }
 
-  /// The variety loss and the adversarial one.
+  /// Trains one step of the generator. Returns the variety loss and the adversarial loss.
   std::pair<double, double> trainDriver(const TrafficBatch& batch) {
     const TrafficBatch history = historyIn(batch);
     const long scenes = batch.poses.size(0);
-    const Tensor known =  // [B, A, F]: the step's both ends are seen, and all history
+    const Tensor known =  // [B, A, F]: both ends of the step and the whole history are observed
         seenThroughout(history, traffic().history_frames).unsqueeze(2) *
         batch.seen.slice(2, traffic().history_frames - 1, -1) *
         batch.seen.slice(2, traffic().history_frames);
@@ -264,7 +267,7 @@ class SocialGan : public TrafficGenerator {
     const Tensor best = torch::stack(errors).amin(0);
     const Tensor variety = (best / known.sum({1, 2}).clamp_min(1.0)).sum();
     const Tensor adversarial =
-        judged(judge_->forward(wholeWay(history, driven)), kRealLabel, there);
+        judged(judge_->forward(fullMotion(history, driven)), kRealLabel, there);
     (variety + adversarial).backward();
     nn::utils::clip_grad_norm_(driver_->parameters(), options_.max_gradient);
     driver_steps_.step();

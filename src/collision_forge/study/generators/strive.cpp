@@ -5,14 +5,14 @@
 #include "collision_forge/study/generators/strive_attack.h"
 #include "collision_forge/study/generators/strive_network.h"
 
-// Otherwise than STRIVE, whose frames are 4 and 12 here 8 and 4:
-// - The map is the nearest pieces of lanes as an agent sees them now, and not an image around each
-//   pose that it drives to. So "off the road" is "far from the middle of every lane".
-// - Agents that were not seen throughout the history are left out. All are of one size and class.
-// - Overlaps of the ego and the attacker cost nothing, as they are what is asked for.
-// - The attacker counts more than others, as it alone is altered in the clips.
-// - Adam's rate is far above the published one, and steps are as many fewer.
-// The request's type and time are told to the decoder alone (arXiv 2510.12206, Sec. 4).
+// Deviations from STRIVE, which has 4 frames of history and 12 of future instead of 8 and 4:
+// - The map input is the nearest lane pieces at t0, not an image around each predicted pose. So
+//   "off the road" means "far from the centre line of every lane".
+// - Agents that are not observed in the whole history are omitted. All have one size and class.
+// - Overlaps of ego and attacker are not penalised, because they are requested.
+// - The attacker has a higher weight, because only its motion is altered in the clips.
+// - The learning rate is far higher, with correspondingly fewer steps. Type and time of the request
+//   are input of the decoder only (arXiv 2510.12206, Sec. 4).
 
 namespace forge {
 namespace {
@@ -23,14 +23,14 @@ Tensor drawn(const StriveLatent& latent, const Tensor& noise) {
   return latent.mean + (0.5 * latent.log_variance).exp() * noise;
 }
 
-/// Of the first from the second, summed over the numbers of each agent.
+/// Returns the KL divergence of `from` from `to`, summed over the latent numbers of each agent.
 Tensor divergence(const StriveLatent& from, const StriveLatent& to) {
   const Tensor apart = (from.mean - to.mean).pow(2) + from.log_variance.exp();
   return 0.5 *
          (to.log_variance - from.log_variance + apart / to.log_variance.exp() - 1.0).sum(1).mean();
 }
 
-/// Mean over what `counted` counts.
+/// Returns the mean weighted by `counted`.
 Tensor meanOf(const Tensor& numbers, const Tensor& counted) {
   return (numbers * counted).sum() / counted.sum().clamp_min(1.0);
 }
@@ -68,11 +68,11 @@ class Strive : public TrafficGenerator {
     const StriveScene scene = network_->encode(history);
     const StriveLatent prior = network_->prior(scene);
     const StriveLatent posterior = network_->posterior(scene, batch);
-    const Tensor told = drive(scene, posterior);
+    const Tensor reconstructed = drive(scene, posterior);
     const Tensor free = drive(scene, prior);
-    const Tensor reconstruction = reconstructionOf(scene, batch, told);
+    const Tensor reconstruction = reconstructionOf(scene, batch, reconstructed);
     const Tensor kl = divergence(posterior, prior);
-    const Tensor overlap = strangersOverlap(scene, free);
+    const Tensor overlap = overlapOfOthers(scene, free);
     const Tensor off_lanes = egoOffLanes(scene, history, free);
     const double ramp = std::min(1.0, static_cast<double>(++steps_) / options_.divergence_steps);
     const Tensor loss = reconstruction + ramp * options_.divergence_weight * kl +
@@ -117,7 +117,7 @@ class Strive : public TrafficGenerator {
                            traffic().future_frames);
   }
 
-  /// -log of a normal density of places and headings, but for a constant.
+  /// Returns the negative log of a normal density of positions and headings, up to a constant.
   Tensor reconstructionOf(const StriveScene& scene, const TrafficBatch& batch,
                           const Tensor& driven) const {
     const Tensor came =
@@ -132,8 +132,8 @@ class Strive : public TrafficGenerator {
     return meanOf(far, seen * (1.0 + (options_.attacker_weight - 1.0) * is_attacker));
   }
 
-  /// Of pairs but that of the ego and the attacker.
-  Tensor strangersOverlap(const StriveScene& scene, const Tensor& driven) const {
+  /// Returns the mean overlap of all pairs of agents except ego and attacker.
+  Tensor overlapOfOthers(const StriveScene& scene, const Tensor& driven) const {
     const Tensor apart = overlapOf(scene, driven, options_);
     const Tensor last =
         scene.agent.index_select(0, scene.to).maximum(scene.agent.index_select(0, scene.from));

@@ -9,21 +9,23 @@
 #include "collision_forge/attack/search/driven_answer.h"
 #include "collision_forge/study/generators/generator_method.h"
 
-// Otherwise than STRIVE:
-// - The attacker is known, so that it alone comes near the ego and all others stay as they were.
-// - It comes near at the frame of the request's time, give or take `window`, with the heading of
-//   the request's type; STRIVE asks for neither.
-// - The search starts at the mean of what may come, as no attack was recorded.
-// - The ego is as recorded, or in history mode as the model expects it; no planner drives it.
-// - One decoding a step serves the ego, who is put where it is, and all others.
-// - "Off the road" is "far from the middle of every lane", as in training.
+// Deviations from STRIVE:
+// - The attacker is given; only it approaches the ego, all other agents keep their motion.
+// - It approaches at the frame of the request's time, at most `window` frames earlier, with the
+//   relative heading of the requested type; STRIVE constrains neither.
+// - The search starts at the mean of the prior, because no attack was recorded.
+// - The ego follows the recording, or in history mode the model's expectation; no planner drives
+//   it.
+// - One decoding per iteration serves the ego, which is set to its given poses, and all other
+//   agents.
+// - "Off the road" means "far from the centre line of every lane", as in training.
 
 namespace forge {
 namespace {
 
 using torch::Tensor;
 
-/// One search: what it is about and what it costs to drive somewhere.
+/// One optimisation of the latent numbers, with its costs.
 class LatentSearch {
  public:
   LatentSearch(StriveNetwork& network, const StriveOptions& model,
@@ -37,14 +39,14 @@ class LatentSearch {
     is_ego_ = (scene_.agent == static_cast<long>(kEgoAgent)).to(prior_.mean.options());
   }
 
-  /// The ego's poses [1, frames, 3] as the model expects them.
+  /// Returns the ego's poses [1, frames, 3] for the mean of the prior.
   Tensor expectedEgo(long frames) const {
     const torch::NoGradGuard no_gradients;
     return network_.drive(scene_, prior_.mean, frames).slice(0, kEgoAgent, kEgoAgent + 1);
   }
 
-  /// The poses [N, frames, 3] that were found; agents in the order of the batch. `heading` is the
-  /// attacker's to the ego's.
+  /// Returns the optimised poses [N, frames, 3], agents in the order of the batch. `heading`:
+  /// requested relative heading of attacker and ego, rad.
   Tensor find(const Tensor& ego, double heading) {
     Tensor latent = prior_.mean.clone().set_requires_grad(true);
     torch::optim::Adam adam({latent}, torch::optim::AdamOptions(attack_.learning_rate));
@@ -63,7 +65,7 @@ class LatentSearch {
  private:
   long firstFrame(long frames) const { return std::max(0L, frames - 1 - attack_.window); }
 
-  /// Ego and attacker touch at the time asked for, and not before.
+  /// Returns true if ego and attacker touch in the frames of the requested time and not before.
   bool isCrash(const Tensor& poses) const {
     const torch::NoGradGuard no_gradients;
     const Tensor deep = overlapOf(scene_, poses, model_);
@@ -74,7 +76,8 @@ class LatentSearch {
     return touch.slice(0, first).any().item<bool>() && !touch.slice(0, 0, first).any().item<bool>();
   }
 
-  /// How far the crash is from what is asked for, who touches whom, and who leaves the road.
+  /// Returns the costs of the distance to the requested collision, of overlaps and of leaving
+  /// lanes.
   Tensor costOf(const Tensor& poses, double heading) const {
     const long first = firstFrame(poses.size(1));
     const Tensor ego = poses.select(0, kEgoAgent).slice(0, first);
@@ -93,7 +96,7 @@ class LatentSearch {
            attack_.off_lanes_weight * meanOfPositive(beyond);
   }
 
-  /// How unlikely the latent numbers are, and how far from where the search began.
+  /// Returns the costs of unlikely latent numbers and of their distance from the start.
   Tensor costOf(const Tensor& latent) const {
     const Tensor apart = (latent - prior_.mean).pow(2);
     const Tensor unlikely = 0.5 * (apart / prior_.log_variance.exp()).sum(1);
@@ -117,7 +120,7 @@ class LatentSearch {
   Tensor is_attacker_, is_ego_;
 };
 
-/// The ego's recorded poses at the frames after now, in its frame of now; [1, frames, 3].
+/// Returns the ego's recorded poses [1, frames, 3] after t0, in its frame at t0.
 Tensor recordedEgo(const Future& recorded, const Pose2& ego, double now, double frame_time,
                    long frames) {
   const Tensor poses = torch::zeros({1, frames, 3});
@@ -153,7 +156,7 @@ class StriveAttack : public AttackMethod {
   }
 
  private:
-  /// Adds the attacker's frames up to the crash.
+  /// Appends the attacker's frames up to the crash.
   void drive(const Moment& moment, const CollisionRequest& request, const Pose2& ego,
              TrafficClip& clip) const {
     const int now = traffic_.history_frames - 1;
@@ -169,7 +172,7 @@ class StriveAttack : public AttackMethod {
     const double heading = (from_left ? -1.0 : 1.0) * request.bands().nominal_heading;
     const Tensor found = search.find(path, heading).contiguous();
     if (!found.isfinite().all().item<bool>()) {
-      throw std::runtime_error("the search of strive_optimised leaves the finite numbers");
+      throw std::runtime_error("the search of strive_optimised returns values that are not finite");
     }
     const auto poses = found.accessor<float, 3>();
     attacker.resize(static_cast<std::size_t>(now) + 1);

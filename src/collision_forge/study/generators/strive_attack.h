@@ -8,11 +8,11 @@
 
 namespace forge {
 
-/// STRIVE's search for a collision in the latent space of its traffic model (Rempe et al., CVPR
-/// 2022, arXiv 2112.05077, Sec. 3.2), of the attacker asked for, at the time and with the relative
-/// heading asked for. What is otherwise is named in the source. Without an attacker in the request
-/// as bestOfCandidates(). No random numbers are drawn. The method throws std::runtime_error where
-/// the search leaves the finite numbers.
+/// Creates the method strive_optimised: STRIVE's search for a collision in the latent space of its
+/// traffic model (Rempe et al., CVPR 2022, arXiv 2112.05077, Sec. 3.2), with the requested
+/// attacker, TTA and relative heading. For a request without attacker, tries all candidates; see
+/// bestOfCandidates(). Deterministic. The method throws std::runtime_error for values that are not
+/// finite. The .cpp lists deviations.
 std::unique_ptr<const AttackMethod> makeStriveAttack(std::shared_ptr<StriveNetwork> network,
                                                      const StriveOptions& model,
                                                      const StriveAttackOptions& attack,

@@ -7,7 +7,7 @@ namespace forge {
 using torch::Tensor;
 namespace nn = torch::nn;
 
-/// The paper's MLP: layers with LayerNorm and ReLU before each but the first one.
+/// The paper's MLP: linear layers with LayerNorm and ReLU in between.
 struct StriveMlp : nn::Module {
   explicit StriveMlp(const std::vector<long>& sizes) {
     for (std::size_t i = 0; i + 1 < sizes.size(); ++i) {
@@ -29,11 +29,12 @@ namespace {
 
 constexpr double kMostTurn = 2.0 * M_PI;    // rad/s (STRIVE's code)
 constexpr double kMostSpeed = 50.0;         // m/s (STRIVE's code)
-constexpr double kLeastTurningSpeed = 2.0;  // m/s; below it yaw rates of recordings are noise
+constexpr double kLeastTurningSpeed = 2.0;  // m/s; below it recorded yaw rates are noise
 constexpr int kDiscs = 5;                   // along a box (STRIVE, supplement)
-constexpr double kFar = 1e6;                // m; where there is no lane
+constexpr double kFar = 1e6;                // m, distance of missing lane points
 
-/// Poses as seen from others [..., 3]: x, y in units of `scale`, cos and sin of the yaw.
+/// Returns poses relative to `origin` [..., 3]: x, y in units of `scale` (m), cos and sin of the
+/// yaw.
 Tensor seenFrom(const Tensor& origin, const Tensor& poses, double scale) {
   const Tensor cos = origin.select(-1, 2).cos();
   const Tensor sin = origin.select(-1, 2).sin();
@@ -44,21 +45,21 @@ Tensor seenFrom(const Tensor& origin, const Tensor& poses, double scale) {
       {(cos * dx + sin * dy) / scale, (cos * dy - sin * dx) / scale, turn.cos(), turn.sin()}, -1);
 }
 
-/// Differences of angles, in (-pi, pi].
+/// Normalises angles to (-pi, pi].
 Tensor wrapped(const Tensor& angles) { return torch::atan2(angles.sin(), angles.cos()); }
 
-/// Rows of [B, A, ...] of the scene's agents.
+/// Selects the rows of the scene's agents from [B, A, ...].
 Tensor rowsOf(const Tensor& numbers, const StriveScene& scene) {
   return numbers.index({scene.window, scene.agent});
 }
 
-/// What a bicycle drives in a frame.
+/// The state of a kinematic bicycle in a frame.
 struct Bicycle {
   Tensor pose;   ///< [N, 3]
   Tensor speed;  ///< [N] m/s
   Tensor turn;   ///< [N] rad/s
 
-  /// The paper's kinematic bicycle; it drives with the heading and speed at the frame's end.
+  /// Returns the state after one frame (the paper's model, with heading and speed at its end).
   Bicycle driven(const Tensor& acceleration, const Tensor& turn_change, double length) const {
     const Tensor next_turn = (turn + turn_change * kFrameInterval).clamp(-kMostTurn, kMostTurn);
     const Tensor yaw = pose.select(1, 2) + kFrameInterval / length * speed.abs() * next_turn;
@@ -71,9 +72,9 @@ struct Bicycle {
 
 }  // namespace
 
-/// The paper's graph net: one round of messages over all pairs, of which each agent takes the
-/// largest numbers. The first layer of a message is a sum of what each of the two agents and their
-/// relative pose give to it, so that agents are gone through once and not once a pair.
+/// The paper's graph network: one round of messages over all pairs with maximum aggregation. The
+/// first layer of a message is a sum over the two agents and their relative pose, so the agents'
+/// parts are computed once per agent instead of once per pair.
 struct StriveGraphNet : nn::Module {
   StriveGraphNet(long input, long hidden, long message, long output, double scale)
       : message_size(message), scale(scale) {
@@ -92,7 +93,7 @@ struct StriveGraphNet : nn::Module {
     say = mlp("say", {message, hidden, hidden, output});
   }
 
-  /// [E, message]
+  /// Returns the messages [E, message].
   Tensor messages(const StriveScene& scene, const Tensor& nodes, const Tensor& poses) {
     const Tensor way =
         seenFrom(poses.index_select(0, scene.to), poses.index_select(0, scene.from), scale);
@@ -101,7 +102,7 @@ struct StriveGraphNet : nn::Module {
     return (*tell)(torch::relu(norm(first)));
   }
 
-  /// [N, message]: the largest numbers that each agent is told; 0 where it is alone.
+  /// Returns the maximum [N, message] over the messages to each agent; 0 without any.
   static Tensor largestOf(const Tensor& messages, const StriveScene& scene) {
     const long agents = scene.window.size(0);
     const long most = scene.place.max().item<long>() + 1;
@@ -151,7 +152,7 @@ StriveNetwork::StriveNetwork(const StriveOptions& options, const TrafficOptions&
 
 StriveNetwork::~StriveNetwork() = default;
 
-/// [N, T * 6]: places and headings seen from `origin` [N, 3], speeds and turns; scaled.
+/// Returns [N, T * 6]: poses relative to `origin` [N, 3], speeds and turns, scaled.
 Tensor StriveNetwork::motionFeature(const Tensor& poses, const Tensor& origin) {
   const Tensor seen = seenFrom(origin.unsqueeze(1), poses, options_.position_scale);
   const Tensor steps = poses.slice(2, 0, 2).diff(1, 1) / kFrameInterval;
@@ -178,7 +179,7 @@ StriveScene StriveNetwork::encode(const TrafficBatch& history) {
   const Tensor pairs = together.triu(1).logical_or(together.tril(-1)).nonzero();
   scene.to = pairs.select(1, 0);
   scene.from = pairs.select(1, 1);
-  const Tensor before = together.tril(-1).sum(1);  // agents of the window that come before
+  const Tensor before = together.tril(-1).sum(1);  // number of earlier agents of the window
   scene.place = before.index_select(0, scene.from);
   const Tensor poses = rowsOf(history.poses, scene);
   scene.pose = poses.select(1, now);
@@ -195,7 +196,7 @@ StriveScene StriveNetwork::encode(const TrafficBatch& history) {
   return scene;
 }
 
-/// The pieces of lanes nearest to a place ahead of each agent, as the agent sees them.
+/// Encodes the lane pieces nearest to a point ahead of each agent, in the agent's frame.
 Tensor StriveNetwork::mapFeature(const TrafficBatch& history, const StriveScene& scene) {
   const long count = std::min<long>(history.lanes.size(1), options_.lanes_of_agent);
   if (count == 0) return torch::zeros_like(scene.past);

@@ -6,23 +6,23 @@
 
 namespace forge {
 
-/// The agents of a batch that were seen throughout the history: N of them, window after window,
-/// with E pairs of two of one window. Poses in the frame of the batch.
+/// The N agents of a batch that are observed in the whole history, window by window, with E ordered
+/// pairs of agents of the same window (graph edges). Poses in the frame of the batch.
 struct StriveScene {
-  torch::Tensor window;     ///< [N] of the batch
-  torch::Tensor agent;      ///< [N] index in that window
-  torch::Tensor to;         ///< [E] who is told
-  torch::Tensor from;       ///< [E] about whom
-  torch::Tensor place;      ///< [E] of whom it is about among the agents of the window
-  torch::Tensor pose;       ///< [N, 3] now
-  torch::Tensor speed;      ///< [N] m/s now
-  torch::Tensor turn;       ///< [N] the bicycle's turn now, rad/s: yaw rate * length / speed
+  torch::Tensor window;     ///< [N] index of the window in the batch
+  torch::Tensor agent;      ///< [N] index of the agent in that window
+  torch::Tensor to;         ///< [E] receiving agent
+  torch::Tensor from;       ///< [E] sending agent
+  torch::Tensor place;      ///< [E] position of the sender among the agents of the window
+  torch::Tensor pose;       ///< [N, 3] at t0, m and rad
+  torch::Tensor speed;      ///< [N] m/s at t0
+  torch::Tensor turn;       ///< [N] rad/s at t0, state of the bicycle: yaw rate * length / speed
   torch::Tensor past;       ///< [N, feature]
   torch::Tensor map;        ///< [N, feature]
-  torch::Tensor condition;  ///< [N, 6]
+  torch::Tensor condition;  ///< [N, 6], as in TrafficBatch
 };
 
-/// A normal distribution of independent numbers, [N, latent] both.
+/// A normal distribution with independent components; both tensors [N, latent].
 struct StriveLatent {
   torch::Tensor mean;
   torch::Tensor log_variance;
@@ -31,21 +31,22 @@ struct StriveLatent {
 struct StriveMlp;
 struct StriveGraphNet;
 
-/// The nets of STRIVE's traffic model (Rempe et al., CVPR 2022, arXiv 2112.05077, Sec. 3.1 and
+/// The networks of STRIVE's traffic model (Rempe et al., CVPR 2022, arXiv 2112.05077, Sec. 3.1 and
 /// supplement).
 class StriveNetwork : public torch::nn::Module {
  public:
   StriveNetwork(const StriveOptions& options, const TrafficOptions& traffic);
   ~StriveNetwork() override;
 
-  /// Of a batch of histories.
+  /// Encodes a batch of histories.
   StriveScene encode(const TrafficBatch& history);
-  /// What may come, told from the past.
+  /// Returns the distribution of the latent given the history.
   StriveLatent prior(const StriveScene& scene);
-  /// The same told from what came: `future` as of the batch, with its frames of history.
+  /// Returns the distribution of the latent given history and future. `future`: the batch of
+  /// `scene` with history and future frames.
   StriveLatent posterior(const StriveScene& scene, const TrafficBatch& future);
-  /// The poses [N, frames, 3] that follow from `latent` [N, latent]. Where `ego` [B, frames, 3] is
-  /// defined, each window's ego is put there, and the others see it so.
+  /// Decodes `latent` [N, latent] to poses [N, frames, 3]. If `ego` [B, frames, 3] is defined, the
+  /// ego of each window follows it, and the other agents react to that motion.
   torch::Tensor drive(const StriveScene& scene, const torch::Tensor& latent, long frames,
                       const torch::Tensor& ego = {});
 
@@ -60,13 +61,14 @@ class StriveNetwork : public torch::nn::Module {
   torch::nn::GRU memory_{nullptr};
 };
 
-/// [E, frames]: how deep two agents of a pair are in each other, as discs along their boxes: 0
-/// apart, 1 where the middles of two discs meet. Poses [N, frames, 3].
+/// Returns the overlap [E, frames] of the pairs of agents, approximated by discs along their boxes:
+/// 0 if apart, 1 if the centres of two discs coincide. `poses`: [N, frames, 3].
 torch::Tensor overlapOf(const StriveScene& scene, const torch::Tensor& poses,
                         const StriveOptions& options);
 
-/// [N, frames]: m that the poses [N, frames, 3] of agents of the windows [N] are beyond `reach`
-/// from all middles of lanes; 0 where no lane is known.
+/// Returns how far (m, [N, frames]) the poses [N, frames, 3] are beyond `reach` (m) from the
+/// nearest lane centre line; 0 without lanes. `window` [N]: index of each agent's window in the
+/// batch.
 torch::Tensor beyondLanes(const torch::Tensor& window, const TrafficBatch& batch,
                           const torch::Tensor& poses, double reach);
 

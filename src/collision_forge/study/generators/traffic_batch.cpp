@@ -12,7 +12,7 @@ std::size_t mostAgents(const std::vector<TrafficWindow>& windows) {
   return most;
 }
 
-/// Lanes near the ego or the attacker at each window's now.
+/// Adds the lanes near ego or attacker at t0 of each window.
 void addLanes(const std::vector<TrafficWindow>& windows, const TrafficLaneOptions& options,
               TrafficBatch& batch) {
   std::vector<std::vector<const TrafficLane*>> nearest;

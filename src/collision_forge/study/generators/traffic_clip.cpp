@@ -19,7 +19,7 @@ AgentFrames framesOf(const Track& track, const std::vector<double>& times) {
   return frames;
 }
 
-/// The same with every frame before the first one as if the agent had come straight.
+/// Returns the frames of a track, extended by straight motion before its first observation.
 AgentFrames fullFramesOf(const Track& track, const std::vector<double>& times) {
   AgentFrames frames = framesOf(track, times);
   const AgentState& first = track.states.front();
@@ -30,7 +30,7 @@ AgentFrames fullFramesOf(const Track& track, const std::vector<double>& times) {
   return frames;
 }
 
-/// m between where an agent was first and last seen up to frame `now`.
+/// Returns the distance (m) between the first and last observed position up to frame `now`.
 double motionUpTo(const AgentFrames& frames, std::size_t now) {
   const auto seen = std::find_if(frames.begin(), frames.end(), [](const auto& f) { return f; });
   return ((*seen)->position() - frames[now]->position()).norm();
@@ -41,7 +41,7 @@ struct Mover {
   AgentFrames frames;
 };
 
-/// Others that are there at frame `now` and moved, the nearest to the ego first.
+/// Returns the other agents that are observed at frame `now` and moved, nearest to the ego first.
 std::vector<Mover> moversOf(const std::vector<Track>& agents, const std::string& attacker,
                             const std::vector<double>& times, const Vector2& ego,
                             const TrafficOptions& options) {
@@ -62,7 +62,7 @@ std::vector<Mover> moversOf(const std::vector<Track>& agents, const std::string&
   return movers;
 }
 
-/// Fills in agents and lanes; all in the frame of the ego at the newest known frame.
+/// Fills in agents and lanes, in the frame of the ego at t0.
 void fillIn(const Track& ego, const std::vector<Track>& agents, const std::string& attacker,
             const std::vector<double>& times, const TrafficOptions& options, const LaneIndex* lanes,
             TrafficClip& clip) {

@@ -13,32 +13,32 @@
 
 namespace forge {
 
-/// Frames in the order of time; empty where an agent is not seen.
+/// The poses of an agent by frame, ascending in time; empty if it is not observed.
 using AgentFrames = std::vector<std::optional<Pose2>>;
 
-/// What a generator sees of a moment, or learns from: frames at about 2 Hz, the newest known one at
-/// index history_frames - 1. Frame of the ego now.
+/// Input or training example of a traffic model: frames at about 2 Hz, t0 at index history_frames -
+/// 1. Coordinates are in the frame of the ego at t0.
 struct TrafficClip {
-  std::string scene;
+  std::string scene;  ///< name
   CollisionType type = CollisionType::kRearEnd;
   int collision_frame = 0;          ///< index of the frame of the crash
-  std::vector<AgentFrames> agents;  ///< the ego, the attacker, then others that move, nearest first
-  std::vector<TrafficLane> lanes;   ///< around the ego and the attacker now
-  std::vector<std::string> ids;     ///< of the agents
+  std::vector<AgentFrames> agents;  ///< ego, attacker, then other moving agents, nearest first
+  std::vector<TrafficLane> lanes;   ///< around ego and attacker at t0
+  std::vector<std::string> ids;     ///< ids of the agents
 };
 
-inline constexpr std::size_t kEgoAgent = 0;
-inline constexpr std::size_t kAttackerAgent = 1;
+inline constexpr std::size_t kEgoAgent = 0;       ///< index of the ego in TrafficClip::agents
+inline constexpr std::size_t kAttackerAgent = 1;  ///< index of the attacker
 
-/// All frames of a clip of COLLIDE. The attacker's history is not that of the file, which gives its
-/// future away: it came straight at the speed of now (toScene()). None are seen where
-/// `lanes` is null.
+/// Converts all frames of a COLLIDE clip. Replaces the attacker's history by straight motion at the
+/// speed at t0 (toScene()), because the history in the file reveals its future. `lanes` may be
+/// null: the result then has no lanes.
 TrafficClip trafficOf(const CollideClip& clip, const CollideOptions& collide,
                       const TrafficOptions& options, const LaneIndex* lanes);
 
-/// The history of a snapshot, the crash at the frame nearest to the request's TTA. An ego or
-/// attacker that was not seen so long came straight at its first speed. Throws
-/// std::invalid_argument for an attacker that is not in the snapshot.
+/// Converts the history of a snapshot; the crash is at the frame nearest to the request's TTA. If
+/// the history of ego or attacker is too short, extends it by straight motion at its first speed.
+/// Throws std::invalid_argument if the attacker is not in the snapshot.
 TrafficClip trafficOf(const Snapshot& snapshot, const std::string& attacker,
                       const CollisionRequest& request, const TrafficOptions& options,
                       const LaneIndex* lanes);

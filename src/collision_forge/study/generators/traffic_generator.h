@@ -4,24 +4,25 @@
 
 namespace forge {
 
-/// A learned model of how traffic drives on for a few frames, given a collision type and the time
-/// to it.
+/// A learned model that predicts the motion of all agents for a few frames, given a collision type
+/// and the remaining time. Thread-safe.
 class TrafficGenerator : public TrafficModel {
  public:
   explicit TrafficGenerator(const TrafficOptions& traffic) : traffic_(traffic) {}
 
-  /// Poses [B, A, future_frames, 3] that follow a batch of histories, in its frame; those of agents
-  /// that were not seen throughout mean nothing. The same `noise` gives the same poses.
+  /// Predicts poses [B, A, future_frames, 3] in the frame of the batch. Poses of agents that are
+  /// not observed in the whole history are undefined. Deterministic for a given state of `noise`.
+  /// Called by rollOut() once per iteration, from several threads.
   virtual torch::Tensor predict(const TrafficBatch& history, torch::Generator noise) const = 0;
 
-  /// The mean distance between what is driven and what came over one iteration: of the attacker,
-  /// then of everybody.
+  /// The errors are mean displacements (m) over one prediction: of the attacker, then of all
+  /// agents.
   std::vector<std::string> errorNames() const override;
   std::vector<ErrorSum> errorsOn(const TrafficBatch& batch, torch::Generator noise) const override;
 
   const TrafficOptions& traffic() const override { return traffic_; }
 
-  /// GeneratorMethod, whatever the name.
+  /// Returns a GeneratorMethod for any name.
   std::unique_ptr<const AttackMethod> method(const std::string& name,
                                              const AttackOptions& options) const override;
 
@@ -29,8 +30,8 @@ class TrafficGenerator : public TrafficModel {
   TrafficOptions traffic_;
 };
 
-/// Yaws [B, A, T] along steps [B, A, T, 2] in m, from `yaw` [B, A] on; kept in steps shorter than
-/// `min_step`.
+/// Returns the yaws [B, A, T] along steps [B, A, T, 2] (m), starting with `yaw` [B, A]; steps
+/// shorter than `min_step` (m) keep the previous yaw.
 torch::Tensor yawsAlong(const torch::Tensor& steps, torch::Tensor yaw, double min_step);
 
 }  // namespace forge

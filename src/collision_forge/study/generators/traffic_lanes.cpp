@@ -19,7 +19,7 @@ double distanceTo(const TrafficLane& lane, const std::vector<Vector2>& places) {
   return nearest;
 }
 
-/// A lane in pieces; a rest of less than half a step is left out.
+/// Splits a lane into pieces; omits a remainder of less than half the spacing.
 std::vector<TrafficLane> piecesOf(const Polyline& line, bool is_intersection,
                                   const TrafficLaneOptions& options) {
   const int steps = std::max(1, static_cast<int>(std::lround(line.length() / options.spacing)));

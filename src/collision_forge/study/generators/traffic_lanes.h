@@ -9,17 +9,18 @@ namespace forge {
 
 /// A piece of a lane's centreline, in driving direction.
 struct TrafficLane {
-  std::vector<Pose2> points;     ///< two at least, TrafficLaneOptions::spacing apart
-  bool is_intersection = false;  ///< a connector, or in a road segment that is one
+  std::vector<Pose2> points;     ///< at least two, TrafficLaneOptions::spacing apart
+  bool is_intersection = false;  ///< a connector, or in a road segment that is an intersection
 };
 
-/// The lanes that come within `options.reach` of one of the places, in pieces of `options.points`
-/// points; the last point of a piece is the first one of the next. Frame of `origin`, the places
-/// and it in the map's. None where `options.max_lanes` is 0.
+/// Returns the lanes within `options.reach` of one of `places`, in pieces of `options.points`
+/// points; the last point of a piece is the first of the next. `places` and `origin` are in the map
+/// frame, the result is in the frame of `origin`. Empty if `options.max_lanes` is 0.
 std::vector<TrafficLane> lanesAround(const std::vector<Vector2>& places, const Pose2& origin,
                                      const LaneIndex& lanes, const TrafficLaneOptions& options);
 
-/// The pieces nearest to one of the places, `most` at most, nearest first. All in one frame.
+/// Returns at most `most` pieces, sorted by their distance to the nearest of `places`. `lanes` and
+/// `places` must be in the same frame.
 std::vector<const TrafficLane*> nearestLanes(const std::vector<TrafficLane>& lanes,
                                              const std::vector<Vector2>& places, int most);
 

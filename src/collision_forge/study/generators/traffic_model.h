@@ -10,46 +10,52 @@
 
 namespace forge {
 
-/// An error summed over what it counts.
+/// A sum of errors with the number of summands.
 struct ErrorSum {
   double sum = 0.0;
   double count = 0.0;
 };
 
-/// A model of the literature that learns from clips: what its training, its file and its methods
-/// need. The const members may be called from many threads, training from one.
+/// Interface of a learned baseline from the literature, trained on clips. The training run, the
+/// weight file and the attack methods use it. Const members are called from several threads, the
+/// others from one.
 class TrafficModel : public std::enable_shared_from_this<TrafficModel> {
  public:
   virtual ~TrafficModel() = default;
 
-  /// What trainStep() tells, in this order.
+  /// Returns the names of the losses of trainStep(), in its order.
   virtual std::vector<std::string> lossNames() const = 0;
-  /// One step of training on a batch with its future; NaN for a loss that this step does not have.
+  /// Trains one step on a batch with future frames. Called by the training run for each batch.
+  /// Returns the losses, NaN for a loss that this step does not compute. May throw
+  /// std::runtime_error, which ends the training.
   virtual std::vector<double> trainStep(const TrafficBatch& batch) = 0;
 
-  /// What errorsOn() tells, in this order, with the unit at the end; the last one chooses the best
-  /// epoch.
+  /// Returns the names of the errors of errorsOn(), in its order, with the unit at the end. The
+  /// last one selects the best epoch.
   virtual std::vector<std::string> errorNames() const = 0;
+  /// Computes the errors on a batch with future frames. Called after each epoch on validation data,
+  /// with the network in eval mode. Must not change the model.
   virtual std::vector<ErrorSum> errorsOn(const TrafficBatch& batch,
                                          torch::Generator noise) const = 0;
 
+  /// Return the number of epochs of a complete training, and of windows (clips) per batch.
   virtual int epochs() const = 0;
   virtual int batchSize() const = 0;
-  /// What its clips and batches are made with.
+  /// Returns the options with which clips and batches for this model must be made.
   virtual const TrafficOptions& traffic() const = 0;
 
-  /// What is learned.
+  /// Returns the module with all trainable weights.
   virtual std::shared_ptr<torch::nn::Module> network() const = 0;
-  /// The rest of what going on with training takes.
+  /// Save and restore the training state besides the weights, e.g. of optimizers.
   virtual void saveTraining(torch::serialize::OutputArchive& archive) const = 0;
   virtual void loadTraining(torch::serialize::InputArchive& archive) = 0;
 
-  /// One of the methods that live on this model, by its name.
+  /// Returns the attack method `name` based on this model. The method keeps the model alive.
   virtual std::unique_ptr<const AttackMethod> method(const std::string& name,
                                                      const AttackOptions& options) const = 0;
 };
 
-/// A source of random numbers of its own.
+/// Returns a new CPU random number generator with the given seed.
 torch::Generator noiseOf(std::uint64_t seed);
 
 }  // namespace forge

@@ -10,20 +10,20 @@
 
 namespace forge {
 
-/// The numbers of the product and of its study: all files of config/.
+/// The configuration of the product and of its study: all files of config/.
 struct StudyConfig : LearningOptions {
   SpeedModelFitOptions speed_model_fit;
   DatasetOptions dataset;
   GeneratorOptions generators;
-  GeneratorOptions published_network;  ///< of network_published.yaml
+  GeneratorOptions published_network;  ///< from network_published.yaml
 };
 
-/// loadConfig() and the files of config/study/. Throws ConfigError for a missing, unknown or
-/// malformed key.
+/// Reads the files of loadConfig() and of config/study/. Throws ConfigError for a missing, unknown
+/// or malformed key.
 StudyConfig loadStudyConfig(const ConfigFolder& folder);
 
-/// The fingerprints of the study's files that its results depend on; those of training are
-/// described by the run itself.
+/// Returns the fingerprints of the files of config/study/ that results of evaluations depend on,
+/// without the training configurations, which describeRun() records.
 std::map<std::string, std::string> studyFingerprints(const ConfigFolder& folder);
 
 }  // namespace forge

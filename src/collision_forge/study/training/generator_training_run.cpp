@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kErrorBatch = 256;
 
-/// The clips of a run's splits, in the order of their paths, but for those of `left_out` scenes.
+/// Reads the clips of a run's splits, in the order of their paths, without the scenes `left_out`.
 std::vector<TrafficClip> collectTraffic(const TrainingRun& run, const TrafficOptions& traffic,
                                         const std::set<std::string>& left_out) {
   std::vector<std::string> paths;
@@ -61,7 +61,10 @@ class GeneratorTrainer {
     for (const std::size_t i : split.training) append(windowsOf(clips[i], traffic()), training_);
     for (const std::size_t i : split.validation)
       append(windowsOf(clips[i], traffic()), validation_);
-    if (training_.empty()) throw TrainingError("there is nothing to train on");
+    if (training_.empty()) {
+      throw TrainingError(
+          "no training samples: the splits have no clip outside the left-out scenes");
+    }
     if (validation_.empty()) validation_ = training_;
   }
 
@@ -73,8 +76,7 @@ class GeneratorTrainer {
     const int first = epoch;
     int stop = model_->epochs();
     if (run_.stop_after > 0) stop = std::min(stop, run_.stop_after);
-    std::cout << training_.size() << " windows, and " << validation_.size()
-              << " to tell the best epoch\n";
+    std::cout << training_.size() << " windows, and " << validation_.size() << " for validation\n";
     while (epoch < stop) {
       const auto show = [&](double share) {
         progress.show(
@@ -105,7 +107,7 @@ class GeneratorTrainer {
     return names;
   }
 
-  /// Columns of the errors on validation.
+  /// Returns the columns with the validation errors.
   std::vector<std::string> curves() const {
     std::vector<std::string> found;
     for (const std::string& name : model_->errorNames()) found.push_back("validation_" + name);
@@ -117,7 +119,7 @@ class GeneratorTrainer {
     readGenerator(statePath(run_), *model_, true);
   }
 
-  /// Means of the losses over the steps that have them.
+  /// Trains one epoch. Returns the mean of each loss over the steps that compute it.
   std::vector<double> trainEpoch(int epoch, const std::function<void(double)>& show) {
     const std::uint64_t seed = run_.seed * 1000003 + static_cast<std::uint64_t>(epoch) + 1;
     torch::manual_seed(seed);
@@ -179,7 +181,7 @@ class GeneratorTrainer {
 
 void trainGenerator(const TrainingRun& run) {
   if (run.sources.collide.empty()) {
-    throw TrainingError("a generator is trained on clips: --collide");
+    throw TrainingError("--generator needs clips to train on: give --collide");
   }
   const std::set<std::string> left_out = leftOutScenes(run);
   const std::string file = configFileOf(run.generator);

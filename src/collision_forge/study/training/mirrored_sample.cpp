@@ -11,7 +11,7 @@ void negate(RowMatrix& rows, std::initializer_list<Eigen::Index> columns) {
 
 AnchorFeatures mirroredAnchors(AnchorFeatures features) {
   negate(features.poses, {1, 3});
-  negate(features.groups, {8, 9, 15, 16, 17, 18, 19, 20});  // sideways place and heading, bends
+  negate(features.groups, {8, 9, 15, 16, 17, 18, 19, 20});  // lateral position, heading, bends
   const bool on_ways = features.arc_lengths.size() > 0;
   if (on_ways) {
     negate(features.anchors, {10, 11});

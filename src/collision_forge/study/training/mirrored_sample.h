@@ -4,11 +4,12 @@
 
 namespace forge {
 
-// The world in a mirror along the ego's x axis: left becomes right. Mirrored twice is the same.
+// Return the argument mirrored at the ego's x axis: left and right are exchanged. Applying them
+// twice returns the original.
 
 SceneFeatures mirrored(SceneFeatures features);
 TimedSample mirrored(TimedSample sample);
-/// The type stays: do not mirror left turns.
+/// Keeps the collision type, so `attack` must not be a left turn (ltap).
 AttackSample mirrored(AttackSample attack);
 Pose2 mirrored(const Pose2& pose);
 

@@ -5,59 +5,54 @@
 
 namespace forge {
 
-/// config/study/training.yaml, section training, where each number's unit stands.
+/// config/study/training.yaml, section training. A sample is a moment of a recording or of a clip.
 struct TrainingOptions {
   int epochs = 0;
-  int batch = 0;
-  int times = 0;
+  int batch = 0;  ///< samples per step
+  int times = 0;  ///< prediction times per sample
   double learning_rate = 0.0;
   double weight_decay = 0.01;
-  double dropout = 0.0;
-  /// Share of the moments that are learnt from without other agents and lanes
-  double context_dropout = 0.4;
-  double max_gradient = 5.0;    ///< norm
-  double heading_weight = 5.0;  ///< of the losses over that of the ego's place
-  double offset_weight = 3.0;
-  double selection_weight = 0.3;
-  double clip_weight = 2.0;  ///< of the impact of a clip over another instant
-  /// Of moments whose other agents lose their history, as those of clips do
-  double hidden_history_share = 0.3;
-  /// Of moments that are learnt from in a mirror, left and right exchanged; left turns of clips
-  /// never
-  double mirrored_share = 0.5;
-  double validation_share = 0.0;
-  double max_tta = 0.0;  ///< of PredictionOptions
-  double min_vehicle_speed = 0.0;
-  double vehicle_stride = 1.0;  ///< s between the moments of a vehicle
-  /// m at 1 s: deviation of where a candidate's attack is thought to end
-  double noise_along = 0.3;
-  double noise_along_exponent = 1.4;  ///< of the TTA
-  double noise_across = 0.1;          ///< m/s
+  double dropout = 0.0;               ///< probability 0..1
+  double context_dropout = 0.4;       ///< probability 0..1 to drop all other agents and lanes
+  double max_gradient = 5.0;          ///< norm
+  double heading_weight = 5.0;        ///< loss weight; the loss of the ego position has 1
+  double offset_weight = 3.0;         ///< loss weight
+  double selection_weight = 0.3;      ///< loss weight
+  double clip_weight = 2.0;           ///< weight of the impact of a clip; other times have 1
+  double hidden_history_share = 0.3;  ///< share 0..1 of samples without history of other agents
+  double mirrored_share = 0.5;  ///< share 0..1 of samples with left and right exchanged; never ltap
+  double validation_share = 0.0;   ///< share 0..1 of the scenes for validation
+  double max_tta = 0.0;            ///< s, PredictionOptions::max_tta
+  double min_vehicle_speed = 0.0;  ///< m/s, mean; slower vehicles do not serve as ego
+  double vehicle_stride = 1.0;     ///< s between the samples of a vehicle
+  /// Standard deviation of the noise on the ego pose that candidates are scored with: noise_along *
+  /// TTA^noise_along_exponent along the heading, noise_across * TTA across it.
+  double noise_along = 0.3;  ///< m at a TTA of 1 s
+  double noise_along_exponent = 1.4;
+  double noise_across = 0.1;  ///< m/s
 };
 
-/// config/study/planner_training.yaml, where each number's unit and source stand.
+/// config/study/planner_training.yaml. A sample is a moment of a recording.
 struct PlannerTrainingOptions {
   int epochs = 0;
-  int batch = 0;
-  int hidden = 0;
-  int terms = 0;
-  double learning_rate = 0.0;
+  int batch = 0;               ///< samples per step
+  int hidden = 0;              ///< width of the hidden layers
+  int terms = 0;               ///< powers of time in the deviation of a plan from constant velocity
+  double learning_rate = 0.0;  ///< peak value
   double weight_decay = 0.0;
-  double max_gradient = 0.0;
-  double heading_weight = 0.0;
-  double mirrored_share = 0.0;
-  /// Of the moments whose ego is not known from so far back, as when a test begins
-  double hidden_history_share = 0.5;
-  /// Of the moments whose ego is moved off its way, to learn how to come back: by ...
-  double moved_share = 0.5;
-  double lateral_noise = 0.5;   ///< m, deviation
-  double heading_noise = 0.05;  ///< rad, deviation
-  double return_time = 1.5;     ///< s in which that fades to 1/e
-  double min_future = 1.0;      ///< s; moments with less of it are not learnt from
+  double max_gradient = 0.0;          ///< norm
+  double heading_weight = 0.0;        ///< m/rad, weight of the heading error
+  double mirrored_share = 0.0;        ///< share 0..1 of samples with left and right exchanged
+  double hidden_history_share = 0.5;  ///< share 0..1 of samples with a truncated ego history
+  double moved_share = 0.5;           ///< share 0..1 of samples with the ego displaced by noise ...
+  double lateral_noise = 0.5;         ///< m, standard deviation of that displacement
+  double heading_noise = 0.05;        ///< rad, standard deviation of that displacement
+  double return_time = 1.5;  ///< s, time constant of the target's return to the recorded path
+  double min_future = 1.0;   ///< s, minimum recorded future of a sample
 };
 
-/// What a network is trained by: config/study/training.yaml, a member a section, and what its
-/// samples are made with.
+/// The configuration of trainings: config/study/training.yaml, one member per section, and
+/// planner_training.yaml.
 struct LearningOptions : StudyOptions {
   PatternFeatureOptions pattern_features;
   PatternNetworkOptions pattern_layers;
@@ -65,9 +60,10 @@ struct LearningOptions : StudyOptions {
   PlannerTrainingOptions planner_training;
 };
 
+/// Reads planner_training.yaml. Throws ConfigError.
 void readOptions(Section& section, PlannerTrainingOptions& options);
 
-/// Reads training.yaml, when `attack` is known.
+/// Reads training.yaml. `options.attack` must have been read before. Throws ConfigError.
 void readOptions(Section& file, LearningOptions& options);
 
 }  // namespace forge

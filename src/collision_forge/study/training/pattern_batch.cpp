@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-/// Row `row` of a tensor on the CPU becomes `values`.
+/// Copies `values` to row `row` of a tensor on the CPU.
 template <typename Values>
 void put(torch::Tensor& tensor, std::int64_t row, const Values& values) {
   const auto count = tensor.numel() / tensor.size(0);

@@ -10,7 +10,8 @@
 
 namespace forge {
 
-/// A batch of B samples on one device; T times each, G groups of K anchors, C candidates.
+/// A batch of B samples on one device, with T prediction times, G groups of K anchors and C
+/// candidates each. A of the samples have an attack. Poses are in the ego's frame at t0, in m.
 struct PatternBatch {
   torch::Tensor agents;             ///< [B, agents, frames, kAgentVector]
   torch::Tensor agent_mask;         ///< [B, agents, frames]
@@ -22,22 +23,24 @@ struct PatternBatch {
   torch::Tensor anchors;            ///< [B, T, G, K, kAnchorFeatures]
   torch::Tensor prior;              ///< [B, T, G * K]
   torch::Tensor poses;              ///< [B, T, G * K, 4]
-  torch::Tensor scales;             ///< [B, T, 2]: along, across
-  torch::Tensor ego_truth;          ///< [B, T, 4]: x, y, cos, sin
+  torch::Tensor scales;             ///< [B, T, 2]: m, along and across the anchor's heading
+  torch::Tensor ego_truth;          ///< [B, T, 4]: x, y, cos, sin of the recorded pose
   torch::Tensor time_weight;        ///< [B, T]
   torch::Tensor attack_requests;    ///< [A, kRequestFeatures]
-  torch::Tensor attack_rows;        ///< [A]: which samples have an attack
-  torch::Tensor candidates;         ///< [A, C, kCandidateFeatures], by the ego's expected pose
-  torch::Tensor candidate_mask;     ///< [A, C]
-  torch::Tensor attacker;           ///< [A]
-  torch::Tensor attacker_features;  ///< [A, 1, kCandidateFeatures], by the ego's true pose
-  torch::Tensor offset_truth;       ///< [A, 4]: x, y over their scale, cos, sin
+  torch::Tensor attack_rows;        ///< [A]: indices of the samples with an attack
+  torch::Tensor candidates;         ///< [A, C, kCandidateFeatures], for the expected ego pose
+  torch::Tensor candidate_mask;     ///< [A, C]: 1 for a candidate, 0 for padding
+  torch::Tensor attacker;           ///< [A]: index of the true attacker among the candidates
+  torch::Tensor attacker_features;  ///< [A, 1, kCandidateFeatures], for the true ego pose
+  torch::Tensor offset_truth;       ///< [A, 4]: x, y in units of kOffsetScale, cos, sin
 };
 
-/// On the CPU. Every draw has as many times; all samples are made with `features`.
+/// Returns a batch on the CPU. `draws` must not be empty, and all must have the same number of
+/// times; the samples must have been made with `features`.
 PatternBatch batchOf(const std::vector<TrainingDraw>& draws, const PatternFeatureOptions& features,
                      const TrainingOptions& options);
 
+/// Returns the batch on a device, with floating-point tensors of type `type`.
 PatternBatch movedTo(const PatternBatch& batch, const torch::Device& device,
                      torch::Dtype type = torch::kFloat32);
 

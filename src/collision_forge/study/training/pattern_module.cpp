@@ -12,7 +12,8 @@ torch::Tensor logLogistic(const torch::Tensor& offset, const torch::Tensor& log_
 
 torch::Tensor zeroOf(const torch::Tensor& like) { return torch::zeros({}, like.options()); }
 
-/// The density of the mixture at the truth, and how wrong the heading is where it stands.
+/// Computes the negative log density of the mixture at the true position, and the heading error
+/// weighted by the components' posterior there.
 void egoLosses(const torch::Tensor& out, const PatternBatch& batch, BatchLosses& losses) {
   const torch::Tensor along_scale = batch.scales.select(-1, 0).unsqueeze(-1);
   const torch::Tensor across_scale = batch.scales.select(-1, 1).unsqueeze(-1);
@@ -21,7 +22,7 @@ void egoLosses(const torch::Tensor& out, const PatternBatch& batch, BatchLosses&
   const torch::Tensor turn = out.select(-1, 5);
   const torch::Tensor cos_turn = turn.cos();
   const torch::Tensor sin_turn = turn.sin();
-  // the expected place, seen from the anchor; then the truth in the frame of the expected pose
+  // The true position in the frame of the anchor, then in the frame of the component's mean pose.
   const torch::Tensor dx = batch.ego_truth.select(-1, 0).unsqueeze(-1) - batch.poses.select(-1, 0);
   const torch::Tensor dy = batch.ego_truth.select(-1, 1).unsqueeze(-1) - batch.poses.select(-1, 1);
   const torch::Tensor ahead = c * dx + s * dy - along_scale * out.select(-1, 1);
@@ -44,7 +45,8 @@ void egoLosses(const torch::Tensor& out, const PatternBatch& batch, BatchLosses&
   losses.heading = (weights * (near * (1.0 - cos_error)).sum(-1)).sum();
 }
 
-/// These train the candidate's layers alone: the scene is encoded for the ego's place.
+/// Computes the losses of selection and offset. They train only the candidate layers (detach()),
+/// because the scene encoding is for the ego position.
 void attackLosses(PatternModule& module, const torch::Tensor& scene, const PatternBatch& batch,
                   BatchLosses& losses) {
   const torch::Tensor with_request =
@@ -120,7 +122,7 @@ torch::Tensor PatternModuleImpl::ego(const torch::Tensor& with_request, const Pa
   const auto group_count = batch.groups.size(2);
   const auto group_size = batch.anchors.size(3);
   const torch::Tensor prior = batch.prior.view({-1, group_size});
-  // groups without an anchor are many, and cost nothing
+  // Skips groups without an anchor, which are frequent.
   const torch::Tensor rows = (std::get<0>(prior.max(-1)) > kAbsent).nonzero().squeeze(-1);
   const torch::Tensor requests =
       (torch::matmul(with_request, group->weight.slice(1, 0, scene).t()) + group->bias)

@@ -11,17 +11,21 @@
 
 namespace forge {
 
-/// The network of PatternNetwork, to be trained.
+/// The trainable counterpart of PatternNetwork, with the same layers. Shapes as in PatternBatch.
 class PatternModuleImpl : public torch::nn::Module {
  public:
-  /// `dropout` of single numbers, `context_dropout` of all that is told of other agents and lanes.
+  /// `dropout`: probability to drop single activations; `context_dropout`: probability to drop the
+  /// whole context (other agents and lanes) of a sample. Both apply in training mode only.
   PatternModuleImpl(const PatternNetworkOptions& options, double dropout, double context_dropout);
 
-  torch::Tensor encode(const PatternBatch& batch);  ///< [B, scene]
+  /// Returns the encoded scenes [B, scene].
+  torch::Tensor encode(const PatternBatch& batch);
+  /// Joins encoded scenes with request features; returns tensors of the shape of `scene`.
   torch::Tensor withRequest(const torch::Tensor& scene, const torch::Tensor& requests);
-  /// [B, T, G * K, 6]; the prior is in the score.
+  /// Returns [B, T, G * K, 6] for the anchors: score (including the prior), offsets along and
+  /// across, their log spreads, turn.
   torch::Tensor ego(const torch::Tensor& with_request, const PatternBatch& batch);
-  /// [A, C, 5]
+  /// Returns [A, C, 5] for candidates: score, then x, y, cos, sin of the attacker's offset.
   torch::Tensor candidates(const torch::Tensor& with_request, const torch::Tensor& features);
 
  private:
@@ -36,13 +40,14 @@ class PatternModuleImpl : public torch::nn::Module {
 };
 TORCH_MODULE(PatternModule);
 
-/// Each [1] and differentiable; offset and selection by the layers candidate_* alone.
+/// Scalar differentiable losses. Offset and selection train only the layers candidate_*.
 struct BatchLosses {
   torch::Tensor ego;
   torch::Tensor heading;
   torch::Tensor offset;
   torch::Tensor selection;
 };
+/// Returns the losses of a batch; offset and selection are 0 without attacks in it.
 BatchLosses lossesOf(PatternModule& module, const PatternBatch& batch);
 
 }  // namespace forge

@@ -17,8 +17,8 @@
 namespace forge {
 namespace {
 
-constexpr double kAverageDecay = 0.998;  // of the averaged weights, a step
-constexpr double kWarmUp = 0.05;         // share of the steps in which the rate rises
+constexpr double kAverageDecay = 0.998;  // decay per step of the averaged weights
+constexpr double kWarmUp = 0.05;         // share of the steps with rising learning rate
 constexpr std::size_t kLossBatch = 128;
 
 RowMatrix toMatrix(const torch::Tensor& tensor) {
@@ -29,7 +29,7 @@ RowMatrix toMatrix(const torch::Tensor& tensor) {
   return matrix;
 }
 
-/// What libtorch complains of, without the backtrace that follows.
+/// Returns the message of a libtorch exception without its backtrace.
 std::string firstLine(const std::exception& error) {
   const std::string text = error.what();
   return text.substr(0, text.find('\n'));
@@ -84,9 +84,9 @@ struct PatternTrainer::State {
     }
   }
 
-  /// A layer that was trained once has a gradient from then on, of zero in batches that do not
-  /// train it; without one it would not follow its momentum. Where not all layers were trained,
-  /// those of the clips are left, which have none yet.
+  /// Restores zero gradients after loading: a layer that was trained once keeps following its
+  /// momentum, for which AdamW needs a gradient. Without clips the candidate layers were never
+  /// trained and must stay without.
   void resumeGradients() {
     if (optimizer->state().size() < module->parameters().size()) return;
     for (torch::Tensor& parameter : module->parameters()) {
@@ -105,7 +105,8 @@ struct PatternTrainer::State {
     }
   }
 
-  /// One step on a batch, of which this rank takes its part; the losses over all of it.
+  /// Trains one step; this rank computes its part of the batch. Returns the losses of the whole
+  /// batch (of the part, weighted by its share, with one rank).
   TrainingLosses step(const std::vector<TrainingDraw>& draws, double steps_in_all) {
     const std::size_t rank = static_cast<std::size_t>(ranks.rank);
     const std::size_t size = static_cast<std::size_t>(ranks.size);
@@ -132,7 +133,7 @@ struct PatternTrainer::State {
     return result;
   }
 
-  /// Gradients and losses become their sums over the ranks.
+  /// Replaces gradients and losses by their sums over the ranks.
   void shareGradients(TrainingLosses& losses) {
     std::vector<double> numbers = {losses.ego, losses.heading, losses.offset, losses.selection,
                                    losses.total};
@@ -154,7 +155,7 @@ struct PatternTrainer::State {
     }
   }
 
-  /// Every rank tells a fingerprint of its weights, and hears those of the others.
+  /// Exchanges fingerprints of the weights between the ranks and throws if they differ.
   void checkRanks() const {
     std::vector<double> prints(static_cast<std::size_t>(ranks.size), 0.0);
     std::uint64_t hash = kHashBasis;
@@ -164,11 +165,11 @@ struct PatternTrainer::State {
                      static_cast<std::size_t>(matrix.size()) * sizeof(float)},
                     hash);
     }
-    const auto print = static_cast<double>(mixed(hash) >> 11);  // what a double holds
+    const auto print = static_cast<double>(mixed(hash) >> 11);  // 53 bits, exact in a double
     prints[static_cast<std::size_t>(ranks.rank)] = print;
     ranks.sum(prints);
     for (const double other : prints) {
-      if (other != print) throw TrainingError("the ranks do not hold the same weights");
+      if (other != print) throw TrainingError("the weights of the ranks differ");
     }
   }
 
@@ -213,7 +214,7 @@ PatternTrainer::PatternTrainer(const PatternFeatureOptions& features,
 
 PatternTrainer::~PatternTrainer() = default;
 
-void PatternTrainer::trainTogether(TrainingRanks ranks) { state_->ranks = std::move(ranks); }
+void PatternTrainer::setRanks(TrainingRanks ranks) { state_->ranks = std::move(ranks); }
 
 int PatternTrainer::epochsDone() const { return state_->epochs; }
 
@@ -223,7 +224,7 @@ TrainingLosses PatternTrainer::trainEpoch(const std::vector<TrainingSample>& sam
   State& state = *state_;
   const std::uint64_t seed = state.seed * 1000003 + static_cast<std::uint64_t>(state.epochs) + 1;
   torch::manual_seed(seed + 7919 * static_cast<std::uint64_t>(state.ranks.rank));
-  std::mt19937_64 engine(seed);  // all ranks draw the same
+  std::mt19937_64 engine(seed);  // the same on all ranks
   std::vector<std::size_t> order = chosen;
   for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[engine() % i]);
   const auto batch_size = static_cast<std::size_t>(state.options.batch);
@@ -266,7 +267,7 @@ TrainingLosses PatternTrainer::losses(const std::vector<TrainingSample>& samples
 
 PatternWeights PatternTrainer::weights() const { return state_->exported(state_->average); }
 
-PatternWeights PatternTrainer::presentWeights() const { return state_->exported(state_->module); }
+PatternWeights PatternTrainer::currentWeights() const { return state_->exported(state_->module); }
 
 std::string PatternTrainer::state() const {
   torch::serialize::OutputArchive archive;
@@ -282,7 +283,7 @@ std::string PatternTrainer::state() const {
   archive.write("progress", torch::tensor({static_cast<std::int64_t>(state_->epochs), state_->steps,
                                            static_cast<std::int64_t>(state_->seed)},
                                           torch::kInt64));
-  std::ostringstream bytes;  // an archive that cannot write to a file ends the process
+  std::ostringstream bytes;  // writing an archive to a file directly aborts on errors
   archive.save_to(bytes);
   return bytes.str();
 }
@@ -295,7 +296,7 @@ void PatternTrainer::load(const std::string& path) {
     archive.read("progress", progress);
     progress = progress.to(torch::kCPU);
     if (progress[2].item<std::int64_t>() != static_cast<std::int64_t>(state_->seed)) {
-      throw TrainingError("the state is of another seed");
+      throw TrainingError("it has another seed");
     }
     torch::serialize::InputArchive module;
     torch::serialize::InputArchive average;

@@ -15,69 +15,73 @@
 
 namespace forge {
 
-/// Means over the samples that have them.
+/// Mean losses over the samples.
 struct TrainingLosses {
-  double ego = 0.0;        ///< negative logarithm of the density (1/m2) at where the ego went
-  double heading = 0.0;    ///< 1 - cos of the error
+  double ego = 0.0;        ///< negative log of the predicted density (1/m2) at the true position
+  double heading = 0.0;    ///< 1 - cos of the heading error
   double offset = 0.0;     ///< smooth L1
   double selection = 0.0;  ///< cross entropy
-  double total = 0.0;      ///< weighed as TrainingOptions have it
+  double total = 0.0;      ///< sum with the weights of TrainingOptions
 };
 
-/// This process among those that train one network together, each on its part of every batch.
+/// The ranks of a distributed training; each rank computes a part of every batch.
 struct TrainingRanks {
   int rank = 0;
   int size = 1;
-  /// Replaces numbers by their sums over all ranks, to the same bits everywhere; every rank calls
-  /// it as often. Not needed by one alone.
+  /// Replaces each number by its sum over all ranks, bit-identical on all of them. Collective: all
+  /// ranks must call it equally often. Unused if size is 1.
   std::function<void(std::vector<double>&)> sum;
 };
 
-/// Trains a pattern network. The same samples, options and seed give the same weights on the same
-/// machine with one thread; a run that is stopped between epochs and goes on from its saved state
-/// as well.
+/// Trains a collision-pattern network. Deterministic on one machine with one thread: the same
+/// samples, options and seed give the same weights, also if the training is interrupted between
+/// epochs and resumed with load(state()). Not thread-safe.
 class PatternTrainer {
  public:
-  /// `device` is "cpu" or "cuda". Throws TrainingError for CUDA where there is none.
+  /// `device`: "cpu" or "cuda"; `threads`: CPU threads of libtorch. Throws TrainingError if CUDA is
+  /// not available.
   PatternTrainer(const PatternFeatureOptions& features, const PatternNetworkOptions& network,
                  const TrainingOptions& options, const std::string& device, int threads,
                  std::uint64_t seed);
   ~PatternTrainer();
 
-  /// Gradients are averaged over the ranks from now on. All have the same samples, options and
-  /// seed, and the same result; for as many ranks always the same one, for others another.
-  void trainTogether(TrainingRanks ranks);
+  /// Distributes the following epochs over `ranks`. All ranks must have the same samples, options
+  /// and seed, and get the same weights, which depend on the number of ranks.
+  void setRanks(TrainingRanks ranks);
 
+  /// Returns the number of epochs trained, including the epochs of a loaded state.
   int epochsDone() const;
 
-  /// One pass over `chosen` of the samples in random order. `on_batch` is told the samples done.
-  /// Throws TrainingError when the ranks do not hold the same weights afterwards.
+  /// Trains one epoch on the samples with the indices `chosen`, in random order. Calls `on_batch`
+  /// after each batch with the number of samples done. Returns the mean losses. Throws
+  /// TrainingError if the weights of the ranks differ afterwards.
   TrainingLosses trainEpoch(const std::vector<TrainingSample>& samples,
                             const std::vector<std::size_t>& chosen,
                             const std::function<void(std::size_t)>& on_batch = nullptr);
 
-  /// Without training, noise and dropout, by the averaged weights.
+  /// Returns the mean losses of the averaged weights on `chosen`, without dropout and with a fixed
+  /// choice of times and noise.
   TrainingLosses losses(const std::vector<TrainingSample>& samples,
                         const std::vector<std::size_t>& chosen);
 
-  /// The average of the weights over the last few hundred steps.
+  /// Returns the exponential moving average of the weights over the last few hundred steps.
   PatternWeights weights() const;
 
-  /// Everything that going on takes, as bytes of a file.
+  /// Returns the complete training state, as the content of a file for load().
   std::string state() const;
-  /// Takes it from a file. Throws TrainingError naming one that is absent, damaged or of another
-  /// training.
+  /// Restores a state from a file. Throws TrainingError, naming `path`, if the file is missing,
+  /// damaged, or of a training with another seed or network.
   void load(const std::string& path);
 
-  /// The loss of the weights as they are (not averaged) and its derivatives, for checks: a row of
-  /// numbers a layer, the matrix row by row, then the bias. From then on the weights have double
-  /// precision, and nothing can be trained.
+  /// For tests: returns the total loss of the current (not averaged) weights and, unless null,
+  /// stores its `gradients` by layer name, the matrix row by row, then the bias. Converts the
+  /// weights to double precision; the trainer must not train afterwards.
   double lossAndGradients(const std::vector<TrainingSample>& samples,
                           std::map<std::string, std::vector<double>>* gradients);
-  /// Adds to one number of a layer, counted as above.
+  /// For tests: adds `change` to weight `number` of a layer, counted as in lossAndGradients().
   void nudge(const std::string& layer, std::size_t number, double change);
-  /// The weights as they are.
-  PatternWeights presentWeights() const;
+  /// Returns the current weights, without averaging.
+  PatternWeights currentWeights() const;
 
  private:
   struct State;

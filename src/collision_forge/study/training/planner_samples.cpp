@@ -11,7 +11,7 @@
 namespace forge {
 namespace {
 
-/// How the ego was seen to move: a point a frame that has enough of it.
+/// Returns the motion of the ego estimated at each frame with enough history.
 std::vector<TrajectoryPoint> motionsOf(const Track& ego, const std::vector<double>& frame_times,
                                        const PredictionOptions& options) {
   std::vector<TrajectoryPoint> points;
@@ -29,7 +29,7 @@ std::vector<TrajectoryPoint> motionsOf(const Track& ego, const std::vector<doubl
   return points;
 }
 
-/// The ego's states at the frames alone, as tests know them.
+/// Returns the ego's track sampled at the frames, as observed in planner tests.
 Track atFrames(const Track& ego, const std::vector<double>& frame_times) {
   Track track = ego;
   track.states.clear();
@@ -65,8 +65,8 @@ std::vector<PlannerSample> plannerSamples(const Scene& scene,
                                           std::shared_ptr<const LaneIndex> lanes,
                                           const LearningOptions& options,
                                           const PlannerOptions& planners) {
-  DrivingTask task{lanes, routeOf(scene.ego, *lanes, planners.planning.route), options.ego_vehicle,
-                   planners.car.wheelbase};
+  DrivingTask task{lanes, routeOf(scene.ego, *lanes, planners.planning.route),
+                   egoVehicleOf(scene, options.ego_vehicle.center_offset), planners.car.wheelbase};
   PlannerInputs inputs(task, planners.route_centerline);
   const std::vector<TrajectoryPoint> motions = motionsOf(
       atFrames(scene.ego, scene.frame_times), scene.frame_times, options.attack.prediction);

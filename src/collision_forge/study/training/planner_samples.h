@@ -10,26 +10,26 @@
 
 namespace forge {
 
-/// A moment of a log for a learned planner: what it is given of its own way, and where the ego then
-/// went, in the frame of the ego now (planner_test/planners/planner_contract.h).
+/// A training sample for a learned planner: inputs and the recorded motion as target, in the ego's
+/// frame at t0, in the layout of planner_test/planners/planner_contract.h.
 struct PlannerSample {
-  std::string scene;
-  std::vector<float> ego_history;
-  std::vector<float> route;
-  std::vector<float> poses;  ///< of the contract's output; 0 where the recording has ended
-  std::size_t known = 0;     ///< poses before it ends
+  std::string scene;               ///< name
+  std::vector<float> ego_history;  ///< input kEgoHistory of the contract
+  std::vector<float> route;        ///< input kRoute of the contract
+  std::vector<float> poses;        ///< target, output of the contract; 0 after the recording's end
+  std::size_t known = 0;           ///< number of recorded poses in `poses`
 };
 
-/// A moment of each frame of a recording's ego, as a test would show it: motion told from the past
-/// alone, the route that of the recording and the lanes after it. Those with less future than
-/// `min_future` are left out.
+/// Returns one sample per frame of a recording, with the same inputs as in a planner test: motion
+/// estimated from past frames only, the recorded route continued along lanes. Omits frames with a
+/// recorded future shorter than `min_future`.
 std::vector<PlannerSample> plannerSamples(const Scene& scene,
                                           std::shared_ptr<const LaneIndex> lanes,
                                           const LearningOptions& options,
                                           const PlannerOptions& planners);
 
-/// The samples of all logs of `sources`, in the order of the table. `on_item` is told logs done, of
-/// how many.
+/// Returns the samples of all scenes of `sources.logs`, in the order of SceneSource::names(). Calls
+/// `on_item` after each scene with the numbers of scenes done and in total.
 std::vector<PlannerSample> collectPlannerSamples(
     const TrainingSources& sources, const LearningOptions& options, const PlannerOptions& planners,
     const std::function<void(std::size_t, std::size_t)>& on_item);

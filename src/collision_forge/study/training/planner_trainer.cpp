@@ -15,14 +15,14 @@
 namespace forge {
 namespace {
 
-constexpr double kWarmUp = 0.05;  // share of the steps in which the rate rises
+constexpr double kWarmUp = 0.05;  // share of the steps with rising learning rate
 constexpr std::size_t kErrorBatch = 1024;
 
-// So that what the network sees is of order one.
+// Scales of the inputs, which make them of order one.
 constexpr float kEgoScales[] = {0.1f, 0.1f, 1.0f, 0.1f, 0.5f, 1.0f};
 constexpr float kRouteScales[] = {0.02f, 0.1f, 1.0f};
 
-/// What the file does: constant velocity, and what the network adds to it.
+/// The TorchScript of the planner: constant velocity plus the deviation predicted by the network.
 constexpr const char* kScript = R"(
 def drive(self, ego_history, route):
     seen = torch.cat([(ego_history * self.ego_scales).flatten(1), (route * self.route_scales).flatten(1)], 1)
@@ -41,7 +41,7 @@ torch::Tensor vectorOf(const float* numbers, std::size_t count) {
   return torch::tensor(torch::ArrayRef<float>(numbers, count));
 }
 
-/// Times of the poses, s.
+/// Returns the times of the poses, s.
 torch::Tensor poseTimes() {
   return torch::arange(1, static_cast<long>(kContractPoses) + 1).to(torch::kFloat32) *
          kContractPoseStep;
@@ -54,7 +54,7 @@ void addLayer(torch::jit::Module& module, const std::string& number, long from, 
   module.register_parameter("bias_" + number, torch::zeros({to}).set_requires_grad(true), false);
 }
 
-/// The planner before training.
+/// Returns an untrained planner.
 torch::jit::Module newPlanner(const PlannerTrainingOptions& options) {
   torch::jit::Module module("Planner");
   const torch::Tensor times = poseTimes();
@@ -73,7 +73,7 @@ torch::jit::Module newPlanner(const PlannerTrainingOptions& options) {
   return module;
 }
 
-/// Samples as tensors, a row a sample.
+/// Samples as tensors, one row per sample.
 struct PlannerBatch {
   torch::Tensor ego_history;  // [B, frames, numbers]
   torch::Tensor route;        // [B, points, 3]
@@ -98,12 +98,12 @@ PlannerBatch batchOf(const std::vector<PlannerSample>& samples, const std::size_
           rows(poses, kContractPoseNumbers), torch::stack(masks)};
 }
 
-/// [B, 1], 1 in so large a share of the rows.
+/// Returns [rows, 1] with 1 at random in the given share of rows, else 0.
 torch::Tensor drawn(long rows, double share) {
   return (torch::rand({rows, 1}) < share).to(torch::kFloat32);
 }
 
-/// Left and right exchanged in some of the rows: y and yaw change their signs.
+/// Exchanges left and right (signs of y and yaw) in a random share of the rows.
 void mirror(PlannerBatch& batch, double share) {
   const torch::Tensor sign = 1.0 - 2.0 * drawn(batch.mask.size(0), share).unsqueeze(2);
   for (torch::Tensor* tensor : {&batch.ego_history, &batch.route, &batch.poses}) {
@@ -111,7 +111,7 @@ void mirror(PlannerBatch& batch, double share) {
   }
 }
 
-/// In some of the rows nothing is known before a random frame, nor the acceleration.
+/// Removes, in a random share of the rows, the history before a random frame and the acceleration.
 void hideHistory(PlannerBatch& batch, double share) {
   const long rows = batch.mask.size(0);
   const torch::Tensor frames = torch::arange(long(kContractFrames)).unsqueeze(0);
@@ -122,7 +122,8 @@ void hideHistory(PlannerBatch& batch, double share) {
   batch.ego_history.select(2, 4).mul_(1.0 - hidden);
 }
 
-/// Seen from an ego that stands `left` m to the left and is turned by `turned` rad ([B, 1] each).
+/// Transforms poses to the frame of an ego that is displaced by `left` m and turned by `turned` rad
+/// ([B, 1] each).
 void seenFrom(torch::Tensor& poses, const torch::Tensor& left, const torch::Tensor& turned) {
   const torch::Tensor x = poses.select(2, 0).clone();
   const torch::Tensor y = poses.select(2, 1) - left;
@@ -132,7 +133,7 @@ void seenFrom(torch::Tensor& poses, const torch::Tensor& left, const torch::Tens
   poses = torch::stack({cosine * x + sine * y, cosine * y - sine * x, yaw}, 2);
 }
 
-/// Some of the egos are off their way, and come back to it.
+/// Displaces the ego in a random share of the rows; the target then returns to the recorded path.
 void moveEgo(PlannerBatch& batch, const PlannerTrainingOptions& options) {
   const long rows = batch.mask.size(0);
   const torch::Tensor moved = drawn(rows, options.moved_share);
@@ -145,7 +146,7 @@ void moveEgo(PlannerBatch& batch, const PlannerTrainingOptions& options) {
   seenFrom(batch.route, left, turned);
 }
 
-/// Mean absolute error over the known poses.
+/// Returns the mean absolute error over the known poses.
 torch::Tensor lossOf(const torch::Tensor& planned, const PlannerBatch& batch,
                      double heading_weight) {
   const torch::Tensor error = (planned - batch.poses).abs();
@@ -154,7 +155,7 @@ torch::Tensor lossOf(const torch::Tensor& planned, const PlannerBatch& batch,
   return (each * batch.mask).sum() / batch.mask.sum();
 }
 
-/// Sums of errors, and how many they are of.
+/// Accumulates displacement errors.
 struct ErrorSums {
   std::array<double, DisplacementErrors::kTimes.size()> sums{};
   std::array<std::size_t, DisplacementErrors::kTimes.size()> counts{};
@@ -180,7 +181,7 @@ struct ErrorSums {
   }
 };
 
-/// `plan` makes poses of a batch.
+/// Returns the errors of `plan`, which maps a batch to poses [B, poses, 3].
 template <typename Plan>
 DisplacementErrors errorsOf(const std::vector<PlannerSample>& samples,
                             const std::vector<std::size_t>& chosen, const Plan& plan) {
@@ -217,7 +218,7 @@ struct PlannerTrainer::State {
     return module.get_method("drive")({batch.ego_history, batch.route}).toTensor();
   }
 
-  /// Rises at first, then falls as a cosine.
+  /// Sets the learning rate: linear warm-up, then cosine decay.
   void setRate(long all_steps) {
     const double share = static_cast<double>(steps) / static_cast<double>(all_steps);
     const double rate = share < kWarmUp
@@ -291,7 +292,7 @@ void PlannerTrainer::save(const std::string& path,
   for (const std::string& name : left_out_scenes) names += name + '\n';
   torch::jit::Module module = state_->module.deepcopy();
   for (torch::Tensor parameter : module.parameters()) parameter.set_requires_grad(false);
-  std::ostringstream bytes;  // one that cannot write to a file ends the process
+  std::ostringstream bytes;  // writing a module to a file directly aborts on errors
   module.save(bytes, extra);
   writeText(path, bytes.str());
 }

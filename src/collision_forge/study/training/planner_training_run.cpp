@@ -12,7 +12,7 @@
 namespace forge {
 namespace {
 
-/// Indices of the samples of these scenes, or of all others.
+/// Returns the indices of the samples of these scenes (`is_in`), or of all other scenes.
 std::vector<std::size_t> samplesOf(const std::vector<PlannerSample>& samples,
                                    const std::set<std::string>& scenes, bool is_in) {
   std::vector<std::size_t> chosen;
@@ -46,7 +46,7 @@ std::string errorTable(const std::string& title, const DisplacementErrors& learn
          errorRow("constant velocity", constant_velocity) + moments + "\n";
 }
 
-/// Every epoch; a line of losses each.
+/// Trains all epochs and writes planner_metrics.csv with the loss of each.
 void trainOn(const std::vector<PlannerSample>& samples, const std::vector<std::size_t>& chosen,
              const TrainingRun& run, PlannerTrainer& trainer) {
   ProgressLine progress("training");
@@ -72,7 +72,9 @@ void trainPlanner(const TrainingRun& run) {
                             [&](std::size_t done, std::size_t all) { reading.show(done, all); });
   const std::vector<std::size_t> training = samplesOf(samples, left_out, false);
   const std::vector<std::size_t> test = samplesOf(samples, left_out, true);
-  if (training.empty()) throw std::runtime_error("there is nothing to train on");
+  if (training.empty()) {
+    throw std::runtime_error("no training samples: all scenes are left out or too short");
+  }
   PlannerTrainer trainer(run.options.planner_training, run.threads, run.seed);
   trainOn(samples, training, run, trainer);
   std::string table = errorTable("scenes trained on", trainer.errors(samples, training),

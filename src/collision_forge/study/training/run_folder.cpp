@@ -29,7 +29,7 @@ std::vector<std::string> cellsOf(const std::string& row) {
   return cells;
 }
 
-/// Nothing for a text that is not all a number.
+/// Returns nullopt unless the whole text is a number.
 std::optional<double> numberOf(const std::string& text) {
   double number = 0.0;
   const char* const end = text.data() + text.size();
@@ -42,7 +42,7 @@ std::string inQuotes(const std::string& text) { return '"' + text + '"'; }
 
 std::string sumsPath(const std::string& state_path) { return state_path + ".sums"; }
 
-/// A line an epoch, up to one that is damaged.
+/// Reads the checksums, one line per epoch, up to the first damaged line.
 std::vector<EpochSums> readSums(const std::string& path) {
   std::ifstream file(path);
   std::vector<EpochSums> sums;
@@ -50,7 +50,7 @@ std::vector<EpochSums> readSums(const std::string& path) {
   return sums;
 }
 
-/// Refuses another description than the one at `path`.
+/// Throws std::runtime_error if the file at `path` differs from `description`.
 void checkDescription(const std::string& path, const std::string& description) {
   const std::string end = "the end of the file";
   std::istringstream known(readText(path));
@@ -64,7 +64,8 @@ void checkDescription(const std::string& path, const std::string& description) {
     if (has_been && has_now && was == is) continue;
     throw std::runtime_error(path + ": line " + std::to_string(line) +
                              ": the run was started with " + (has_been ? inQuotes(was) : end) +
-                             ", not " + (has_now ? inQuotes(is) : end));
+                             ", not " + (has_now ? inQuotes(is) : end) +
+                             "; use the same options or choose another --out");
   }
 }
 
@@ -86,8 +87,8 @@ bool hasState(const TrainingRun& run) {
   for (const EpochSums& of_epoch : readSums(sumsPath(path))) {
     if (of_epoch.state == sum) return true;
   }
-  throw std::runtime_error(path + ": is not as it was written: its checksum is not in " +
-                           sumsPath(path) + "; remove " + path + " to begin anew");
+  throw std::runtime_error(path + ": the file was changed: its checksum is not in " +
+                           sumsPath(path) + "; delete " + path + " to start over");
 }
 
 std::string describeRun(const TrainingRun& run, int ranks, const std::string& config) {
@@ -114,8 +115,8 @@ OutputLock openRunFolder(const TrainingRun& run, const std::string& description)
   const std::string path = run.out + "/run.txt";
   if (!fs::exists(path)) {
     if (fs::exists(statePath(run))) {
-      throw std::runtime_error(statePath(run) + ": is there, but not " + path +
-                               ", which says what it was made with; remove it, or write elsewhere");
+      throw std::runtime_error(statePath(run) + ": exists without its description " + path +
+                               "; delete it or choose another --out");
     }
     writeText(path, description);
     return lock;
@@ -146,24 +147,24 @@ EpochTable::EpochTable(const TrainingRun& run, const std::vector<std::string>& c
       best_(std::numeric_limits<double>::infinity()) {
   if (epochs == 0) return;
   sums_ = readSums(sumsPath(state_path_));
-  sums_.resize(static_cast<std::size_t>(epochs));  // later ones are of an epoch that was not kept
+  sums_.resize(static_cast<std::size_t>(epochs));  // drops epochs without a saved state
   std::ifstream file(path_);
   std::string line;
   if (std::getline(file, line) && line != header()) {
-    throw std::runtime_error(path_ + ": line 1: " + inQuotes(line) + " is another header than " +
+    throw std::runtime_error(path_ + ": line 1: the header is " + inQuotes(line) + " instead of " +
                              inQuotes(header()));
   }
   for (const EpochSums& of_epoch : sums_) {
     if (!std::getline(file, line)) {
-      throw std::runtime_error(path_ + ": has " + std::to_string(rows_.size()) + " rows, not " +
-                               std::to_string(epochs) + ", the epochs of " + state_path_);
+      throw std::runtime_error(path_ + ": has " + std::to_string(rows_.size()) + " rows, but " +
+                               state_path_ + " has " + std::to_string(epochs) + " epochs");
     }
     append(line);
     if (rows_sum_ == of_epoch.rows) continue;
     throw std::runtime_error(path_ + ": line " + std::to_string(rows_.size() + 1) + ": " +
-                             inQuotes(line) + " is not as it was written: its checksum in " +
-                             sumsPath(state_path_) + " is another; remove " + state_path_ +
-                             " to begin anew");
+                             inQuotes(line) + " was changed: the checksum in " +
+                             sumsPath(state_path_) + " differs; delete " + state_path_ +
+                             " to start over");
   }
 }
 

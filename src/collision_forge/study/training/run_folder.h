@@ -8,63 +8,63 @@
 #include "collision_forge/base/files/output_lock.h"
 #include "collision_forge/study/training/training_run.h"
 
-/// What trainings have in common: the folder of a run, that goes on only as the same run; who tells
-/// the best epoch; a table of what every epoch gave, and its curves.
+/// Helpers of all trainings: the run folder, which can only be resumed with unchanged inputs, the
+/// validation split, the table of metrics and its curves.
 namespace forge {
 
-/// What a run was asked for and by which version of the program, `config` being the file of config/
-/// that it is trained by.
+/// Returns the text of run.txt: program version, fingerprints of all inputs, options, and the
+/// content of the configuration file `config` (path relative to config/).
 std::string describeRun(const TrainingRun& run, int ranks, const std::string& config);
 
-/// Makes the run folder, or checks that the one there is of the same run; it is the caller's alone
-/// while the lock lives. Throws std::runtime_error naming what differs, for a state without its
-/// description, and as OutputLock does.
+/// Creates the run folder with run.txt, or checks that the existing run.txt equals `description`.
+/// Returns the lock of the folder. Throws std::runtime_error naming the first different line, or if
+/// a state exists without run.txt, and the exceptions of OutputLock.
 [[nodiscard]] OutputLock openRunFolder(const TrainingRun& run, const std::string& description);
 
-/// All of a file; empty where it cannot be read.
+/// Returns the content of a file, or "" if it cannot be read.
 std::string readText(const std::string& path);
 
-/// File of what going on takes.
+/// Returns the path of the training state, OUT/state.pt.
 std::string statePath(const TrainingRun& run);
 
-/// Whether there is one. Throws std::runtime_error naming a file that is not as EpochTable::keep()
-/// wrote it.
+/// Returns true if the training state exists. Throws std::runtime_error if its checksum is not one
+/// that EpochTable::keep() wrote.
 bool hasState(const TrainingRun& run);
 
 /// Indices of samples.
 struct SampleSplit {
   std::vector<std::size_t> training;
-  std::vector<std::size_t>
-      validation;  ///< those of a share of the scenes; they tell the best epoch
+  std::vector<std::size_t> validation;  ///< for the choice of the best epoch
 };
 
-/// `scenes` holds each sample's.
+/// Splits samples by scene. `scenes` holds the scene of each sample; about the share
+/// `validation_share` (0..1) of the scenes, chosen by `seed`, is for validation.
 SampleSplit splitByScene(const std::vector<std::string>& scenes, double validation_share,
                          std::uint64_t seed);
 
-/// Checksums of what going on after an epoch takes.
+/// Checksums of the files after one epoch.
 struct EpochSums {
-  std::string state;
-  std::string rows;  ///< of the table up to the epoch's
+  std::string state;  ///< of the training state
+  std::string rows;   ///< of the rows of metrics.csv up to this epoch
 };
 
-/// metrics.csv of a run folder: rows of numbers, one an epoch; the last column chooses the best
-/// epoch.
+/// metrics.csv of a run folder, one row per epoch. The best epoch has the lowest last column.
 class EpochTable {
  public:
-  /// Of the file the first `epochs` rows are kept. Throws std::runtime_error naming file, line and
-  /// what is wrong there, where one is damaged or missing.
+  /// Reads the first `epochs` rows of the file; later rows are dropped by the next add(). Throws
+  /// std::runtime_error naming file and line if a row is missing or damaged.
   EpochTable(const TrainingRun& run, const std::vector<std::string>& columns, int epochs);
 
-  /// Adds a row and writes the file anew. True where the last number is less than in every row
+  /// Appends a row and rewrites the file. Returns true if the last number is lower than in all rows
   /// before.
   bool add(const std::vector<double>& numbers);
 
-  /// Writes what going on after the row that was added last takes; once a row. The checksums come
-  /// first, to those of the epochs before, so that the state that is there always has its own,
+  /// Writes the training state that belongs to the last row; must be called once per add(). Writes
+  /// the checksums before the state and keeps older ones, so that the existing state has a checksum
   /// whenever the process is killed.
   void keep(const std::string& state);
 
+  /// Returns the row added last, without line end. add() must have been called.
   const std::string& lastRow() const { return rows_.back(); }
 
  private:
@@ -80,7 +80,7 @@ class EpochTable {
   double best_;
 };
 
-/// Draws columns of the run's metrics.csv as curves.png, by charts.py of the study. Throws as
+/// Draws columns of metrics.csv to curves.png with charts.py. Throws the exceptions of
 /// runStudyProgram().
 void drawCurves(const TrainingRun& run, const std::string& title,
                 const std::vector<std::string>& columns);

@@ -15,7 +15,7 @@
 namespace forge {
 namespace {
 
-/// The processes that mpirun started, which end together where one is silent.
+/// Returns the MPI ranks, and monitors them: a silent rank ends the run.
 TrainingRanks launchedRanks(const ConfigFolder& config) {
   Ranks::watch(loadRankOptions(config));
   const Ranks& ranks = Ranks::get();
@@ -23,7 +23,7 @@ TrainingRanks launchedRanks(const ConfigFolder& config) {
           [&ranks](std::vector<double>& numbers) { ranks.sum(numbers); }};
 }
 
-/// Names of the numbers of numbersOf().
+/// Returns the column names of numbersOf().
 std::vector<std::string> columns() {
   const std::vector<std::string> names = {"ego", "heading", "offset", "selection", "total"};
   std::vector<std::string> all = names;
@@ -37,7 +37,7 @@ std::vector<double> numbersOf(const TrainingLosses& training, const TrainingLoss
           validation.selection, validation.total};
 }
 
-/// Writes what an epoch gave: metrics, the weights of the best, the state.
+/// Writes the results of an epoch: metrics, the weights if it is the best, the training state.
 void record(const PatternTrainer& trainer, const std::set<std::string>& left_out,
             const TrainingRun& run, bool is_chosen, EpochTable& table,
             const std::vector<double>& numbers) {
@@ -51,16 +51,18 @@ void record(const PatternTrainer& trainer, const std::set<std::string>& left_out
   std::cout << table.lastRow() << '\n' << std::flush;
 }
 
-/// Epoch after epoch on what was read; rank 0 alone writes and tells.
+/// Trains all epochs. Only rank 0 (`is_first`) writes files and prints.
 void trainOn(const std::vector<TrainingSample>& samples, const std::set<std::string>& left_out,
              const TrainingRun& run, bool is_first, PatternTrainer& trainer) {
   std::vector<std::string> scenes;
   for (const TrainingSample& sample : samples) scenes.push_back(sample.scene);
   const SampleSplit split = splitByScene(scenes, run.options.training.validation_share, run.seed);
-  if (split.training.empty()) throw std::runtime_error("there is nothing to train on");
+  if (split.training.empty()) {
+    throw std::runtime_error("no training samples: all scenes are left out or too short");
+  }
   if (is_first) {
     std::cout << samples.size() << " moments, " << split.validation.size()
-              << " of them to tell the best epoch; " << left_out.size() << " scenes left out\n";
+              << " of them for validation; " << left_out.size() << " scenes left out\n";
   }
   const int first = trainer.epochsDone();
   EpochTable table(run, columns(), first);
@@ -84,7 +86,8 @@ void trainOn(const std::vector<TrainingSample>& samples, const std::set<std::str
     record(trainer, left_out, run, is_chosen, table, numbersOf(training, validation));
   }
   if (is_first) {
-    drawCurves(run, "Training: negative log density of the ego's place", {"ego", "validation_ego"});
+    drawCurves(run, "Training: negative log density of the ego position",
+               {"ego", "validation_ego"});
   }
 }
 
@@ -94,8 +97,9 @@ std::set<std::string> leftOutScenes(const TrainingRun& run) {
   if (run.fold == 0) return {};
   const std::vector<std::string> names = sceneNames(run.sources);
   if (static_cast<int>(names.size()) < run.fold) {
-    throw std::runtime_error("--fold: " + std::to_string(run.fold) + " has none of the " +
-                             std::to_string(names.size()) + " scenes");
+    throw std::runtime_error("--fold: fold " + std::to_string(run.fold) +
+                             " is empty: there are only " + std::to_string(names.size()) +
+                             " scenes");
   }
   return scenesOfFold(names, run.fold, run.folds, run.seed);
 }
@@ -110,7 +114,7 @@ void trainPatternNetwork(const TrainingRun& run) {
     lock.emplace(openRunFolder(run, describeRun(run, ranks.size, "study/training.yaml")));
   PatternTrainer trainer(options.pattern_features, options.pattern_layers, options.training,
                          run.device, run.threads, run.seed);
-  trainer.trainTogether(ranks);
+  trainer.setRanks(ranks);
   if (hasState(run)) trainer.load(statePath(run));
   ProgressLine reading("reading");
   const std::vector<TrainingSample> samples = collectTrainingSamples(
@@ -124,7 +128,7 @@ void trainPatternNetwork(const TrainingRun& run) {
 }  // namespace forge
 
 void forgeTrain(const forge::TrainingRun& run) {
-  // Large tensors are kept rather than given back to the system after each step.
+  // Keeps freed memory in the process, so that large tensors are not mapped anew in each step.
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, -1);
   mallopt(M_TOP_PAD, 128 << 20);

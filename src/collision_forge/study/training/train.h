@@ -7,24 +7,26 @@
 
 namespace forge {
 
-/// The scenes of the part that a run leaves out. Throws std::runtime_error for a part without any.
+/// Returns the names of the scenes that run.fold leaves out; empty for fold 0. Throws
+/// std::runtime_error for a fold without scenes.
 std::set<std::string> leftOutScenes(const TrainingRun& run);
 
-/// The collision-pattern network, on logs and clips; under mpirun over all ranks. Goes on where a
-/// run of the same stopped. Writes weights of the best epoch, metrics, curves and its state.
+/// Trains the collision-pattern network on logs and clips, under mpirun on all ranks; resumes an
+/// interrupted run. Writes weights.bin of the best epoch, metrics, curves and the training state.
+/// Throws std::runtime_error.
 void trainPatternNetwork(const TrainingRun& run);
 
-/// The small planner of the suite, on logs. Writes planner.pt, its losses and its errors on scenes
-/// that it was trained on and on those left out. Begins anew every time: it takes a minute.
+/// Trains the small learned planner on logs. Writes planner.pt, its losses, and its errors on
+/// training scenes and left-out scenes. Takes a minute and is not resumable. Throws
+/// std::runtime_error.
 void trainPlanner(const TrainingRun& run);
 
-/// A generator, on clips. Goes on where a run of the same stopped. Writes weights.pt of the best
-/// epoch, metrics, curves and its state.
+/// Trains the learned baseline run.generator on clips; resumes an interrupted run. Writes
+/// weights.pt of the best epoch, metrics, curves and the training state. Throws std::runtime_error.
 void trainGenerator(const TrainingRun& run);
 
 }  // namespace forge
 
-/// Trains what the run names and writes it to run.out. Found by this name in the library, which
-/// brings libtorch along and is loaded when it is needed alone. Throws std::runtime_error for what
-/// is wrong.
+/// Runs one of the trainings above. The entry point of libcollision_forge_training.so, which links
+/// libtorch and is loaded with dlopen() only when needed. Throws std::runtime_error.
 extern "C" void forgeTrain(const forge::TrainingRun& run);

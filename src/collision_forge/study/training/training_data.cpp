@@ -18,14 +18,14 @@ namespace forge {
 namespace {
 
 constexpr double kTtaStep = 0.5;  // s
-constexpr int kTimesAMoment = 4;  // instants kept of each moment
-constexpr int kClipTimes = 3;     // beside the impact
+constexpr int kTimesAMoment = 4;  // prediction times per sample
+constexpr int kClipTimes = 3;     // prediction times per clip besides the impact
 
 std::uint64_t seedOf(const std::string& text, std::uint64_t seed) {
   return hashOf(text, kHashBasis ^ seed);
 }
 
-/// Instants that the recording reaches, drawn evenly from early to late.
+/// Draws `count` TTAs (s) within the recording, stratified from short to long.
 std::vector<double> drawTtas(const Track& ego, double now, double longest, int count,
                              std::mt19937_64& engine) {
   std::vector<double> known;
@@ -48,7 +48,7 @@ TimedSample timedSample(const EgoWays& ways, const LaneIndex& lanes, const Track
           relativeTo(ways.ego.state.pose, there)};
 }
 
-/// Empty for a moment without enough past or without future.
+/// Returns nullopt for a moment without enough history or without future.
 std::optional<TrainingSample> momentSample(const Scene& scene, double now, const LaneIndex& lanes,
                                            const LearningOptions& options,
                                            std::mt19937_64& engine) {
@@ -79,7 +79,7 @@ double meanSpeed(const Track& track) {
   return driven / (track.states.back().time - track.states.front().time);
 }
 
-/// The recording with one of its vehicles in the ego's place.
+/// Returns the recording with one of its vehicles in the role of the ego.
 Scene seenFrom(const Scene& scene, std::size_t vehicle) {
   Scene other = scene;
   std::swap(other.ego, other.agents[vehicle]);

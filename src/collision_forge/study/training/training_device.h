@@ -8,7 +8,8 @@
 
 namespace forge {
 
-/// "cpu" or "cuda". Throws TrainingError for CUDA where there is none.
+/// Returns the device named "cpu" or "cuda". Throws TrainingError for another name or if CUDA is
+/// not available.
 torch::Device trainingDevice(const std::string& name);
 
 }  // namespace forge

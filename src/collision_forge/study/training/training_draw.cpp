@@ -17,7 +17,7 @@ double uniformOf(std::mt19937_64& engine) {
   return static_cast<double>(engine() >> 11) * 0x1.0p-53;
 }
 
-/// The times of a sample that a step looks at; the impact always.
+/// Draws the prediction times of a step; the first is the impact if the sample has an attack.
 std::vector<const TimedSample*> drawTimes(const TrainingSample& sample, int count,
                                           std::mt19937_64& engine) {
   std::vector<const TimedSample*> times;
@@ -38,7 +38,7 @@ std::vector<const TimedSample*> evenTimes(const TrainingSample& sample, int coun
   return times;
 }
 
-/// As uncertain as the network will be.
+/// Returns the true ego pose with noise of the size of the network's errors.
 Pose2 blurred(const AttackSample& attack, const TrainingOptions& options, std::mt19937_64& engine) {
   const double along =
       options.noise_along * std::pow(attack.tta, options.noise_along_exponent) * gauss(engine);

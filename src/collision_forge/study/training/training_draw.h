@@ -9,22 +9,24 @@
 
 namespace forge {
 
-/// What one step looks at of a sample, which must outlive it.
+/// The random choices for one use of a sample in a training step. Refers to the sample, which must
+/// outlive it.
 struct TrainingDraw {
   const TrainingSample* sample = nullptr;
-  std::vector<const TimedSample*>
-      times;                   ///< TrainingOptions::times of them; of an attack's the impact
-  bool hides_history = false;  ///< of all others
-  bool is_mirrored = false;    ///< left and right are exchanged
-  Pose2 expected_ego;          ///< of an attack, as uncertain as the network will be; not mirrored
+  /// TrainingOptions::times prediction times; includes the impact if the sample has an attack.
+  std::vector<const TimedSample*> times;
+  bool hides_history = false;  ///< removes the history of other agents
+  bool is_mirrored = false;    ///< exchanges left and right
+  Pose2 expected_ego;  ///< ego pose at the impact with noise, in the frame of t0; not mirrored
 };
 
-/// At random; left turns are never mirrored.
+/// Draws times, mirroring, hidden history and noise at random. Never mirrors left turns (ltap).
 TrainingDraw randomDraw(const TrainingSample& sample, const TrainingOptions& options,
                         std::mt19937_64& engine);
 
-/// Times from the last one on evenly, nothing mirrored, and no history but that of clips hidden.
-/// What is expected of the ego is where it went; with `engine` as uncertain as above.
+/// Draws without augmentation: evenly spaced times including the last, no mirroring; hides the
+/// history only for samples with an attack. `expected_ego` is the true pose; with `engine`, noise
+/// is added.
 TrainingDraw evenDraw(const TrainingSample& sample, const TrainingOptions& options,
                       std::mt19937_64* engine = nullptr);
 

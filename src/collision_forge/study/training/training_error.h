@@ -4,7 +4,8 @@
 
 namespace forge {
 
-/// Training that cannot go on: a device that is absent, a state of another run. Says why.
+/// Thrown if a training cannot start or continue, e.g. for a missing device or the state of another
+/// run.
 struct TrainingError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -10,23 +10,23 @@
 
 namespace forge {
 
-/// What a network is trained on, how, and where the run is written.
+/// The data, options and output folder of a training.
 struct TrainingRun {
   TrainingSources sources;
   std::string out;      ///< folder of the run
-  ConfigFolder config;  ///< the configuration, for these two
-  /// Fingerprints of those that results depend on beside the one that is trained by, by name.
+  ConfigFolder config;  ///< source of `options`, `planners` and `generators`
+  /// Fingerprints of further configuration files that the results depend on, by name.
   std::map<std::string, std::string> config_files;
   LearningOptions options;
-  PlannerOptions planners;      ///< of a planner
-  bool is_planner = false;      ///< train a planner, not the network
-  std::string generator;        ///< train the generator of this name; empty: none
-  GeneratorOptions generators;  ///< of a generator, from the file that its numbers stand in
-  std::string device = "cpu";
-  int fold = 0;  ///< part of the scenes that is left out, from 1; 0: none
-  int folds = 5;
-  int threads = 1;     ///< that train
-  int stop_after = 0;  ///< epoch; 0: the last
+  PlannerOptions planners;      ///< only for a planner
+  bool is_planner = false;      ///< train a planner instead of the network
+  std::string generator;        ///< name of the learned baseline to train; empty: none
+  GeneratorOptions generators;  ///< only for a learned baseline, from its configuration file
+  std::string device = "cpu";   ///< "cpu" or "cuda"
+  int fold = 0;                 ///< fold of the scenes to leave out, from 1; 0: none
+  int folds = 5;                ///< number of folds
+  int threads = 1;              ///< CPU threads for training
+  int stop_after = 0;           ///< stop after this epoch, to be resumed; 0: the last
   std::uint64_t seed = 0;
 };
 
