@@ -47,7 +47,7 @@ TEST(PlannerInputs, HaveTheSizesOfTheContract) {
 
 TEST(PlannerInputs, ContainTheObservedEgoStates) {
   PlannerInputs inputs(taskOn(threeLaneRoad()), routeOptions());
-  // At 4 m/s from (0, 1) to (4, 1) within a second, looking north at last.
+  // The ego drives from (0, 1) to (4, 1) in 1 s at 4 m/s and heads north at the end.
   TrajectoryPoint before{10.0, {0.0, 1.0, 0.5 * M_PI}, 4.0, 1.0, 0.0};
   TrajectoryPoint now{11.0, {4.0, 1.0, 0.5 * M_PI}, 6.0, 2.0, 0.0};
   const Input ego(inputs.at({before, now}, {}), kEgoHistory);
@@ -58,7 +58,7 @@ TEST(PlannerInputs, ContainTheObservedEgoStates) {
 }
 
 TEST(PlannerInputs, ContainTheNearestAgentsFirstInTheEgoFrame) {
-  // The ego looks north: what is east of it is on its right.
+  // The ego heads north, so places east of it are on its right.
   Track walker = agentAt("walker", {20.0, 0.0, 0.0}, 1.0, {0.6, 0.7}, AgentClass::kPedestrian);
   Track car = agentAt("car", {10.0, 0.0, M_PI}, 5.0);
   car.states.insert(car.states.begin(), {-0.5, {12.5, 0.0, M_PI}, {-5.0, 0.0}});
@@ -94,7 +94,7 @@ TEST(PlannerInputs, ContainTheLanesAroundTheEgo) {
   expectRow(lanes, kContractLanePoints, {-40.0, 3.5, 0.0, 0.0});
   expectRow(lanes, 2 * kContractLanePoints, {40.0, 7.0, M_PI, 0.0});
   EXPECT_EQ(mask.sum(), 3.0 * kContractLanePoints);
-  // Thirty metres before the end of two of them and after the start of the third.
+  // 30 m before the end of two lanes and 30 m after the start of the third.
   const Input at_end(inputsAt(egoAt({370.0, 0.0, 0.0}, 5.0), {}), kLanesMask);
   EXPECT_EQ(at_end.sum(), 2.0 * (10 + 8) + kContractLanePoints);
 }

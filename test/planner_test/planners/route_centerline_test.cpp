@@ -34,7 +34,7 @@ TEST(RouteCenterline, ChangesLanesWithTheRoute) {
 }
 
 TEST(RouteCenterline, ARouteBesideItsLaneForAWhileDoesNotChangeLanes) {
-  // Swings out towards the left lane, past something, and back.
+  // The route swings out towards the left lane and back, as around an obstacle.
   const auto lanes = threeLaneRoad();
   const Polyline line = centerlineOf(
       *lanes, {{0.0, 0.0}, {40.0, 0.0}, {50.0, 1.9}, {54.0, 1.9}, {64.0, 0.0}, {120.0, 0.0}});

@@ -64,7 +64,7 @@ TEST(RuleBasedPlanner, PlansFiveSecondsInSteps) {
   for (std::size_t i = 0; i < proposals.size(); ++i) {
     ASSERT_EQ(proposals[i].size(), 26U);
     EXPECT_EQ(proposals[i].front().y, 0.5);
-    // The way bends back into the lane, which costs some of its length.
+    // The path bends back into the lane, which costs some of its length.
     EXPECT_NEAR(proposals[i].back().x, profiles[i].profile.plan.distances.back(), 0.05);
   }
   ASSERT_EQ(points.size(), 26U);
@@ -77,7 +77,7 @@ TEST(RuleBasedPlanner, PlansFiveSecondsInSteps) {
 }
 
 TEST(RuleBasedPlanner, StopsForACrossingCarInRange) {
-  // Slow and long: in the way of the ego, which would be there after 5 s, from 1 to 15 s.
+  // A slow and long vehicle blocks the ego's path from 1 to 15 s; the ego would arrive after 5 s.
   const Track car = agentAt("a", {60.0, -8.0, 0.5 * M_PI}, 1.0, {12.0, 2.5});
   const auto driven = drive(crossing(), egoAt({20.0, 0.0, 0.0}, 8.0), {car}, 22.0);
   EXPECT_GT(closest(driven, car), 0.3);

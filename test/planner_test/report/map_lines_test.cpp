@@ -23,7 +23,7 @@ TEST(ClippedRing, KeepsTheInside) {
 }
 
 TEST(ClippedRing, ClipsAtEveryBorder) {
-  // A square of 12 m around the corner of the box: a quarter of it is inside.
+  // A square of 12 m around a corner of the box: a quarter of it is inside.
   EXPECT_DOUBLE_EQ(areaOf(clippedRing({{-6, -6}, {6, -6}, {6, 6}, {-6, 6}}, kBox)), 36.0);
   EXPECT_DOUBLE_EQ(areaOf(clippedRing({{-50, -50}, {50, -50}, {50, 50}, {-50, 50}}, kBox)), 100.0);
 }

@@ -85,7 +85,7 @@ TEST(RowOfTest, CopiesTheFieldsOfItsAttack) {
   const PlannerTestResult result = tested(true);
   const ReportRow row = rowOfTest(result, &result.rows[0], &attack);
   EXPECT_EQ(row.attack, 7.0);
-  EXPECT_FALSE(row.commands) << "those of the attack do not test the planner";
+  EXPECT_FALSE(row.commands) << "commands of the attack do not test the planner";
   EXPECT_EQ(row.manoeuvre, attack.manoeuvre);
   EXPECT_DOUBLE_EQ(*row.contact_t, 1.0);
   EXPECT_EQ(row.planner, "idm");

@@ -36,7 +36,7 @@ TEST(SceneRecord, LeavesOutAgentsFarAway) {
 }
 
 TEST(SceneRecord, ClipsTheRoadAtTheMargin) {
-  // The attacker ends at 34 m, the ego begins at 0: with the margin -50 to 84 m is kept.
+  // The attacker ends at 34 m and the ego starts at 0; with the margin, -50 to 84 m is kept.
   const std::string record = sceneRecord(straightScene(), extentFromNow(), kOptions);
   EXPECT_THAT(record, HasSubstr(R"("drivable":[{"rings":[)"));
   EXPECT_THAT(record, Not(HasSubstr("1e+06")));

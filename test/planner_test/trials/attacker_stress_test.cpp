@@ -53,7 +53,7 @@ TEST_F(AttackerStressTest, EveryConductMovesTheEgoAsNamed) {
   }
   EXPECT_GT(longest, 25.0);
   const auto evades = observedWith(EgoConduct::kEvades);
-  EXPECT_EQ(evades.front().x, jumps.front().x) << "all begin as recorded";
+  EXPECT_EQ(evades.front().x, jumps.front().x) << "all start as recorded";
 }
 
 TEST_F(AttackerStressTest, ReportsAViolatedLimitAndATouchedAgent) {

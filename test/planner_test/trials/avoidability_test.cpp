@@ -54,7 +54,7 @@ TEST(Avoidability, AnEgoThatIsNotHitKeepsDriving) {
 }
 
 TEST(Avoidability, ACarThatStandsInTheWayIsAvoidedByBrakingWhileThereIsRoom) {
-  // 10 m/s, stops within 100 / (2 * 7.9) = 6.4 m.
+  // At 10 m/s the ego stops within 100 / (2 * 7.9) = 6.4 m.
   const CrashScenario scenario = roadScenario(10.0, straightDrive({40.0, 0.0, 0.0}, 0.0, 7.0));
   const Avoidability found = avoidabilityOf(scenario);
   const Avoidance* braking = found.find(EvasiveManoeuvre::kBraking);
@@ -66,7 +66,7 @@ TEST(Avoidability, ACarThatStandsInTheWayIsAvoidedByBrakingWhileThereIsRoom) {
 }
 
 TEST(Avoidability, AnEgoAboveTheSpeedLimitMayKeepItsSpeedAndBrake) {
-  // 30 m/s, stops within 900 / (2 * 7.9) = 57 m.
+  // At 30 m/s the ego stops within 900 / (2 * 7.9) = 57 m.
   ASSERT_GT(30.0, shippedConfig().attack.verification.limits.max_speed);
   const CrashScenario scenario = roadScenario(30.0, straightDrive({150.0, 0.0, 0.0}, 0.0, 7.0));
   const Avoidability found = avoidabilityOf(scenario);
@@ -122,7 +122,7 @@ TEST(Avoidability, AFasterCarFromBehindIsEvadedByAcceleratingOrSteering) {
 }
 
 TEST(Avoidability, WitnessesTouchNoOtherAgent) {
-  // Braking would be hit by the car behind, the lane beside is taken, too.
+  // A braking ego is hit from behind, and the parallel lane is occupied.
   const CrashScenario scenario = roadScenario(10.0, straightDrive({25.0, 0.0, M_PI}, 5.0, 4.0),
                                               {straightCar("behind", {-7.0, 0.0, 0.0}, 10.0)});
   const Avoidability found = avoidabilityOf(scenario);
@@ -140,7 +140,7 @@ TEST(Avoidability, MotionsOnTheRoadArePreferred) {
 }
 
 TEST(Avoidability, ContactsBetweenThePointsOfAMotionAreFound) {
-  // Half a second between points, in which the crossing attacker drives 10 m.
+  // The crossing attacker drives 10 m between two points, 0.5 s apart.
   const Config& config = shippedConfig();
   AvoidabilityOptions coarse = config.planners.avoidability;
   coarse.step = 0.5;

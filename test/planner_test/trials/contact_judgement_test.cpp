@@ -76,7 +76,7 @@ TEST(ContactJudgement, ReturnsTheTypeThatApplies) {
   const Pose2 oncoming{4.0, 0.0, M_PI};
   EXPECT_EQ(type(oncoming, oncoming, CollisionType::kOppositeDirection),
             CollisionType::kOppositeDirection);
-  // Flank to flank at the same heading: neither from behind nor towards the ego.
+  // Side to side at the same heading: neither from behind nor oncoming.
   EXPECT_EQ(type({0.0, 1.8, 0.0}, {0.0, 1.73, 0.0}, CollisionType::kRearEnd), std::nullopt);
 }
 

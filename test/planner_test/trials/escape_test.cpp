@@ -69,7 +69,7 @@ TEST(Escape, AWitnessAvoidsTheAttackerInClosedLoop) {
   const auto escape = findEscape(one.scenario, hit.driven, setup);
   ASSERT_TRUE(escape);
   EXPECT_LT(escape->ego.start, hit.contact->time);
-  EXPECT_GT(escape->ego.start, hit.contact->time - 2.0) << "a follower can be escaped late";
+  EXPECT_GT(escape->ego.start, hit.contact->time - 2.0) << "a follower can be avoided late";
 
   Reader reader(wholeEscape(hit.driven, escape->ego));
   const RolloutOutcome escaped = rollout(reader, kExact, one.scenario, setup);

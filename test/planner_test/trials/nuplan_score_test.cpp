@@ -70,13 +70,13 @@ TEST_F(NuplanScoring, LittleProgressCountsAsNone) {
   EXPECT_EQ(driven(straight(10.0), {}, 0.21).making_progress, 1.0);
   EXPECT_EQ(driven(straight(10.0), {}, 0.19).total, 0.0);
   EXPECT_EQ(driven(straight(10.0), {}, 1.5).progress, 1.0);
-  // Below 2 m both count as 2 m, and far backwards is none.
+  // Progress below 2 m counts as 2 m; far backwards counts as none.
   EXPECT_EQ(judge().score({}, 0.0, 0.5).progress, 1.0);
   EXPECT_EQ(judge().score({}, -3.0, 0.5).progress, 0.0);
 }
 
 TEST_F(NuplanScoring, AnAgentBesideCountsOnlyInSeveralLanes) {
-  // Comes from the right, at the ego's rear half.
+  // An agent comes from the right, towards the ego's rear half.
   const std::vector<Track> crossing = {agentAt("a", {-1.0, -3.0, 0.5 * M_PI}, 2.0, {2.0, 1.0})};
   const auto standing_at = [](double y) {
     return [=](double time) -> TrajectoryPoint { return {time, {0.0, y, 0.0}, 0.1, 0.0, 0.0}; };

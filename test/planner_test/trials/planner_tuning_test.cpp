@@ -168,7 +168,7 @@ TEST(TestVariants, HasARowPerVariant) {
   ASSERT_EQ(found.rows.size(), 2u);
   EXPECT_EQ(found.rows[0].planner, "default");
   EXPECT_EQ(found.rows[1].planner, "1");
-  // Who accelerates harder is farther ahead after any time.
+  // A higher acceleration leads to more progress at any time.
   const auto speed = [](const RolloutOutcome& o) { return o.progress / o.duration; };
   EXPECT_GT(speed(found.rows[1].outcome), speed(found.rows[0].outcome));
 }
@@ -177,7 +177,7 @@ TEST(TestVariants, CanLeaveOutUnavoidableCases) {
   PlannerCase one = rearEnd();
   const auto only = variants({{"idm.standard.min_gap", {1.0}}});
   TrialOptions helpless = config().planners;
-  // Nothing but going on as before may be tried, and that is hit from behind.
+  // Only keeping the speed may be tried, and then the ego is hit from behind.
   helpless.avoidability.accelerations = {0.0};
   helpless.avoidability.offsets = {0.0};
   helpless.avoidability.draws = 0;

@@ -88,7 +88,7 @@ TEST(Rollout, TheAttackerObservesEveryStepAndFollowsItsNewestPlan) {
   setup.attacker = &attacker;
   const RolloutOutcome outcome = rollout(planner, {0.1, true}, scenario, setup);
   ASSERT_TRUE(outcome.contact);
-  // It stands at x = 35 from the second on.
+  // The attacker stands at x = 35 m from 1 s after t0 on.
   const double gap = 35.0 - 0.5 * (kEgoSize.length + kCarSize.length);
   EXPECT_NEAR(outcome.contact->time, kNow + gap / 8.0, 1e-3);
   EXPECT_EQ(outcome.phase, AttackerPhase::kDrivingOn);
@@ -266,7 +266,7 @@ TEST(Rollout, BackgroundTrafficBrakesForAnEgoThatStops) {
   const RolloutOutcome replayed = drive(planner, scenario);
   ASSERT_TRUE(replayed.contact);
   EXPECT_EQ(replayed.contact->other_id, "behind");
-  EXPECT_TRUE(replayed.others.empty()) << "they are where they were recorded";
+  EXPECT_TRUE(replayed.others.empty()) << "replayed agents are at their recorded poses";
   const RolloutOutcome outcome = drive(planner, scenario, Background::kIdm);
   EXPECT_FALSE(outcome.contact);
   ASSERT_EQ(outcome.others.size(), 1u);

@@ -60,7 +60,7 @@ TEST(Traffic, ReplaysTheRecording) {
 }
 
 TEST(Traffic, ContainsNoFutureStates) {
-  // Two recordings that part at the frame 0.5 s after now.
+  // Two recordings that differ from the frame 0.5 s after t0 on.
   auto calm = straightCar("other", {20.0, 3.5, M_PI}, 4.0);
   auto sudden = calm;
   for (AgentState& state : sudden.second.states) {

@@ -55,7 +55,8 @@ TEST(TorchscriptPlanner, PlansInTheEgoFrame) {
 }
 
 TEST(TorchscriptPlanner, KeepsTheEgoHistory) {
-  // It stands for a frame of the contract, then answers with where the ego was then.
+  // The file returns the previous history frame in the ego frame; 0 (no motion) while that frame is
+  // unknown.
   const ScriptFile file(
       "    was = ego_history[-2]\n"
       "    return was[5] * was[0:3].expand(80, 3)\n");
