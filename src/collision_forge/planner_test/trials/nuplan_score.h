@@ -69,7 +69,7 @@ class NuplanJudge {
   /// Adds the states of one step; call in order of time. Agents with an id in `ignored` are
   /// skipped.
   void addStep(const TrajectoryPoint& ego, const std::vector<Track>& agents,
-           const std::set<std::string>& ignored);
+               const std::set<std::string>& ignored);
 
   /// Returns the score of the steps so far. `driven` and `recorded`: progress of the ego and the
   /// recorded ego along the route, m.
