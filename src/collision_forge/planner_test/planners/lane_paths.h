@@ -10,7 +10,7 @@ namespace forge {
 /// driving direction or against it.
 using NodePath = std::vector<std::size_t>;
 
-/// Whether a path follows the edges (ahead) or goes against them (behind).
+/// Direction of a path: along the edges (ahead) or against them (behind).
 enum class PathDirection { kAhead, kBehind };
 
 /// Returns all paths from `node` that are at least `length` metres long or end where the lanes end,

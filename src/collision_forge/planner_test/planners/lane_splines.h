@@ -42,8 +42,8 @@ struct Reach {
 };
 
 /// Returns the candidate paths of a vehicle over a lane graph: one along every graph path through
-/// every edge in `matches`, in their order, then in that of the edges at each branch. Each is bent
-/// to pass through the vehicle. Without a match, returns one straight path along the heading. If
+/// every edge in `matches`, in their order, then of the edges at each branch. Each is bent to
+/// pass through the vehicle. Without a match, returns one straight path along the heading. If
 /// `reach.behind` is 0, paths that differ only behind the vehicle are returned once. `speed`: m/s.
 std::vector<LaneSpline> laneSplinesOf(const LaneGraph& graph, const std::vector<EdgeMatch>& matches,
                                       const Pose2& vehicle, double speed, const Reach& reach,

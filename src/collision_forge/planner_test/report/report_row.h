@@ -54,7 +54,7 @@ struct ReportRow {
 ReportRow rowOfAttack(const Scenario& scenario, const Realization& attack,
                       const std::optional<StrictOutcome>& recorded);
 
-/// Returns the row of a planner in a case, or without `row` that of an untested case. Copies the
+/// Returns the row of a planner in a case, or of an untested case if `row` is null. Copies the
 /// fields of the attack itself from `attack`, if given.
 ReportRow rowOfTest(const PlannerTestResult& result, const PlannerRow* row,
                     const ReportRow* attack);

@@ -23,7 +23,7 @@ struct AvoidabilitySummary {
   double off_road_share = 0.0;  ///< share 0..1 of the box off the drivable area, mean
 };
 
-/// What a test runs: planners, background traffic and attacker policies.
+/// Configuration of a test: planners, background traffic and attacker policies.
 struct TestPlan {
   std::vector<std::string> planners;
   Background background = Background::kReplay;

@@ -36,7 +36,6 @@ class RequestCases : public PlannerCases {
 
   /// Returns "NAME: REASON" for each scene that cannot be read and is left out.
   const std::vector<std::string>& unreadable() const { return unreadable_; }
-  std::vector<std::string> unreadable_;
   const std::vector<std::string>& names() const override { return names_; }
   std::string fingerprint() const override;
   PlannerCase at(std::size_t index) const override;
@@ -54,6 +53,7 @@ class RequestCases : public PlannerCases {
   std::string method_;
   std::vector<SceneRequest> requests_;
   std::vector<std::string> names_;
+  std::vector<std::string> unreadable_;
 };
 
 }  // namespace forge
