@@ -285,7 +285,7 @@ class PlannerOutcome:
             return 'not known to be avoidable'
         at_once = self.last_moment < 1e-6  # s
         if self.last_manoeuvre != 'keeping':
-            when = 'at once' if at_once else 'up to {:.1f} s after t0'.format(self.last_moment)
+            when = 'at once' if at_once else 'up to {:.1f} s'.format(self.last_moment)
             how = 'braking and steering' if self.last_manoeuvre == 'both' else self.last_manoeuvre
             return 'avoidable {} by {}'.format(when, how)
         if self.message.attacker_policy != 'adaptive':

@@ -13,7 +13,7 @@
 namespace forge {
 namespace {
 
-/// East for 20 m, then north for 20 m, a node every 5 m; the corner is there twice.
+/// A path 20 m east, then 20 m north, with a node every 5 m; the corner is a duplicate node.
 std::vector<Pose2> corner() {
   std::vector<Pose2> nodes;
   for (int x = 0; x <= 20; x += 5) nodes.push_back({1.0 * x, 0.0, 0.0});
@@ -47,12 +47,12 @@ bool touches(const OrientedBox& box, double from) {
   return IdmCorridor(path, {box}, 2.0).touchedFrom(from).front();
 }
 
-TEST(IdmCorridor, IsAsWideAsAskedFor) {
+TEST(IdmCorridor, HasTheGivenWidth) {
   EXPECT_TRUE(touches(boxOf(8.0, 1.45), 0.0));
   EXPECT_FALSE(touches(boxOf(8.0, 1.55), 0.0));
 }
 
-/// Three turns of a spiral, so that a box near one turn is not far from another.
+/// A spiral of three turns, so that a box near one turn is close to the next.
 std::vector<Pose2> spiral() {
   std::vector<Pose2> nodes;
   for (int i = 0; i <= 600; ++i) {
@@ -63,7 +63,7 @@ std::vector<Pose2> spiral() {
   return nodes;
 }
 
-TEST(IdmCorridor, OnALongWayThatComesBackItIsThatOfEveryPlace) {
+TEST(IdmCorridor, MatchesAnExhaustiveSearchOnALongSpiralPath) {
   constexpr unsigned kSeed = 5;
   SCOPED_TRACE("seed " + std::to_string(kSeed));
   std::mt19937 random(kSeed);

@@ -42,7 +42,7 @@ TEST(IdmPlanner, StartsOnThePathBesideTheEgo) {
   EXPECT_NEAR(plan.front().pose.yaw, 0.0, 1e-9);
 }
 
-TEST(IdmPlanner, LooksAtNobodyBesideTheCorridorOrFarAway) {
+TEST(IdmPlanner, IgnoresAgentsBesideTheCorridorOrFarAway) {
   const auto free = planStandard(5.0, {});
   const auto plan = planStandard(5.0, {pastTrack("beside", kCarSize, {15.0, 3.5, 0.0}, 0.0),
                                        pastTrack("behind", kCarSize, {-8.0, 0.0, 0.0}, 9.0),
@@ -58,7 +58,7 @@ TEST(IdmPlanner, StopsBehindAStandingLead) {
   EXPECT_GT(plan.back().pose.x, bumper - 5.0);
 }
 
-TEST(IdmPlanner, AimsAtTheLimitOrAtItsOwnSpeedWhicheverIsHigher) {
+TEST(IdmPlanner, DesiredSpeedIsTheHigherOfSpeedLimitAndEgoSpeed) {
   const auto targetAt = [](double speed, std::optional<double> limit) {
     auto map = twoLaneRoad();
     for (Lane& lane : map->lanes) lane.speed_limit = limit;
@@ -75,7 +75,7 @@ TEST(IdmPlanner, AimsAtTheLimitOrAtItsOwnSpeedWhicheverIsHigher) {
   EXPECT_EQ(targetAt(9.0, 8.0), 9.0);
 }
 
-TEST(IdmPlanner, OffTheLanesItFollowsItsRoute) {
+TEST(IdmPlanner, FollowsItsRouteWhereNoLaneIsNear) {
   DrivingTask task = straightTask();
   task.route = {{0.0, 60.0}, {0.0, 160.0}};
   IdmPlanner planner(standard(), routeOptions());
@@ -91,7 +91,7 @@ TrajectoryPoint planPublished(double speed, const std::vector<Track>& agents) {
   return planner.plan({egoAt(speed), agents}).back();
 }
 
-/// The law over a step in ten thousand small ones, the lead standing still.
+/// Integrates the law over one step in 10,000 small ones behind a standing lead.
 double finelyIntegrated(double speed, double lead_speed, double distance) {
   constexpr int kSteps = 10000;
   const double step = published().step / kSteps;
@@ -103,7 +103,7 @@ double finelyIntegrated(double speed, double lead_speed, double distance) {
   return speed;
 }
 
-TEST(PublishedIdmPlanner, TakesTheAttackerAtCentreDistanceWhereverItIs) {
+TEST(PublishedIdmPlanner, UsesTheAttackerAsLeadAtCentreDistanceInAnyDirection) {
   const double expected = finelyIntegrated(4.0, 3.0, 10.0);
   for (const double x : {10.0, -10.0}) {
     const auto point = planPublished(4.0, {pastTrack("attacker", kCarSize, {x, 0.0, 0.0}, 3.0)});
@@ -112,7 +112,7 @@ TEST(PublishedIdmPlanner, TakesTheAttackerAtCentreDistanceWhereverItIs) {
   }
 }
 
-TEST(PublishedIdmPlanner, LooksAtNobodyElse) {
+TEST(PublishedIdmPlanner, IgnoresOtherAgents) {
   const auto free = planPublished(4.0, {});
   EXPECT_NEAR(free.speed, finelyIntegrated(4.0, 0.0, HUGE_VAL), 1e-3);
   const auto other = planPublished(4.0, {pastTrack("other", kCarSize, {10.0, 0.0, 0.0}, 0.0)});

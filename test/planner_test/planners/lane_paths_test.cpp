@@ -5,13 +5,13 @@
 namespace forge {
 namespace {
 
-/// 0 - 1 - 2, then 3 or 4, each a metre on; 5 leads to 1, too.
+/// Edges of 1 m: 0 - 1 - 2, then 3 or 4; 5 leads to 1 as well.
 LaneGraph fork() {
   return {{{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}, {3.0, 0.0}, {2.0, 1.0}, {1.0, -1.0}},
           {{0, 1}, {1, 2}, {2, 3}, {2, 4}, {5, 1}}};
 }
 
-TEST(NodePaths, FollowEveryBranchInTheOrderOfTheEdges) {
+TEST(NodePaths, FollowEveryBranchInEdgeOrder) {
   EXPECT_EQ(nodePaths(fork(), 0, PathDirection::kAhead, 10.0, 9),
             (std::vector<NodePath>{{0, 1, 2, 3}, {0, 1, 2, 4}}));
 }

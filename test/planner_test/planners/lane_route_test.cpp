@@ -17,7 +17,7 @@ std::vector<std::string> idsOf(const LaneIndex& lanes, const std::vector<std::si
 
 using Ids = std::vector<std::string>;
 
-/// A lane that forks into one straight on and one to the left.
+/// A lane that forks into a straight lane and one to the left.
 LaneIndex fork() {
   auto map = std::make_shared<LaneMap>();
   map->lanes = {outlinedLane("in", {0.0, 0.0}, {50.0, 0.0}, {"left", "on"}),
@@ -38,7 +38,7 @@ TEST(LaneRoute, TakesTheBranchOfTheRoute) {
       (Ids{"in", "left", "left_out"}));
 }
 
-TEST(LaneRoute, StartsInTheLaneThatHoldsTheEgo) {
+TEST(LaneRoute, StartsInTheLaneThatContainsTheEgo) {
   const auto lanes = threeLaneRoad();
   const std::vector<Vector2> route = {{0.0, 1.0}, {100.0, 1.0}};
   EXPECT_EQ(idsOf(*lanes, laneRoute(*lanes, route, {0.0, 1.0, 0.0}, options())), (Ids{"right"}));

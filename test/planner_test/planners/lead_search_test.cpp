@@ -17,7 +17,7 @@ Track carAt(const std::string& id, const Pose2& pose, double speed = 0.0) {
   return pastTrack(id, kCarSize, pose, speed);
 }
 
-TEST(LeadSearch, GivesTheGapFromBumperToBumper) {
+TEST(LeadSearch, ReturnsTheGapFromBumperToBumper) {
   const auto lead = leadOf({carAt("ahead", {20.0, 0.0, 0.0}, 3.0)});
   ASSERT_TRUE(lead);
   EXPECT_EQ(lead->id, "ahead");
@@ -32,7 +32,7 @@ TEST(LeadSearch, ACrossingCarLeadsAtItsFlank) {
   EXPECT_NEAR(lead->speed, 0.0, 1e-9);
 }
 
-TEST(LeadSearch, LeavesOutWhoIsBesideBehindOrTooFar) {
+TEST(LeadSearch, IgnoresAgentsBesideBehindOrTooFar) {
   const double beside = 0.5 * (kEgoSize.width + kCarSize.width) + 0.1;
   EXPECT_FALSE(leadOf({carAt("beside", {20.0, beside, 0.0})}));
   EXPECT_TRUE(leadOf({carAt("beside", {20.0, beside, 0.0})}, 0.2));

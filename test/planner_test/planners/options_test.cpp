@@ -16,7 +16,7 @@ TEST(PlannerOptions, TheCarKeepsTheVehicleLimits) {
   EXPECT_NEAR(planners().car.max_steering, M_PI / 3.0, 1e-4);  // nuPlan's
 }
 
-TEST(PlannerOptions, PdmLooksAsFarAheadAsPublished) {
+TEST(PlannerOptions, PdmPlansAsFarAheadAsPublished) {
   const PdmOptions& pdm = planners().pdm;
   EXPECT_EQ(pdm.step, planners().lqr.step);
   EXPECT_NEAR(pdm.step * pdm.proposal_steps, 4.0, 1e-9);

@@ -34,7 +34,7 @@ bool touchesAnybody(const std::vector<TrajectoryPoint>& points, const std::vecto
   return false;
 }
 
-TEST(PdmPlanner, WeighsFifteenProposalsAndGivesOutEightSeconds) {
+TEST(PdmPlanner, ScoresFifteenProposalsAndPlansEightSeconds) {
   PdmPlanner planner = plannerOn(taskOn(threeLaneRoad()));
   const std::vector<TrajectoryPoint> points = planner.plan({egoAt({0.0, 0.3, 0.05}, 8.0), {}});
   EXPECT_EQ(planner.closed()->candidates().size(), 15U);
@@ -49,7 +49,7 @@ TEST(PdmPlanner, WeighsFifteenProposalsAndGivesOutEightSeconds) {
   ASSERT_EQ(points.size(), 81U);
   EXPECT_EQ(points.front().time, 0.0);
   EXPECT_NEAR(points.back().time, 8.0, 1e-9);
-  // The poses of the proposal, which begins beside the ego.
+  // The plan has the poses of the proposal, which starts beside the ego.
   EXPECT_NEAR(points.front().pose.x, 0.0, 0.05);
   const double offset =
       shippedConfig().planners.pdm.lateral_offsets[best(planner).proposal.lateral];
@@ -68,8 +68,8 @@ TEST(PdmPlanner, StaysBehindAStandingCar) {
   EXPECT_EQ(best(planner).score.collision, 1.0);
 }
 
-TEST(PdmPlanner, GoesAroundWhatReachesALittleIntoItsWay) {
-  // A parked car that the centre line's corridor touches and that of -1 m misses.
+TEST(PdmPlanner, PassesAnObstacleThatReachesSlightlyIntoItsPath) {
+  // A parked car that touches the corridor of the centreline but not the one at -1 m.
   auto map = std::make_shared<LaneMap>(threeLaneRoad()->map());
   map->drivable_area = {rectangle(-200.0, -5.0, 400.0, 8.75)};
   const auto lanes = std::make_shared<const LaneIndex>(map);
@@ -82,7 +82,7 @@ TEST(PdmPlanner, GoesAroundWhatReachesALittleIntoItsWay) {
 }
 
 TEST(PdmPlanner, BrakesInAnEmergency) {
-  // 2 m ahead of the ego's front somebody stands; at 5 m/s no proposal stops in time.
+  // A car stands 2 m ahead of the ego's front; at 5 m/s no proposal stops in time.
   const EgoVehicle& ego = shippedConfig().ego_vehicle;
   const double gap = 2.0;
   const std::vector<Track> agents = {
@@ -91,14 +91,14 @@ TEST(PdmPlanner, BrakesInAnEmergency) {
   const std::vector<TrajectoryPoint> points = planner.plan({egoAt({0.0, 0.0, 0.0}, 4.9), agents});
   EXPECT_TRUE(planner.closed()->isEmergencyBraking());
   ASSERT_EQ(points.size(), 81U);
-  // Laid out at 1.1 (4.9 - 4.05) m/s.
+  // The braking poses have a speed of 1.1 (4.9 - 4.05) m/s.
   EXPECT_NEAR(points.back().pose.x, 8.0 * 1.1 * 0.85, 1e-9);
-  // Faster than 5 m/s it follows the best proposal.
+  // Above 5 m/s the ego follows the best proposal.
   planner.plan({egoAt({0.0, 0.0, 0.0}, 5.1), agents});
   EXPECT_FALSE(planner.closed()->isEmergencyBraking());
 }
 
-TEST(PdmPlanner, WhoTouchedTheEgoIsIgnored) {
+TEST(PdmPlanner, IgnoresAnAgentThatTouchedTheEgo) {
   const std::vector<Track> touching = {agentAt("a", {4.0, 0.0, 0.0}, 0.0)};
   PdmPlanner planner = plannerOn(taskOn(threeLaneRoad()));
   const std::vector<TrajectoryPoint> points = planner.plan({egoAt({0.0, 0.0, 0.0}, 5.0), touching});
@@ -122,7 +122,7 @@ TEST(PdmPlanner, TheSameTaskAndObservationsGiveTheSameTrajectories) {
   }
 }
 
-TEST(PdmPlanner, RefusesATaskWithoutLanesOrRoute) {
+TEST(PdmPlanner, RejectsATaskWithoutLanesOrRoute) {
   const PlannerOptions& options = shippedConfig().planners;
   PdmPlanner planner(options.pdm, options.route_centerline, options.car, options.lqr);
   EXPECT_THROW(planner.initialize({}), std::invalid_argument);

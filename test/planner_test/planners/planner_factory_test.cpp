@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-TEST(PlannerFactory, MakesEveryPlannerThatItNames) {
+TEST(PlannerFactory, CreatesEveryNamedPlanner) {
   for (const std::string& name : plannerNames()) {
     const PlannerUnderTest made = makePlanner(name, shippedConfig().planners, "attacker");
     EXPECT_NE(made.planner, nullptr) << name;
@@ -17,7 +17,7 @@ TEST(PlannerFactory, MakesEveryPlannerThatItNames) {
   EXPECT_FALSE(makePlanner("idm", shippedConfig().planners, "a").driving.is_exact);
 }
 
-TEST(PlannerFactory, RefusesAnUnknownNameWithThoseThatItKnows) {
+TEST(PlannerFactory, RejectsAnUnknownNameAndListsTheKnownOnes) {
   try {
     makePlanner("idn", shippedConfig().planners, "attacker");
     ADD_FAILURE();

@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-/// The numbers of one input, as rows of the last dimension.
+/// One input tensor as rows of its last dimension.
 class Input {
  public:
   Input(const std::vector<float>& all, ContractInput which) {
@@ -39,15 +39,15 @@ void expectRow(const Input& input, std::size_t row, const std::vector<double>& e
   }
 }
 
-TEST(PlannerInputs, AreAsManyAsTheContractHas) {
+TEST(PlannerInputs, HaveTheSizesOfTheContract) {
   std::size_t count = 0;
   for (const ContractTensor& input : kContractInputs) count += input.count();
   EXPECT_EQ(inputsAt(egoAt({}, 5.0), {}).size(), count);
 }
 
-TEST(PlannerInputs, TellTheEgoAsItWasSeen) {
+TEST(PlannerInputs, ContainTheObservedEgoStates) {
   PlannerInputs inputs(taskOn(threeLaneRoad()), routeOptions());
-  // At 4 m/s from (0, 1) to (4, 1) within a second, looking north at last.
+  // The ego drives from (0, 1) to (4, 1) in 1 s at 4 m/s and heads north at the end.
   TrajectoryPoint before{10.0, {0.0, 1.0, 0.5 * M_PI}, 4.0, 1.0, 0.0};
   TrajectoryPoint now{11.0, {4.0, 1.0, 0.5 * M_PI}, 6.0, 2.0, 0.0};
   const Input ego(inputs.at({before, now}, {}), kEgoHistory);
@@ -57,8 +57,8 @@ TEST(PlannerInputs, TellTheEgoAsItWasSeen) {
   expectRow(ego, 1, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
 }
 
-TEST(PlannerInputs, TellTheNearestAgentsFirstInTheFrameOfTheEgo) {
-  // The ego looks north: what is east of it is on its right.
+TEST(PlannerInputs, ContainTheNearestAgentsFirstInTheEgoFrame) {
+  // The ego heads north, so places east of it are on its right.
   Track walker = agentAt("walker", {20.0, 0.0, 0.0}, 1.0, {0.6, 0.7}, AgentClass::kPedestrian);
   Track car = agentAt("car", {10.0, 0.0, M_PI}, 5.0);
   car.states.insert(car.states.begin(), {-0.5, {12.5, 0.0, M_PI}, {-5.0, 0.0}});
@@ -73,7 +73,7 @@ TEST(PlannerInputs, TellTheNearestAgentsFirstInTheFrameOfTheEgo) {
   EXPECT_EQ(mask.sum(), 3.0);
 }
 
-TEST(PlannerInputs, LeaveOutTheFarthestOfTooManyAgents) {
+TEST(PlannerInputs, DropTheFarthestOfTooManyAgents) {
   std::vector<Track> many;
   for (std::size_t i = 0; i <= kContractAgents; ++i) {
     many.push_back(
@@ -85,7 +85,7 @@ TEST(PlannerInputs, LeaveOutTheFarthestOfTooManyAgents) {
   EXPECT_EQ(agents.at(kContractAgents * kContractFrames - 1, 0), 99.0);
 }
 
-TEST(PlannerInputs, TellTheLanesAroundTheEgo) {
+TEST(PlannerInputs, ContainTheLanesAroundTheEgo) {
   const auto all = inputsAt(egoAt({100.0, 0.0, 0.0}, 5.0), {});
   const Input lanes(all, kLanes);
   const Input mask(all, kLanesMask);
@@ -94,12 +94,12 @@ TEST(PlannerInputs, TellTheLanesAroundTheEgo) {
   expectRow(lanes, kContractLanePoints, {-40.0, 3.5, 0.0, 0.0});
   expectRow(lanes, 2 * kContractLanePoints, {40.0, 7.0, M_PI, 0.0});
   EXPECT_EQ(mask.sum(), 3.0 * kContractLanePoints);
-  // Thirty metres before the end of two of them and after the start of the third.
+  // 30 m before the end of two lanes and 30 m after the start of the third.
   const Input at_end(inputsAt(egoAt({370.0, 0.0, 0.0}, 5.0), {}), kLanesMask);
   EXPECT_EQ(at_end.sum(), 2.0 * (10 + 8) + kContractLanePoints);
 }
 
-TEST(PlannerInputs, TellTheRouteFromTheEgoOn) {
+TEST(PlannerInputs, ContainTheRouteFromTheEgoOn) {
   const Input route(inputsAt(egoAt({100.0, 1.0, 0.1}, 5.0), {}), kRoute);
   for (std::size_t i = 0; i < kContractRoutePoints; ++i) {
     const Pose2 expected =

@@ -14,13 +14,13 @@
 
 namespace forge {
 
-/// What config/ says.
+/// Returns the shipped configuration.
 inline const Config& shippedConfig() {
   static const Config config = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   return config;
 }
 
-/// A lane 3.5 m wide.
+/// Creates a lane 3.5 m wide.
 inline Lane outlinedLane(const std::string& id, const Vector2& from, const Vector2& to,
                          std::vector<std::string> outgoing = {}) {
   Lane lane = straightLane(id, from, to, std::move(outgoing));
@@ -30,8 +30,8 @@ inline Lane outlinedLane(const std::string& id, const Vector2& from, const Vecto
   return lane;
 }
 
-/// Along x from -200 to 400 m: eastbound on y = 0 ("right") and 3.5 ("left"), westbound on y = 7
-/// ("oncoming"); drivable from y = -1.75 to 8.75.
+/// A road along x from -200 to 400 m: eastbound lanes at y = 0 ("right") and 3.5 ("left"), a
+/// westbound one at y = 7 ("oncoming"); drivable from y = -1.75 to 8.75.
 inline std::shared_ptr<const LaneIndex> threeLaneRoad() {
   auto map = std::make_shared<LaneMap>();
   map->lanes = {outlinedLane("right", {-200.0, 0.0}, {400.0, 0.0}),
@@ -41,8 +41,8 @@ inline std::shared_ptr<const LaneIndex> threeLaneRoad() {
   return std::make_shared<const LaneIndex>(map);
 }
 
-/// To the east along y = 0 to x = 0, then a quarter of a circle of `radius` to the left, then
-/// north; 5 m drivable on either side.
+/// A road east along y = 0 to x = 0, then a quarter circle of `radius` metres to the left, then
+/// north; drivable 5 m to either side.
 inline std::shared_ptr<const LaneIndex> bentRoad(double radius) {
   auto map = std::make_shared<LaneMap>();
   Lane lane;
@@ -60,7 +60,7 @@ inline std::shared_ptr<const LaneIndex> bentRoad(double radius) {
   return std::make_shared<const LaneIndex>(map);
 }
 
-/// The points of a centreline.
+/// Returns the points of a centreline.
 inline std::vector<Vector2> routeAlong(const LaneIndex& lanes, std::size_t lane) {
   return lanes.centerline(lane)->points();
 }
@@ -74,13 +74,13 @@ inline DrivingTask taskOn(std::shared_ptr<const LaneIndex> lanes, std::size_t la
   return task;
 }
 
-/// Seen once, at time 0, driving along its heading.
+/// A track with one state at time 0 that drives along its heading.
 inline Track agentAt(const std::string& id, const Pose2& pose, double speed,
                      const BoxSize& size = kCarSize, AgentClass agent_class = AgentClass::kCar) {
   return {id, agent_class, size, {{0.0, pose, speed * pose.heading()}}};
 }
 
-/// The ego at time 0, its middle at `pose`.
+/// The ego at time 0 with the middle of its box at `pose`.
 inline TrajectoryPoint egoAt(const Pose2& pose, double speed) {
   return {0.0, pose, speed, 0.0, 0.0};
 }

@@ -20,7 +20,7 @@ TEST(RouteCenterline, IsTheCentrelineOfTheLaneThatTheRouteIsOn) {
   EXPECT_NEAR(line.length(), 100.0, 0.1);
 }
 
-TEST(RouteCenterline, PassesOverWhereTheRouteChangesLanes) {
+TEST(RouteCenterline, ChangesLanesWithTheRoute) {
   const auto lanes = threeLaneRoad();
   const Polyline line = centerlineOf(*lanes, {{0.0, 0.3}, {80.0, 0.3}, {110.0, 3.2}, {200.0, 3.2}});
   EXPECT_NEAR(line.project({60.0, 0.0}).lateral, 0.0, 0.01);
@@ -34,7 +34,7 @@ TEST(RouteCenterline, PassesOverWhereTheRouteChangesLanes) {
 }
 
 TEST(RouteCenterline, ARouteBesideItsLaneForAWhileDoesNotChangeLanes) {
-  // Swings out towards the left lane, past something, and back.
+  // The route swings out towards the left lane and back, as around an obstacle.
   const auto lanes = threeLaneRoad();
   const Polyline line = centerlineOf(
       *lanes, {{0.0, 0.0}, {40.0, 0.0}, {50.0, 1.9}, {54.0, 1.9}, {64.0, 0.0}, {120.0, 0.0}});
@@ -51,7 +51,7 @@ TEST(RouteCenterline, FollowsTheConnectorThatTheRouteTakes) {
   EXPECT_NEAR(line.project({90.0, 11.667}).lateral, 0.0, 0.1);
 }
 
-TEST(RouteCenterline, OnePlaceIsNoRoute) {
+TEST(RouteCenterline, RejectsARouteOfOnePoint) {
   EXPECT_THROW(centerlineOf(*threeLaneRoad(), {{0.0, 0.5}, {0.0, 0.5}}), std::invalid_argument);
 }
 

@@ -20,7 +20,7 @@ TEST(Route, FollowsTheRecordingThenTheLane) {
   for (std::size_t i = 1; i < route.size(); ++i) EXPECT_GT(route[i].x(), route[i - 1].x());
 }
 
-TEST(Route, GoesStraightOnOffTheLanes) {
+TEST(Route, ContinuesStraightWhereNoLaneIsNear) {
   const LaneIndex lanes(emptyMap());
   const Track recorded =
       straightTrack(kEgoId, kEgoSize, {0.0, 0.0, 1.0}, 5.0, kNow, kNow, kNow + 1);
@@ -29,14 +29,14 @@ TEST(Route, GoesStraightOnOffTheLanes) {
   EXPECT_NEAR((route.back() - expected).norm(), 0.0, 1e-9);
 }
 
-TEST(Route, OfACarThatStandsLeadsAlongTheLane) {
+TEST(Route, FollowsTheLaneForAStandingCar) {
   const LaneIndex lanes(twoLaneRoad());
   const Track recorded =
       straightTrack(kEgoId, kEgoSize, {0.0, 0.0, 0.0}, 0.0, kNow, kNow, kNow + 4);
   EXPECT_GT(routeOf(recorded, lanes, options()).back().x(), 90.0);
 }
 
-TEST(Route, OfNobodyIsRefused) {
+TEST(Route, RejectsATrackWithoutStates) {
   const LaneIndex lanes(emptyMap());
   EXPECT_THROW(routeOf({kEgoId, AgentClass::kCar, kEgoSize, {}}, lanes, options()),
                std::invalid_argument);

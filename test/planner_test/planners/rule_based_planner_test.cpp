@@ -11,7 +11,7 @@ namespace {
 
 const RuleBasedOptions& published() { return shippedConfig().planners.rule_based; }
 
-/// East along y = 0; a road crosses it from the south at x = 60.
+/// A road east along y = 0, crossed by one from the south at x = 60.
 std::shared_ptr<const LaneIndex> crossing() {
   auto map = std::make_shared<LaneMap>();
   map->lanes = {outlinedLane("east", {-100.0, 0.0}, {300.0, 0.0}),
@@ -19,8 +19,7 @@ std::shared_ptr<const LaneIndex> crossing() {
   return std::make_shared<const LaneIndex>(map);
 }
 
-/// The ego's states, one planning step after the other, for `seconds`; the others drive straight
-/// on.
+/// Simulates the ego for `seconds`, one state per planning step; other agents drive straight on.
 std::vector<TrajectoryPoint> drive(std::shared_ptr<const LaneIndex> lanes, TrajectoryPoint ego,
                                    std::vector<Track> agents, double seconds,
                                    const RuleBasedOptions& options = published()) {
@@ -41,7 +40,8 @@ std::vector<TrajectoryPoint> drive(std::shared_ptr<const LaneIndex> lanes, Traje
   return driven;
 }
 
-/// The least distance between the ego's box and the agent's, straight on from time 0.
+/// Returns the smallest distance between the ego's box and the agent's, which drives straight on
+/// from time 0.
 double closest(const std::vector<TrajectoryPoint>& driven, const Track& agent) {
   double least = 1e9;
   for (const TrajectoryPoint& point : driven) {
@@ -64,7 +64,7 @@ TEST(RuleBasedPlanner, PlansFiveSecondsInSteps) {
   for (std::size_t i = 0; i < proposals.size(); ++i) {
     ASSERT_EQ(proposals[i].size(), 26U);
     EXPECT_EQ(proposals[i].front().y, 0.5);
-    // The way bends back into the lane, which costs some of its length.
+    // The path bends back into the lane, which costs some of its length.
     EXPECT_NEAR(proposals[i].back().x, profiles[i].profile.plan.distances.back(), 0.05);
   }
   ASSERT_EQ(points.size(), 26U);
@@ -76,8 +76,8 @@ TEST(RuleBasedPlanner, PlansFiveSecondsInSteps) {
   }
 }
 
-TEST(RuleBasedPlanner, StopsForACrossingCarThatItCanSee) {
-  // Slow and long: in the way of the ego, which would be there after 5 s, from 1 to 15 s.
+TEST(RuleBasedPlanner, StopsForACrossingCarInRange) {
+  // A slow and long vehicle blocks the ego's path from 1 to 15 s; the ego would arrive after 5 s.
   const Track car = agentAt("a", {60.0, -8.0, 0.5 * M_PI}, 1.0, {12.0, 2.5});
   const auto driven = drive(crossing(), egoAt({20.0, 0.0, 0.0}, 8.0), {car}, 22.0);
   EXPECT_GT(closest(driven, car), 0.3);
@@ -124,7 +124,7 @@ TEST(RuleBasedPlanner, TheTunedParametersKeepMoreDistance) {
               20.0, 0.5);
 }
 
-TEST(RuleBasedPlanner, FollowsTheRouteOnlyWhereItIsAskedTo) {
+TEST(RuleBasedPlanner, FollowsTheRouteOnlyWithAlongRoute) {
   auto map = std::make_shared<LaneMap>();
   map->lanes = {outlinedLane("in", {-50.0, 0.0}, {20.0, 0.0}, {"straight", "left"}),
                 outlinedLane("straight", {20.0, 0.0}, {220.0, 0.0}),
@@ -141,7 +141,7 @@ TEST(RuleBasedPlanner, FollowsTheRouteOnlyWhereItIsAskedTo) {
   }
 }
 
-TEST(RuleBasedPlanner, RefusesATaskWithoutLanesOrRoute) {
+TEST(RuleBasedPlanner, RejectsATaskWithoutLanesOrRoute) {
   RuleBasedPlanner planner(published());
   EXPECT_THROW(planner.initialize({}), std::invalid_argument);
   DrivingTask task = taskOn(crossing());

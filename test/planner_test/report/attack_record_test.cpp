@@ -18,7 +18,7 @@ VerificationOptions shippedOptions() {
   return loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").attack.verification;
 }
 
-TEST(AttackRecord, TellsTheLimitsThatTheRequestAsksFor) {
+TEST(AttackRecord, ContainsTheLimitsInTheRequest) {
   Scenario scenario = rearEnd();
   const VerificationOptions options = shippedOptions();
   EXPECT_THAT(attackRecord(scenario, scenario.answer, {}, options), HasSubstr(R"("of":"car")"));
@@ -26,7 +26,7 @@ TEST(AttackRecord, TellsTheLimitsThatTheRequestAsksFor) {
   EXPECT_THAT(attackRecord(scenario, scenario.answer, {}, options), HasSubstr(R"("of":"strict")"));
 }
 
-TEST(AttackRecord, HasWhatTheRecordingSaysWhereThatIsKnown) {
+TEST(AttackRecord, ContainsTheRecordedOutcomeIfKnown) {
   const Scenario scenario = rearEnd();
   const VerificationOptions options = shippedOptions();
   EXPECT_THAT(attackRecord(scenario, scenario.answer, {}, options), Not(HasSubstr("recorded\":{")));
@@ -34,7 +34,7 @@ TEST(AttackRecord, HasWhatTheRecordingSaysWhereThatIsKnown) {
               HasSubstr(R"("recorded":{"verified":false,"contact":false)"));
 }
 
-/// Of two equal cars at 10 s after kNow: the ego at 4 m/s is hit from behind at 8 m/s.
+/// A rear-end contact of two equal cars 10 s after kNow: the ego at 4 m/s is hit at 8 m/s.
 ShownCrash crash() {
   const BoxSize size{4.0, 2.0};
   const double time = kNow + 10.0;
@@ -44,7 +44,7 @@ ShownCrash crash() {
           2.0};
 }
 
-TEST(AttackRecord, HasTheMotionAfterTheContactUpToSomeSecondsAfterTheStand) {
+TEST(AttackRecord, ContainsThePostCrashMotionUntilAfterStandstill) {
   const Scenario scenario = rearEnd();
   const auto record = [&](const RecordedOutcome& recorded) {
     return attackRecord(scenario, scenario.answer, recorded, shippedOptions());
@@ -67,7 +67,7 @@ TEST(AttackRecord, HasTheMotionAfterTheContactUpToSomeSecondsAfterTheStand) {
   }
 }
 
-TEST(AttackRecord, TellsAllOfTheReportThatTheScenarioFileDoes) {
+TEST(AttackRecord, ContainsTheWholeReportOfTheScenarioFile) {
   const Scenario scenario = rearEnd();
   const std::string line = scenarioLine(scenario);
   const std::size_t begin = line.find("\"report\":{");
@@ -76,7 +76,7 @@ TEST(AttackRecord, TellsAllOfTheReportThatTheScenarioFileDoes) {
   EXPECT_THAT(attackRecord(scenario, scenario.answer, {}, shippedOptions()), HasSubstr(report));
 }
 
-TEST(PlannerRecord, TellsAllThatTheFileOfResultsDoes) {
+TEST(PlannerRecord, ContainsAllFieldsOfTheResultsFile) {
   PlannerTestResult result;
   result.avoidability = {true, {EvasiveManoeuvre::kBraking}, EvasiveManoeuvre::kBoth, 1.5, 0.25};
   PlannerRow row;
@@ -92,7 +92,7 @@ TEST(PlannerRecord, TellsAllThatTheFileOfResultsDoes) {
   EXPECT_THAT(record, HasSubstr(fields.substr(0, fields.find(",\"drive\":null"))));
 }
 
-TEST(PlannerRecord, HasTheMotionWhereThePageHasTheAttack) {
+TEST(PlannerRecord, ContainsTheMotionIfThePageHasTheAttack) {
   PlannerTestResult result;
   result.now = kNow;
   PlannerRow row;

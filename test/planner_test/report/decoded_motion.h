@@ -6,14 +6,14 @@
 
 namespace forge {
 
-/// A motion of the page's records: seconds from now, metres.
+/// A motion decoded from the page's records: s after t0, m.
 struct DecodedMotion {
   std::vector<double> t;
   std::vector<double> x;
   std::vector<double> y;
 };
 
-/// The list of a key, as the page sums it up.
+/// Decodes the list of a key by summing the differences.
 inline std::vector<double> decodedList(const std::string& record, const std::string& key,
                                        double unit) {
   std::istringstream text(record.substr(record.find('"' + key + "\":[") + key.size() + 4));
@@ -26,7 +26,7 @@ inline std::vector<double> decodedList(const std::string& record, const std::str
   return values;
 }
 
-/// Of the text of a motion's object (writeStates(), writeTrajectory()).
+/// Decodes a motion's object (writeStates(), writeTrajectory()).
 inline DecodedMotion decodedMotion(const std::string& record) {
   return {decodedList(record, "t", 1e-3), decodedList(record, "x", 1e-2),
           decodedList(record, "y", 1e-2)};

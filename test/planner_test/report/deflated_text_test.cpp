@@ -3,7 +3,7 @@
 namespace forge {
 namespace {
 
-TEST(DeflatedText, IsBase64InWholeGroupsOfFour) {
+TEST(DeflatedText, IsBase64InGroupsOfFour) {
   for (const char* text : {"", "a", "ab", "abc", "abcd"}) {
     const std::string packed = deflatedText(text);
     EXPECT_EQ(packed.size() % 4, 0u) << text;
@@ -15,7 +15,7 @@ TEST(DeflatedText, IsBase64InWholeGroupsOfFour) {
   }
 }
 
-TEST(DeflatedText, IsWhatZlibMakes) {
+TEST(DeflatedText, MatchesZlib) {
   // python3: base64.b64encode(zlib.compress(b'hello', 9))
   EXPECT_EQ(deflatedText("hello"), "eNrLSM3JyQcABiwCFQ==");
 }

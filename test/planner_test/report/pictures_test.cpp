@@ -12,7 +12,7 @@ namespace {
 
 using testing::EndsWith;
 
-/// A hit of idm, the harder the later.
+/// A hit of idm; later ones are harder.
 PlannerTestResult hit(int number) {
   PlannerTestResult result;
   result.name = "case:" + std::to_string(number);
@@ -41,7 +41,7 @@ TEST(PicturesBeside, AreFoundByTheirRankAmongTheHits) {
   EXPECT_TRUE(pictures.at({"case:1", "idm"}).empty());
 }
 
-TEST(PicturesBeside, AreBesideTheResultsAlone) {
+TEST(PicturesBeside, AreSearchedOnlyBesideTheResults) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder.path() + "/out/worst");
   folder.write("secret_fixed_1.png", "");
@@ -51,7 +51,7 @@ TEST(PicturesBeside, AreBesideTheResultsAlone) {
       picturesBeside(folder.path() + "/out/results.jsonl", {stranger}, shippedLimits()).empty());
 }
 
-TEST(PicturesBeside, OfAWeaknessShowHitAndEscape) {
+TEST(PicturesBeside, ShowHitAndEvasionOfAWeakness) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder.path() + "/weaknesses");
   folder.write("witnesses.jsonl", R"({"name":"case:1","planner":"idm","policy":"fixed"})");

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 const std::string kHeader = "name,outcome";
 
-/// Rows with a text that the page shows as message; lines without a comma are no rows.
+/// A format whose rows have a message text; lines without a comma are not rows.
 std::vector<RowFormat> formats() {
   const auto row_of = [](const std::string& line) -> std::optional<ReportRow> {
     if (line.find(',') == std::string::npos) return std::nullopt;
@@ -29,7 +29,7 @@ ReportFile opened(const std::string& path, const InputLimits& limits = shippedLi
   return openReportFile(path, formats(), limits);
 }
 
-TEST(OpenReportFile, KnowsWhatAFileHolds) {
+TEST(OpenReportFile, DetectsTheKindOfAFile) {
   const TemporaryFolder folder;
   folder.write("a", scenarioLine(rearEnd()) + "\n");
   folder.write("b", R"({"format":"collision_forge/planner_test"})");
@@ -41,7 +41,7 @@ TEST(OpenReportFile, KnowsWhatAFileHolds) {
   EXPECT_EQ(rows.format.rowOf("a,b")->message, "a,b");
 }
 
-TEST(OpenReportFile, NamesFileAndLineOfAnythingElse) {
+TEST(OpenReportFile, NamesFileAndLineOfAnUnknownFile) {
   const TemporaryFolder folder;
   folder.write("text", "hello\n");
   folder.write("other", R"({"format":"x"})");
@@ -55,7 +55,7 @@ TEST(OpenReportFile, NamesFileAndLineOfAnythingElse) {
   }
 }
 
-TEST(ReadReportLines, LeaveTheHeaderOut) {
+TEST(ReadReportLines, SkipTheHeader) {
   const TemporaryFolder folder;
   folder.write("rows.csv", kHeader + "\none\ntwo\n");
   std::vector<std::string> lines;

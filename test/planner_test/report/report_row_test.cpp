@@ -22,7 +22,7 @@ PlannerTestResult tested(bool is_hit) {
   return result;
 }
 
-TEST(RowOfAttack, IsGeneratedWhereTheRecordingIsUnknown) {
+TEST(RowOfAttack, HasOutcomeGeneratedWithoutTheRecording) {
   const Scenario scenario = rearEnd();
   const ReportRow row = rowOfAttack(scenario, scenario.answer, {});
   EXPECT_EQ(row.outcome, "generated");
@@ -31,7 +31,7 @@ TEST(RowOfAttack, IsGeneratedWhereTheRecordingIsUnknown) {
   EXPECT_EQ(row.believable, "yes");
 }
 
-TEST(RowOfAttack, TellsHowItDoesInTheRecording) {
+TEST(RowOfAttack, HasTheOutcomeInTheRecording) {
   const Scenario scenario = rearEnd();
   StrictOutcome recorded;
   EXPECT_EQ(rowOfAttack(scenario, scenario.answer, recorded).outcome, "missed");
@@ -41,7 +41,7 @@ TEST(RowOfAttack, TellsHowItDoesInTheRecording) {
   EXPECT_EQ(rowOfAttack(scenario, scenario.answer, recorded).outcome, "as_asked");
 }
 
-TEST(RowOfAttack, HasTheContactOfTheRecordingWhereThatIsKnown) {
+TEST(RowOfAttack, HasTheContactInTheRecordingIfKnown) {
   const Scenario scenario = rearEnd();
   StrictOutcome recorded;
   recorded.report.contact = true;
@@ -55,7 +55,7 @@ TEST(RowOfAttack, HasTheContactOfTheRecordingWhereThatIsKnown) {
   EXPECT_FALSE(missed.impact_speed);
 }
 
-TEST(RowOfAttack, KeepsCodeAndReasonOfWhatIsDeclined) {
+TEST(RowOfAttack, KeepsCodeAndReasonOfARejectedRequest) {
   Scenario scenario = rearEnd();
   scenario.answer.status = {StatusCode::kNoCandidate, "nobody is near"};
   const ReportRow row = rowOfAttack(scenario, scenario.answer, {});
@@ -65,7 +65,7 @@ TEST(RowOfAttack, KeepsCodeAndReasonOfWhatIsDeclined) {
   EXPECT_FALSE(row.contact_t);
 }
 
-TEST(RowOfTest, TellsWhomThePlannerTouches) {
+TEST(RowOfTest, DistinguishesHitsByAttackerAndOtherAgents) {
   for (const bool is_hit : {true, false}) {
     const PlannerTestResult result = tested(is_hit);
     EXPECT_EQ(rowOfTest(result, &result.rows[0], nullptr).outcome, is_hit ? "hit" : "hit_other");
@@ -77,7 +77,7 @@ TEST(RowOfTest, TellsWhomThePlannerTouches) {
   EXPECT_EQ(rowOfTest(result, &result.rows[0], nullptr).outcome, "failed");
 }
 
-TEST(RowOfTest, KnowsTheAttackThatItIsOf) {
+TEST(RowOfTest, CopiesTheFieldsOfItsAttack) {
   const Scenario scenario = rearEnd();
   ReportRow attack = rowOfAttack(scenario, scenario.answer, {});
   attack.attack = 7.0;
@@ -85,13 +85,13 @@ TEST(RowOfTest, KnowsTheAttackThatItIsOf) {
   const PlannerTestResult result = tested(true);
   const ReportRow row = rowOfTest(result, &result.rows[0], &attack);
   EXPECT_EQ(row.attack, 7.0);
-  EXPECT_FALSE(row.commands) << "those of the attack do not test the planner";
+  EXPECT_FALSE(row.commands) << "commands of the attack do not test the planner";
   EXPECT_EQ(row.manoeuvre, attack.manoeuvre);
   EXPECT_DOUBLE_EQ(*row.contact_t, 1.0);
   EXPECT_EQ(row.planner, "idm");
 }
 
-TEST(RowOfTest, OfACaseThatCannotBeReadTellsWhy) {
+TEST(RowOfTest, HasTheReasonOfAnUnreadableCase) {
   PlannerTestResult result;
   result.status = kUnreadable;
   result.message = "no JSON";
@@ -101,8 +101,8 @@ TEST(RowOfTest, OfACaseThatCannotBeReadTellsWhy) {
   EXPECT_FALSE(row.tta);
 }
 
-/// Both round to 9.7 as they are, and to 9.8 by way of 9.75.
-TEST(WriteColumns, RoundNothingThatIsRoundedForDisplay) {
+/// Both round to 9.7 directly, but to 9.8 via 9.75.
+TEST(WriteColumns, DoNotRoundTwice) {
   ReportRow row;
   row.impact_speed = 9.7481;
   row.contact_t = 9.7496;

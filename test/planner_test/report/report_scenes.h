@@ -5,10 +5,10 @@
 
 namespace forge {
 
-/// s on the scene's clock.
+/// s, scene clock; t0.
 inline constexpr double kNow = 1000.0;
 
-/// The ego goes along the x axis at 10 m/s from kNow - 2 s to kNow + 6 s, on a road 20 m wide.
+/// The ego drives along the x axis at 10 m/s from kNow - 2 s to kNow + 6 s on a road 20 m wide.
 inline Scene straightScene() {
   Scene scene;
   scene.name = "straight";
@@ -24,7 +24,7 @@ inline Scene straightScene() {
   return scene;
 }
 
-/// A rear end in 2 s, by a car that goes along the x axis.
+/// A rear-end collision in 2 s by a car that drives along the x axis.
 inline Scenario rearEnd() {
   Scenario scenario;
   scenario.asked.scene = "straight";

@@ -27,7 +27,7 @@ Track standing(const std::string& id, double x) {
   return track;
 }
 
-TEST(SceneRecord, LeavesOutWhoIsFarAway) {
+TEST(SceneRecord, LeavesOutAgentsFarAway) {
   Scene scene = straightScene();
   scene.agents = {standing("near", 60.0), standing("far", 200.0)};
   const std::string record = sceneRecord(scene, extentFromNow(), kOptions);
@@ -35,8 +35,8 @@ TEST(SceneRecord, LeavesOutWhoIsFarAway) {
   EXPECT_THAT(record, Not(HasSubstr(R"("id":"far")")));
 }
 
-TEST(SceneRecord, CutsTheRoadAtTheMargin) {
-  // The attacker ends at 34 m, the ego begins at 0: with the margin -50 to 84 m is kept.
+TEST(SceneRecord, ClipsTheRoadAtTheMargin) {
+  // The attacker ends at 34 m and the ego starts at 0; with the margin, -50 to 84 m is kept.
   const std::string record = sceneRecord(straightScene(), extentFromNow(), kOptions);
   EXPECT_THAT(record, HasSubstr(R"("drivable":[{"rings":[)"));
   EXPECT_THAT(record, Not(HasSubstr("1e+06")));

@@ -12,7 +12,7 @@ using testing::HasSubstr;
 using testing::SizeIs;
 using testing::StartsWith;
 
-/// At 5 s of the recording, of logs in data/embedded.
+/// An attack at 5 s of the recording, of logs in data/embedded.
 std::vector<ShellCommands> commandsOf(const Scenario& scenario, int alternative = 1) {
   return commandsOfAttack(scenario, alternative, 5.0, {"data/embedded", "v1.0-embedded"}, {});
 }
@@ -29,7 +29,7 @@ TEST(CommandsOfAttack, InjectTheRequestIntoAConvertedBag) {
             "--mode replay --seed 7 --out attacked.bag --draw attacked");
 }
 
-TEST(CommandsOfAttack, AskForWhatTheRequestControls) {
+TEST(CommandsOfAttack, ContainTheControlsOfTheRequest) {
   Scenario scenario = rearEnd();
   CollisionRequest& request = scenario.asked.request;
   request.choice = AttackerChoice::kNew;
@@ -43,7 +43,7 @@ TEST(CommandsOfAttack, AskForWhatTheRequestControls) {
   EXPECT_THAT(commandsOf(scenario)[0].lines, HasSubstr(" --attacker 0c96e8 --believable"));
 }
 
-TEST(CommandsOfAttack, GenerateTheLineAnewWhereTheRecordingIsUnknown) {
+TEST(CommandsOfAttack, RegenerateTheLineWithoutTheRecording) {
   const auto commands = commandsOfAttack(rearEnd(), 1, {}, {}, {});
   ASSERT_THAT(commands, SizeIs(1));
   EXPECT_EQ(commands[0].lines,
@@ -53,7 +53,7 @@ TEST(CommandsOfAttack, GenerateTheLineAnewWhereTheRecordingIsUnknown) {
             "--out answer.jsonl");
 }
 
-TEST(CommandsOfAttack, QuoteWhatAShellWouldRead) {
+TEST(CommandsOfAttack, QuoteSpecialCharacters) {
   Scenario scenario = rearEnd();
   scenario.asked.request.attacker = "a'b $(c)";
   EXPECT_THAT(commandsOf(scenario)[0].lines, HasSubstr(R"( --attacker 'a'\''b $(c)' --)"));

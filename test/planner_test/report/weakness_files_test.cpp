@@ -29,7 +29,7 @@ TEST(WeaknessFiles, ACaseThatHitsTwoPlannersIsOneScenario) {
   EXPECT_EQ(hits[2].row, "pdm against adaptive");
 }
 
-TEST(WeaknessFiles, NamesTheLineThatIsWrong) {
+TEST(WeaknessFiles, NamesTheInvalidLine) {
   const TemporaryFolder folder;
   folder.write("witnesses.jsonl", line("a", "idm", "fixed") + line("a", "idm", "kind"));
   try {

@@ -38,7 +38,7 @@ TEST(PageFile, CountsItsRecords) {
   EXPECT_THAT(content, HasSubstr("</html>"));
 }
 
-TEST(WriteReportPage, HasTheMotionOfAPlannerTestWhoseAttackIsAmongTheFiles) {
+TEST(WriteReportPage, ContainsTheMotionOfATestIfItsScenarioFileIsAnInput) {
   const TemporaryFolder folder;
   PlannerTestResult test;
   test.name = "a:1";
@@ -62,7 +62,7 @@ TEST(WriteReportPage, HasTheMotionOfAPlannerTestWhoseAttackIsAmongTheFiles) {
   EXPECT_LT(size_of_page({attacks, results}), with_attack);
 }
 
-TEST(WriteReportPage, FetchesNothingAndRunsNothingElse) {
+TEST(WriteReportPage, AllowsNoOtherScriptsAndNoRequests) {
   const TemporaryFolder folder;
   folder.write("a.jsonl", scenarioLine(rearEnd()) + "\n");
   write({{folder.path() + "/a.jsonl"}, {}}, folder.path());
@@ -72,7 +72,7 @@ TEST(WriteReportPage, FetchesNothingAndRunsNothingElse) {
   EXPECT_THAT(content, Not(HasSubstr("{policy}")));
 }
 
-TEST(WriteReportPage, NamesTheLineThatIsWrong) {
+TEST(WriteReportPage, NamesTheInvalidLine) {
   const TemporaryFolder folder;
   folder.write("a.jsonl",
                scenarioLine(rearEnd()) + "\n{\"format\":\"collision_forge/scenario\"}\n");

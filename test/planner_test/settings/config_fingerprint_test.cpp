@@ -9,7 +9,7 @@ namespace {
 
 using Fingerprints = std::map<std::string, std::string>;
 
-TEST(FingerprintsOf, NameEveryYamlFileThatResultsDependOn) {
+TEST(FingerprintsOf, ContainEveryYamlFileThatAffectsResults) {
   const TemporaryFolder folder;
   folder.write("b.yaml", "a");
   folder.write("a.yaml", "foobar");
@@ -24,7 +24,7 @@ TEST(FingerprintsOf, NameEveryYamlFileThatResultsDependOn) {
                           {"config/b.yaml", "fingerprint af63dc4c8601ec8c"}}));
 }
 
-TEST(FingerprintsOf, NameTheBytesOfModels) {
+TEST(FingerprintsOf, ContainTheContentOfModels) {
   const TemporaryFolder folder;
   const TemporaryFolder models;
   models.write("speeds.jsonl", "a");
@@ -37,14 +37,14 @@ TEST(FingerprintsOf, NameTheBytesOfModels) {
                           {"pattern_network", "fingerprint 85944171f73967e8"}}));
 }
 
-/// What is beyond the limits is left out, and so is not seen.
-TEST(FingerprintsOf, HaveTheLimitsOfInput) {
+/// Input beyond the limits is skipped, so the limits affect results.
+TEST(FingerprintsOf, ContainTheInputLimits) {
   const TemporaryFolder folder;
   folder.write("input_limits.yaml", "a");
   EXPECT_EQ(fingerprintsOf({}, folder.path()).count("config/input_limits.yaml"), 1U);
 }
 
-TEST(ConfigFingerprints, AreThoseOfFilesAlone) {
+TEST(ConfigFingerprints, ContainFilesOnly) {
   const TemporaryFolder folder;
   folder.write("a.yaml", "foobar");
   folder.write("network.bin", "foobar");
@@ -86,7 +86,7 @@ TEST(FingerprintOfAll, ChangesWithNameAndContentOfAFile) {
   EXPECT_NE(fingerprintOfAll({}, other.path()), before);
 }
 
-TEST(FingerprintsOf, RefuseAModelThatIsNotThere) {
+TEST(FingerprintsOf, RejectAMissingModel) {
   const TemporaryFolder folder;
   Config config;
   config.speed_model = folder.path() + "/absent.jsonl";

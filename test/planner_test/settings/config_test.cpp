@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 const char* const kShipped = COLLISION_FORGE_SOURCE_DIR "/config";
 
-/// A copy of the shipped files that a test may spoil; removed with the test.
+/// A copy of the shipped configuration that a test may corrupt; removed after the test.
 class SpoiltConfig : public testing::Test {
  protected:
   void SetUp() override {
@@ -99,7 +99,7 @@ TEST_F(SpoiltConfig, TheProductNeedsNoFileOfTheStudy) {
   EXPECT_NE(complaint(), "");
 }
 
-/// The shipped files under an overlay.
+/// The shipped configuration with an overlay.
 class OverlaidConfig : public testing::Test {
  protected:
   Config load() const { return loadConfig({kShipped, overlay_.path()}); }
@@ -132,41 +132,41 @@ TEST_F(OverlaidConfig, AnEmptyOneChangesNothing) {
   EXPECT_EQ(load().live.kept_for, loadConfig(kShipped).live.kept_for);
 }
 
-TEST_F(OverlaidConfig, ItsPathsBeginAtItsFolder) {
+TEST_F(OverlaidConfig, ItsPathsAreRelativeToItsFolder) {
   overlay_.write("models.yaml", "models: {speed_model: mine.jsonl}\n");
   overlay_.write("methods.yaml", "libraries: [lib/mine.so]\n");
   EXPECT_EQ(load().speed_model, overlay_.path() + "/mine.jsonl");
   EXPECT_THAT(load().method_libraries, testing::ElementsAre(overlay_.path() + "/lib/mine.so"));
 }
 
-/// As of a folder that was copied and then edited.
-TEST_F(OverlaidConfig, PathsThatItRepeatsStayThoseOfTheInstalledFolder) {
+/// The overlay is a copied and edited configuration folder.
+TEST_F(OverlaidConfig, RepeatedPathsStayRelativeToTheInstalledFolder) {
   fs::copy(kShipped, overlay_.path(), fs::copy_options::recursive);
   EXPECT_EQ(complaint(), "");
   EXPECT_EQ(load().speed_model, loadConfig(kShipped).speed_model);
   EXPECT_EQ(generatorWeights(load()), generatorWeights(loadConfig(kShipped)));
 }
 
-TEST_F(OverlaidConfig, AnUnknownFileIsRefusedWithANearName) {
+TEST_F(OverlaidConfig, AnUnknownFileIsRejectedWithASimilarName) {
   overlay_.write("serch.yaml", "search: {draws: 4}\n");
   EXPECT_THAT(complaint(),
               testing::StartsWith(overlay_.path() + "/serch.yaml: is not a file of the"));
   EXPECT_THAT(complaint(), testing::EndsWith("; did you mean search.yaml?"));
 }
 
-TEST_F(OverlaidConfig, AFileOfTheStudyInTheWrongPlaceIsNamedWithItsPlace) {
+TEST_F(OverlaidConfig, AStudyFileInTheWrongFolderIsReportedWithItsFolder) {
   overlay_.write("dataset.yaml", "dataset: {max_length: 8.0}\n");
   EXPECT_THAT(complaint(), testing::EndsWith("; did you mean study/dataset.yaml?"));
 }
 
-TEST_F(OverlaidConfig, AnUnknownKeyIsRefusedWithItsFileAndANearName) {
+TEST_F(OverlaidConfig, AnUnknownKeyIsRejectedWithItsFileAndASimilarName) {
   overlay_.write("believability.yaml", "believability: {befor_contact: 1.0}\n");
   EXPECT_EQ(complaint(), overlay_.path() +
                              "/believability.yaml: believability.befor_contact = 1.0 is an unknown "
                              "key; did you mean before_contact?");
 }
 
-TEST_F(OverlaidConfig, ABadValueIsRefusedWithItsFile) {
+TEST_F(OverlaidConfig, ABadValueIsRejectedWithItsFile) {
   overlay_.write("live.yaml", "live: {kept_for: -1}\n");
   EXPECT_EQ(complaint(), overlay_.path() + "/live.yaml: live.kept_for = -1 is not within 0 to inf");
 }
@@ -176,17 +176,17 @@ TEST_F(OverlaidConfig, MappingsOfTopicsMayHaveAnyName) {
   EXPECT_EQ(complaint(), "");
 }
 
-TEST(ConfigFolder, AnOverlayThatIsNoFolderIsRefused) {
+TEST(ConfigFolder, AnOverlayMustBeAFolder) {
   EXPECT_THROW(loadConfig({kShipped, "/nowhere"}), ConfigError);
 }
 
-TEST_F(OverlaidConfig, ItsFilesOfTheStudyLieInStudy) {
+TEST_F(OverlaidConfig, ItsStudyFilesAreInStudy) {
   fs::create_directory(overlay_.path() + "/study");
   overlay_.write("study/dataset.yaml", "dataset: {max_length: 8.0}\n");
   EXPECT_EQ(loadStudyConfig({kShipped, overlay_.path()}).dataset.max_length, 8.0);
 }
 
-TEST_F(OverlaidConfig, WithoutNonCommercialWeightsNoneOfThemIsNamed) {
+TEST_F(OverlaidConfig, NonCommercialWeightsCanBeDisabled) {
   overlay_.write("models.yaml", "models: {non_commercial_weights: false}\n");
   const Config config = load();
   EXPECT_EQ(config.pattern_network, "");
@@ -197,21 +197,21 @@ TEST_F(OverlaidConfig, WithoutNonCommercialWeightsNoneOfThemIsNamed) {
               testing::HasSubstr("switched off by " + std::string(kNonCommercialKey)));
 }
 
-TEST_F(OverlaidConfig, WeightsOfItsOwnAreNamedWithoutNonCommercialOnes) {
+TEST_F(OverlaidConfig, ItsOwnWeightsStayWithNonCommercialOnesDisabled) {
   overlay_.write("models.yaml",
                  "models: {non_commercial_weights: false, speed_model: mine.jsonl}\n");
   EXPECT_EQ(load().speed_model, overlay_.path() + "/mine.jsonl");
 }
 
-TEST(DescribeWeights, NamesTheWeightsInUseAndTheKeyThatSwitchesThemOff) {
+TEST(DescribeWeights, NamesTheWeightsInUseAndTheKeyThatDisablesThem) {
   EXPECT_THAT(describeWeights(loadConfig(kShipped)),
               testing::AllOf(testing::HasSubstr("pattern_network.bin, speed_model.jsonl, "
                                                 "planner.pt"),
                              testing::HasSubstr(std::string(kNonCommercialKey) + ": false")));
 }
 
-/// A key that nobody knows, in every section and in every mapping of one.
-TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
+/// Inserts an unknown key into every section and every mapping of one.
+TEST_F(SpoiltConfig, UnknownKeysAreRejected) {
   int tried = 0;
   for (const auto& [file, text] : shippedFiles()) {
     std::stringstream lines(text);
@@ -236,7 +236,7 @@ TEST_F(SpoiltConfig, UnknownKeysAreRefused) {
   expectComplaint("search.yaml", "\n", "\nstray: 7.5\n", {"stray", "7.5", "unknown"});
 }
 
-/// Every ninth key of all files under another name.
+/// Renames every ninth key of all files.
 TEST_F(SpoiltConfig, MissingKeysAreNamed) {
   int count = 0;
   for (const auto& [file, text] : shippedFiles()) {
@@ -268,7 +268,7 @@ TEST_F(SpoiltConfig, MissingAndEmptyAndMalformedFilesAreNamed) {
   EXPECT_NE(complaint().find("encoding = 5 is not a mapping"), std::string::npos);
 }
 
-TEST_F(SpoiltConfig, WrongValuesAreNamedWithWhatIsAllowed) {
+TEST_F(SpoiltConfig, WrongValuesAreReportedWithTheAllowedRange) {
   expectComplaint("vehicle_limits.yaml", "max_speed: 36.0", "max_speed: 36.0 km/h",
                   {"vehicle_limits.drivable.car.max_speed", "36.0 km/h", "not a number"});
   expectComplaint("prediction.yaml", "history_frames: 8", "history_frames: 8.5",
@@ -293,7 +293,7 @@ TEST_F(SpoiltConfig, TypeRulesAreReadByName) {
   EXPECT_EQ(loadStudyConfig(directory_.string()).crash.rules, TypeRules::kAngle);
 }
 
-TEST_F(SpoiltConfig, ColorsAreThreeSharesOfOne) {
+TEST_F(SpoiltConfig, ColorsHaveThreeSharesWithinZeroToOne) {
   const std::string shipped = "ego_color: [0.12, 0.40, 0.80]";
   for (const char* color : {"[0.68, 0.71]", "[0.68, 0.71, 0.74, 1.0]", "blue", "[0.68, 0.71, 255]",
                             "[-0.1, 0.71, 0.74]", "[.nan, 0.71, 0.74]", "[red, 0.71, 0.74]"}) {
@@ -304,7 +304,7 @@ TEST_F(SpoiltConfig, ColorsAreThreeSharesOfOne) {
                   {"drawing.png_width", "= 10", "within 64"});
 }
 
-TEST_F(SpoiltConfig, TheConfidenceCurveIsSharesThatRise) {
+TEST_F(SpoiltConfig, TheConfidenceCurveMustIncrease) {
   expectComplaint("search.yaml", "confidence_curve: [0.0", "confidence_curve: [0.5",
                   {"search.confidence_curve", "is below the previous value"});
   expectComplaint("search.yaml", "confidence_curve: [0.0", "confidence_curve: [-0.1",
@@ -313,13 +313,13 @@ TEST_F(SpoiltConfig, TheConfidenceCurveIsSharesThatRise) {
                   {"search.confidence_curve", "is not a list of numbers"});
 }
 
-TEST_F(SpoiltConfig, PlannersAreCalledBetweenStepsOfARollout) {
+TEST_F(SpoiltConfig, PlanningIntervalMustBeAMultipleOfTheRolloutStep) {
   expectComplaint("planners.yaml", "rollout:\n  step: 0.1", "rollout:\n  step: 0.3",
                   {"planning.interval", "not a multiple of rollout.step", "0.3"});
 }
 
-/// Every number of these files has a sign; -1 is outside all of their domains.
-TEST_F(SpoiltConfig, NegativeValuesAreRefusedWhereverTheyMakeNoSense) {
+/// Every number in these files has a restricted sign; -1 is outside all of their ranges.
+TEST_F(SpoiltConfig, NegativeValuesAreRejectedWhereMeaningless) {
   for (const char* file : {"vehicle_limits.yaml", "prediction.yaml", "search.yaml", "encoding.yaml",
                            "crash_definition.yaml", "planners.yaml"}) {
     restore();
@@ -341,7 +341,7 @@ TEST_F(SpoiltConfig, NegativeValuesAreRefusedWhereverTheyMakeNoSense) {
   }
 }
 
-TEST_F(SpoiltConfig, ValuesThatContradictEachOtherAreRefused) {
+TEST_F(SpoiltConfig, ContradictoryValuesAreRejected) {
   expectComplaint("prediction.yaml", "max_tta: 9.0", "max_tta: 0.4",
                   {"prediction.max_tta", "0.4", "within 0.5"});
   expectComplaint("crash_definition.yaml", "max_heading: 0.5236", "max_heading: 0.1",

@@ -30,7 +30,7 @@ TEST(RateTable, AnotherUnitHasItsNameAndScale) {
             "Speed, m/s\n\n| method | all |\n|---|---|\n| a | 7.2 [5, 9] |\n| of | 3 |\n");
 }
 
-TEST(RateTable, CsvHasALineAMethodAndGroup) {
+TEST(RateTable, CsvHasALinePerMethodAndGroup) {
   RateTable table;
   table.measure.name = "hits";
   table.methods = {"a"};

@@ -15,7 +15,7 @@ Trial trial(const std::string& scene, bool success, double tta = 1.0,
   return {scene, type, tta, success ? 1.0 : 0.0};
 }
 
-/// `scenes` scenes with `each` trials, of which those of every scene succeed or fail together.
+/// Creates `scenes` scenes with `each` trials; all trials of a scene succeed or fail together.
 std::vector<Trial> clustered(int scenes, int each) {
   std::vector<Trial> trials;
   for (int i = 0; i < scenes * each; ++i) {
@@ -65,7 +65,7 @@ TEST(Statistics, FewerThanFiveScenesHaveNoInterval) {
   EXPECT_TRUE(pooledRate(clustered(5, 10), kOptions).interval.has_value());
 }
 
-TEST(Statistics, IntervalIsThatOfScenesDrawnIndependently) {
+TEST(Statistics, IntervalMatchesIndependentlyDrawnScenes) {
   // 100 scenes, half of them 1 and half 0: the rate's standard deviation is sqrt(0.25 / 100).
   const Rate rate = pooledRate(clustered(100, 1), kOptions);
   EXPECT_NEAR(rate.interval->low, 0.5 - 1.96 * 0.05, 0.012);
@@ -80,7 +80,7 @@ TEST(Statistics, TrialsOfOneSceneDoNotNarrowTheInterval) {
   EXPECT_EQ(ten.interval->high, one.interval->high);
 }
 
-TEST(Statistics, OrderOfTrialsDoesNotMatterTheSeedDoes) {
+TEST(Statistics, DependsOnTheSeedButNotOnTheOrderOfTrials) {
   std::vector<Trial> trials = clustered(37, 3);
   const Rate rate = pooledRate(trials, kOptions);
   std::shuffle(trials.begin(), trials.end(), std::mt19937_64(5));

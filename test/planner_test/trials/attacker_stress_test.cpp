@@ -7,11 +7,13 @@
 namespace forge {
 namespace {
 
-/// Tells what it saw of the ego.
-class Looker : public FixedAttacker {
+/// A policy that records the observed ego.
+class EgoRecorder : public FixedAttacker {
  public:
-  explicit Looker(const AttackerTrajectory& trajectory) : FixedAttacker(trajectory) {}
-  std::unique_ptr<AttackerPolicy> clone() const override { return std::make_unique<Looker>(*this); }
+  explicit EgoRecorder(const AttackerTrajectory& trajectory) : FixedAttacker(trajectory) {}
+  std::unique_ptr<AttackerPolicy> clone() const override {
+    return std::make_unique<EgoRecorder>(*this);
+  }
   void observe(const Frame& seen) override { seen_->push_back(seen.ego); }
   const std::vector<Pose2>& seen() const { return *seen_; }
 
@@ -27,34 +29,34 @@ class AttackerStressTest : public testing::Test {
                            Background::kReplay, false, &attacker});
   }
 
-  std::vector<Pose2> seenBy(EgoConduct conduct, std::uint64_t seed = 3) {
-    const Looker looker(one_.scenario.attacker);
-    stress(conduct, looker, seed);
-    return looker.seen();
+  std::vector<Pose2> observedWith(EgoConduct conduct, std::uint64_t seed = 3) {
+    const EgoRecorder recorder(one_.scenario.attacker);
+    stress(conduct, recorder, seed);
+    return recorder.seen();
   }
 
   PlannerCase one_ = rearEnd();
 };
 
-TEST_F(AttackerStressTest, TheEgoDoesWhatItsNameSays) {
-  const auto stops = seenBy(EgoConduct::kStops);
+TEST_F(AttackerStressTest, EveryConductMovesTheEgoAsNamed) {
+  const auto stops = observedWith(EgoConduct::kStops);
   EXPECT_EQ(stops[stops.size() - 2].x, stops.back().x);
-  const auto reverses = seenBy(EgoConduct::kReverses);
+  const auto reverses = observedWith(EgoConduct::kReverses);
   EXPECT_LT(reverses.back().x, reverses[reverses.size() - 2].x);
-  const auto vanishes = seenBy(EgoConduct::kVanishes);
+  const auto vanishes = observedWith(EgoConduct::kVanishes);
   EXPECT_TRUE(vanishes.front().isFinite());
   EXPECT_FALSE(vanishes.back().isFinite());
-  const auto jumps = seenBy(EgoConduct::kJumps);
+  const auto jumps = observedWith(EgoConduct::kJumps);
   double longest = 0.0;
   for (std::size_t i = 1; i < jumps.size(); ++i) {
     longest = std::max(longest, jumps[i].x - jumps[i - 1].x);
   }
   EXPECT_GT(longest, 25.0);
-  const auto evades = seenBy(EgoConduct::kEvades);
-  EXPECT_EQ(evades.front().x, jumps.front().x) << "all begin as recorded";
+  const auto evades = observedWith(EgoConduct::kEvades);
+  EXPECT_EQ(evades.front().x, jumps.front().x) << "all start as recorded";
 }
 
-TEST_F(AttackerStressTest, TellsABrokenLimitAndWhoWasTouched) {
+TEST_F(AttackerStressTest, ReportsAViolatedLimitAndATouchedAgent) {
   one_.request.crash.limits = LimitSet::kDrivable;
   AttackerTrajectory odd = one_.scenario.attacker;
   EXPECT_EQ(stress(EgoConduct::kVanishes, FixedAttacker(odd)).broken_limit, "");
@@ -65,7 +67,7 @@ TEST_F(AttackerStressTest, TellsABrokenLimitAndWhoWasTouched) {
   EXPECT_EQ(stress(EgoConduct::kVanishes, FixedAttacker(one_.scenario.attacker)).touched, "wall");
 }
 
-TEST_F(AttackerStressTest, TheLimitsHoldAfterTheContactToo) {
+TEST_F(AttackerStressTest, LimitsAreCheckedAfterContactToo) {
   one_.request.crash.limits = LimitSet::kDrivable;
   AttackerTrajectory odd = one_.scenario.attacker;
   EXPECT_TRUE(stress(EgoConduct::kStops, FixedAttacker(odd)).touches_ego);
@@ -75,7 +77,7 @@ TEST_F(AttackerStressTest, TheLimitsHoldAfterTheContactToo) {
   EXPECT_NE(stress(EgoConduct::kStops, FixedAttacker(odd)).broken_limit, "");
 }
 
-TEST_F(AttackerStressTest, AnAttackerThatReactsKeepsItsLimitsAndGivesUpOnWhoIsGone) {
+TEST_F(AttackerStressTest, AnAdaptiveAttackerKeepsItsLimitsAndAbortsWhenTheEgoJumps) {
   one_.request.crash.limits = LimitSet::kDrivable;
   const auto attacker = makeAttacker(one_, PolicyKind::kAdaptive, {}, config());
   for (const EgoConduct conduct : kEgoConducts) {

@@ -17,7 +17,8 @@ Avoidability avoidabilityOf(const CrashScenario& scenario) {
                           config.attack);
 }
 
-/// The gap between the boxes at 1 ms, a second and slower way than the verification.
+/// Returns the smallest gap between the boxes, tested every 1 ms: a second, slower method than the
+/// verification.
 double clearance(const CrashScenario& scenario, const Avoidance& avoidance) {
   Track ego{kEgoId, AgentClass::kCar, kEgoSize, {}};
   for (const TrajectoryPoint& point : avoidance.motion) {
@@ -53,7 +54,7 @@ TEST(Avoidability, AnEgoThatIsNotHitKeepsDriving) {
 }
 
 TEST(Avoidability, ACarThatStandsInTheWayIsAvoidedByBrakingWhileThereIsRoom) {
-  // 10 m/s, stops within 100 / (2 * 7.9) = 6.4 m.
+  // At 10 m/s the ego stops within 100 / (2 * 7.9) = 6.4 m.
   const CrashScenario scenario = roadScenario(10.0, straightDrive({40.0, 0.0, 0.0}, 0.0, 7.0));
   const Avoidability found = avoidabilityOf(scenario);
   const Avoidance* braking = found.find(EvasiveManoeuvre::kBraking);
@@ -64,8 +65,8 @@ TEST(Avoidability, ACarThatStandsInTheWayIsAvoidedByBrakingWhileThereIsRoom) {
   EXPECT_GE(found.last->start, kNow + 2.5 - 1e-6);
 }
 
-TEST(Avoidability, AnEgoThatIsFasterThanTheStrictLimitMayGoOnSoAndBrake) {
-  // 30 m/s, stops within 900 / (2 * 7.9) = 57 m.
+TEST(Avoidability, AnEgoAboveTheSpeedLimitMayKeepItsSpeedAndBrake) {
+  // At 30 m/s the ego stops within 900 / (2 * 7.9) = 57 m.
   ASSERT_GT(30.0, shippedConfig().attack.verification.limits.max_speed);
   const CrashScenario scenario = roadScenario(30.0, straightDrive({150.0, 0.0, 0.0}, 0.0, 7.0));
   const Avoidability found = avoidabilityOf(scenario);
@@ -76,7 +77,7 @@ TEST(Avoidability, AnEgoThatIsFasterThanTheStrictLimitMayGoOnSoAndBrake) {
   }
 }
 
-TEST(Avoidability, TheEgoIsHeldToTheStrictLimitsWhichKnowNoJerk) {
+TEST(Avoidability, TheEgoKeepsTheStrictLimitsWithoutAJerkLimit) {
   const CrashScenario scenario = roadScenario(10.0, straightDrive({40.0, 0.0, 0.0}, 0.0, 7.0));
   const Avoidability found = avoidabilityOf(scenario);
   const Avoidance* braking = found.find(EvasiveManoeuvre::kBraking);
@@ -100,7 +101,7 @@ TEST(Avoidability, BrakingWorksAsLongAsTheStoppingDistanceIsLeft) {
   expectSound(scenario, *found.last);
 }
 
-TEST(Avoidability, BehindAWallThatIsTooNearNothingHelps) {
+TEST(Avoidability, ACrashIntoANearWallIsUnavoidable) {
   // 8 m/s with 2 m to a wall across the road: stopping takes 4 m, steering 5 m at the least.
   AttackerTrajectory wall =
       straightDrive({2.0 + 0.5 * (kEgoSize.length + 2.0), 0.0, 0.0}, 0.0, 4.0);
@@ -120,8 +121,8 @@ TEST(Avoidability, AFasterCarFromBehindIsEvadedByAcceleratingOrSteering) {
   for (const Avoidance& avoidance : found.from_now) expectSound(scenario, avoidance);
 }
 
-TEST(Avoidability, TheOthersAreNotTouchedEither) {
-  // Braking would be hit by the car behind, the lane beside is taken, too.
+TEST(Avoidability, WitnessesTouchNoOtherAgent) {
+  // A braking ego is hit from behind, and the parallel lane is occupied.
   const CrashScenario scenario = roadScenario(10.0, straightDrive({25.0, 0.0, M_PI}, 5.0, 4.0),
                                               {straightCar("behind", {-7.0, 0.0, 0.0}, 10.0)});
   const Avoidability found = avoidabilityOf(scenario);
@@ -139,7 +140,7 @@ TEST(Avoidability, MotionsOnTheRoadArePreferred) {
 }
 
 TEST(Avoidability, ContactsBetweenThePointsOfAMotionAreFound) {
-  // Half a second between points, in which the crossing attacker drives 10 m.
+  // The crossing attacker drives 10 m between two points, 0.5 s apart.
   const Config& config = shippedConfig();
   AvoidabilityOptions coarse = config.planners.avoidability;
   coarse.step = 0.5;

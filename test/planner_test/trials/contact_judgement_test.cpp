@@ -19,7 +19,7 @@ ContactCause causeOf(const ContactSide& ego, const ContactSide& other) {
   return forge::causeOf(ego, kAxleBehind, other, options());
 }
 
-TEST(ContactJudgement, TellsCausesApart) {
+TEST(ContactJudgement, ClassifiesCauses) {
   const double length = kEgoSize.length;
   const ContactSide ego = side({0.0, 0.0, 0.0}, 8.0);
   EXPECT_EQ(causeOf(side({0.0, 0.0, 0.0}, 0.0), side({length, 0.0, M_PI}, 8.0)),
@@ -48,7 +48,7 @@ TEST(ContactJudgement, BlamesALateralContactInSeveralLanesOrOffTheRoad) {
   EXPECT_TRUE(blamed(-1.2));  // a fifth off the road
 }
 
-TEST(ContactJudgement, ALaneAndItsSuccessorAreOne) {
+TEST(ContactJudgement, ALaneAndItsSuccessorCountAsOne) {
   auto map = outlinedRoad();
   map->lanes[0].polygon = rectangle(-200.0, -1.75, 0.0, 1.75).exterior;
   map->lanes.push_back(straightLane("on", {0.0, 0.0}, {200.0, 0.0}));
@@ -61,11 +61,11 @@ TEST(ContactJudgement, ALaneAndItsSuccessorAreOne) {
   EXPECT_TRUE(isInSeveralLanes({{0.0, 1.75, 0.0}, kEgoSize}, LaneIndex(map), 15.0));
 }
 
-TEST(ContactJudgement, ALaneWithoutOutlineIsNoLaneToBeBetween) {
+TEST(ContactJudgement, LanesWithoutOutlinesAreIgnored) {
   EXPECT_FALSE(isInSeveralLanes({{0.0, 1.75, 0.0}, kEgoSize}, LaneIndex(twoLaneRoad()), 15.0));
 }
 
-TEST(ContactJudgement, NamesTheTypeThatFits) {
+TEST(ContactJudgement, ReturnsTheTypeThatApplies) {
   const TypeDefinitions types = shippedCrash().types;
   const auto type = [&](const Pose2& other_now, const Pose2& other, CollisionType asked) {
     return typeOf({{}, other_now, {{}, kEgoSize}, {other, kEgoSize}}, asked, types,
@@ -76,11 +76,11 @@ TEST(ContactJudgement, NamesTheTypeThatFits) {
   const Pose2 oncoming{4.0, 0.0, M_PI};
   EXPECT_EQ(type(oncoming, oncoming, CollisionType::kOppositeDirection),
             CollisionType::kOppositeDirection);
-  // Flank to flank at the same heading: neither from behind nor towards the ego.
+  // Side to side at the same heading: neither from behind nor oncoming.
   EXPECT_EQ(type({0.0, 1.8, 0.0}, {0.0, 1.73, 0.0}, CollisionType::kRearEnd), std::nullopt);
 }
 
-TEST(ContactJudgement, TellsLanesFromJunctionsAndTheRest) {
+TEST(ContactJudgement, DistinguishesLanesJunctionsAndElsewhere) {
   auto map = outlinedRoad();
   map->lanes[0].polygon = rectangle(-200.0, -1.75, 0.0, 1.75).exterior;
   map->lanes.push_back(straightLane("through", {0.0, 0.0}, {20.0, 0.0}));

@@ -11,7 +11,7 @@ namespace {
 
 CrashScenario sound() { return roadScenario(8.0, straightDrive({30.0, 0.0, M_PI}, 5.0, 4.0)); }
 
-/// What checkScenario() says after a change; empty when nothing.
+/// Returns the error of checkScenario() after a change; empty if there is none.
 std::string complaint(const std::function<void(CrashScenario&)>& spoil) {
   CrashScenario scenario = sound();
   spoil(scenario);
@@ -23,11 +23,11 @@ std::string complaint(const std::function<void(CrashScenario&)>& spoil) {
   return "";
 }
 
-TEST(CrashScenario, ASoundOneIsAccepted) {
+TEST(CrashScenario, AValidScenarioIsAccepted) {
   EXPECT_EQ(complaint([](CrashScenario&) {}), "");
 }
 
-TEST(CrashScenario, WhatNobodyCanBeDrivenThroughIsRefusedByName) {
+TEST(CrashScenario, InvalidScenariosAreRejectedWithTheReason) {
   EXPECT_NE(complaint([](auto& s) { s.lanes = nullptr; }).find("map"), std::string::npos);
   EXPECT_NE(complaint([](auto& s) { s.attacker.points.resize(1); }).find("two points"),
             std::string::npos);
@@ -43,7 +43,7 @@ TEST(CrashScenario, WhatNobodyCanBeDrivenThroughIsRefusedByName) {
             std::string::npos);
 }
 
-TEST(CrashScenario, AnAddedAttackerWasSeenBeforeNowToo) {
+TEST(CrashScenario, TheSnapshotContainsThePastOfAnAddedAttacker) {
   CrashScenario scenario = sound();
   const std::size_t seen = scenario.snapshot.agents.size();
   showPast(scenario);

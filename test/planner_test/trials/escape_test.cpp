@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-/// Drives points that are given, whatever it sees.
+/// A policy that drives given points regardless of its observations.
 class Reader : public Planner {
  public:
   explicit Reader(std::vector<TrajectoryPoint> points) : points_(std::move(points)) {}
@@ -29,7 +29,7 @@ class Reader : public Planner {
 
 constexpr Driving kExact{0.1, true};
 
-/// Is wherever the ego was when it looked last.
+/// A policy that moves to the ego's last observed pose.
 class Clinger : public FixedAttacker {
  public:
   using FixedAttacker::FixedAttacker;
@@ -56,7 +56,7 @@ std::vector<TrajectoryPoint> straightOn(const CrashScenario& scenario, double sp
   return points;
 }
 
-TEST(Escape, AWitnessEscapesInClosedLoop) {
+TEST(Escape, AWitnessAvoidsTheAttackerInClosedLoop) {
   PlannerCase one = rearEnd();
   one.request.crash.limits = LimitSet::kDrivable;
   const auto attacker = makeAttacker(one, PolicyKind::kAdaptive, {}, config());
@@ -69,7 +69,7 @@ TEST(Escape, AWitnessEscapesInClosedLoop) {
   const auto escape = findEscape(one.scenario, hit.driven, setup);
   ASSERT_TRUE(escape);
   EXPECT_LT(escape->ego.start, hit.contact->time);
-  EXPECT_GT(escape->ego.start, hit.contact->time - 2.0) << "a follower can be escaped late";
+  EXPECT_GT(escape->ego.start, hit.contact->time - 2.0) << "a follower can be avoided late";
 
   Reader reader(wholeEscape(hit.driven, escape->ego));
   const RolloutOutcome escaped = rollout(reader, kExact, one.scenario, setup);
@@ -82,7 +82,7 @@ TEST(Escape, AWitnessEscapesInClosedLoop) {
   }
 }
 
-TEST(Escape, NobodyEscapesOneWhoIsAlwaysThere) {
+TEST(Escape, AnAttackerAlwaysAtTheEgoIsUnavoidable) {
   const CrashScenario scenario = roadScenario(10.0, straightDrive({15.0, 0.0, 0.0}, 0.0, 3.0));
   const Clinger attacker(scenario.attacker);
   RolloutSetup setup = shippedSetup();
@@ -93,7 +93,7 @@ TEST(Escape, NobodyEscapesOneWhoIsAlwaysThere) {
   EXPECT_FALSE(findEscape(scenario, hit.driven, setup));
 }
 
-TEST(Escape, AFixedAttackerIsEscapedAsFindAvoidabilityTells) {
+TEST(Escape, MatchesFindAvoidabilityForAFixedAttacker) {
   // Contact comes at (40 - 4.342) / 10 = 3.57 s.
   const CrashScenario scenario = roadScenario(10.0, straightDrive({40.0, 0.0, 0.0}, 0.0, 7.0));
   const FixedAttacker attacker(scenario.attacker);

@@ -16,7 +16,7 @@ EvasiveDrives drivesOf(const CrashScenario& scenario) {
 
 const AgentState kStart{kNow, {0.0, 0.0, 0.0}, {10.0, 0.0}};
 
-/// A car that stands 40 m ahead.
+/// A car standing 40 m ahead.
 CrashScenario carAhead() { return roadScenario(10.0, straightDrive({40.0, 0.0, 0.0}, 0.0, 7.0)); }
 
 Future standing(const CrashScenario& scenario) {
@@ -32,7 +32,7 @@ TEST(EvasiveDrives, GentlePlansComeFirst) {
   EXPECT_EQ(kindOf(drives.plans().back()), EvasiveManoeuvre::kBoth);
 }
 
-TEST(EvasiveDrives, BrakesAndSteersAsAsked) {
+TEST(EvasiveDrives, BrakesAndSteersAsPlanned) {
   const CrashScenario scenario = carAhead();
   const EvasiveDrives drives = drivesOf(scenario);
   std::vector<TrajectoryPoint> points;
@@ -46,7 +46,7 @@ TEST(EvasiveDrives, BrakesAndSteersAsAsked) {
   EXPECT_TRUE(drives.leavesRoad(points));
 }
 
-TEST(EvasiveDrives, AnEvasionTouchesNobodyAndKeepsEveryLimit) {
+TEST(EvasiveDrives, AnEvasionHasNoContactAndKeepsEveryLimit) {
   const CrashScenario scenario = carAhead();
   const EvasiveDrives drives = drivesOf(scenario);
   const Future others = standing(scenario);
@@ -59,7 +59,7 @@ TEST(EvasiveDrives, AnEvasionTouchesNobodyAndKeepsEveryLimit) {
   EXPECT_FALSE(EvasiveDrives::isEvasion(drives.verify(points, others)));
 }
 
-TEST(Obstacles, AreWhereTheirTracksHaveThem) {
+TEST(Obstacles, AreAtTheirTrackedPoses) {
   const CrashScenario scenario = carAhead();
   const EvasiveDrives drives = drivesOf(scenario);
   const double step = shippedConfig().planners.avoidability.step;

@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-/// The ego on a lane 4 m wide along x, with one beside it that is not on the route.
+/// The ego on a lane 4 m wide along x; a parallel lane is not on the route.
 class NuplanScoring : public testing::Test {
  protected:
   static PdmArea lane(double y, bool is_on_route) {
@@ -28,7 +28,7 @@ class NuplanScoring : public testing::Test {
   NuplanScore driven(const std::function<TrajectoryPoint(double)>& at,
                      const std::vector<Track>& agents = {}, double share = 1.0) const {
     NuplanJudge judge = this->judge();
-    for (int i = 0; i <= 40; ++i) judge.see(at(0.1 * i), agents, {"ignored"});
+    for (int i = 0; i <= 40; ++i) judge.addStep(at(0.1 * i), agents, {"ignored"});
     return judge.score({}, 40.0 * share, 40.0);
   }
 
@@ -47,36 +47,36 @@ TEST_F(NuplanScoring, CalmDrivingIsPerfect) {
   EXPECT_FALSE(score.speed_limit);
 }
 
-TEST_F(NuplanScoring, OnlyContactsAtFaultCost) {
+TEST_F(NuplanScoring, OnlyAtFaultContactsReduceTheScore) {
   const NuplanJudge judge = this->judge();
   EXPECT_EQ(judge.score(NuplanContact{false, false}, 1.0, 1.0).no_at_fault_collision, 1.0);
   EXPECT_EQ(judge.score(NuplanContact{true, true}, 1.0, 1.0).no_at_fault_collision, 0.5);
   EXPECT_EQ(judge.score(NuplanContact{true, false}, 1.0, 1.0).total, 0.0);
 }
 
-TEST_F(NuplanScoring, LeavingTheRoadRulesOut) {
+TEST_F(NuplanScoring, LeavingTheRoadScoresZero) {
   EXPECT_EQ(driven(straight(10.0, -1.0)).drivable_area, 1.0);
   EXPECT_EQ(driven(straight(10.0, -1.5)).total, 0.0);
 }
 
-TEST_F(NuplanScoring, TheWrongWayCountsWithinASecond) {
+TEST_F(NuplanScoring, WrongWayDistanceIsSummedOverASecond) {
   EXPECT_EQ(driven(straight(1.9, 4.0)).driving_direction, 1.0);
   EXPECT_EQ(driven(straight(2.1, 4.0)).driving_direction, 0.5);
   EXPECT_EQ(driven(straight(6.1, 4.0)).driving_direction, 0.0);
 }
 
-TEST_F(NuplanScoring, LittleProgressIsNone) {
+TEST_F(NuplanScoring, LittleProgressCountsAsNone) {
   EXPECT_NEAR(driven(straight(10.0), {}, 0.5).progress, 0.5, 1e-12);
   EXPECT_EQ(driven(straight(10.0), {}, 0.21).making_progress, 1.0);
   EXPECT_EQ(driven(straight(10.0), {}, 0.19).total, 0.0);
   EXPECT_EQ(driven(straight(10.0), {}, 1.5).progress, 1.0);
-  // Below 2 m both count as 2 m, and far backwards is none.
+  // Progress below 2 m counts as 2 m; far backwards counts as none.
   EXPECT_EQ(judge().score({}, 0.0, 0.5).progress, 1.0);
   EXPECT_EQ(judge().score({}, -3.0, 0.5).progress, 0.0);
 }
 
-TEST_F(NuplanScoring, SomebodyBesideCountsInSeveralLanesAlone) {
-  // Comes from the right, at the ego's rear half.
+TEST_F(NuplanScoring, AnAgentBesideCountsOnlyInSeveralLanes) {
+  // An agent comes from the right, towards the ego's rear half.
   const std::vector<Track> crossing = {agentAt("a", {-1.0, -3.0, 0.5 * M_PI}, 2.0, {2.0, 1.0})};
   const auto standing_at = [](double y) {
     return [=](double time) -> TrajectoryPoint { return {time, {0.0, y, 0.0}, 0.1, 0.0, 0.0}; };
@@ -106,7 +106,7 @@ TEST_F(NuplanScoring, SpeedLimitsCountWhereTheyAreKnown) {
   const NuplanScoreOptions& options = shippedConfig().planners.nuplan_score;
   const auto scored = [&](double speed) {
     NuplanJudge judge(map, shippedConfig().ego_vehicle, planners.pdm.scoring, options);
-    for (int i = 0; i <= 40; ++i) judge.see(straight(speed)(0.1 * i), {}, {});
+    for (int i = 0; i <= 40; ++i) judge.addStep(straight(speed)(0.1 * i), {}, {});
     return judge.score({}, 1.0, 1.0);
   };
   EXPECT_EQ(scored(9.0).speed_limit, 1.0);

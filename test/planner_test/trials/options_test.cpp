@@ -20,7 +20,7 @@ TEST(TrialOptions, PlannersAreCalledEveryFewStepsOfTheRollout) {
   }
 }
 
-TEST(TrialOptions, AvoidanceTriesToKeepToBrakeToAccelerateAndToSteer) {
+TEST(TrialOptions, AvoidanceTriesKeepingBrakingAcceleratingAndSteering) {
   const AvoidabilityOptions& options = trials().avoidability;
   const auto& accelerations = options.accelerations;
   EXPECT_EQ(accelerations.front(), 0.0);

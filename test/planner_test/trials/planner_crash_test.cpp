@@ -9,7 +9,7 @@ namespace {
 
 const DriveLimitOptions& limits() { return shippedConfig().attack.verification.drivable; }
 
-/// A car stands in the way of the ego, the attacker comes from far behind.
+/// A car stands in the ego's path; the attacker comes from far behind.
 CrashScenario blocked() {
   return roadScenario(8.0, straightDrive({-60.0, 0.0, 0.0}, 5.0, 6.0),
                       {straightCar("parked", {10.0, 0.0, 0.0}, 0.0)});
@@ -29,7 +29,7 @@ RolloutOutcome outcomeWith(const std::string& id, const CrashScenario& scenario)
   return outcome;
 }
 
-TEST(PlannerCrash, OfAnotherVehiclePushesThatOneAndTheEgoAlike) {
+TEST(PlannerCrash, PushesAnotherTouchedVehicleAndTheEgo) {
   const CrashScenario scenario = blocked();
   const auto crash = crashOf(outcomeWith("parked", scenario), scenario.ego.size,
                              scenario.recorded.agents, limits());
@@ -42,7 +42,7 @@ TEST(PlannerCrash, OfAnotherVehiclePushesThatOneAndTheEgoAlike) {
               crash->motion.egoAt(stand).pose.x - 4.0, 1e-9);
 }
 
-TEST(PlannerCrash, TakesTheVehicleAsItDroveWhereItReacted) {
+TEST(PlannerCrash, UsesTheSimulatedMotionOfAReactiveVehicle) {
   const CrashScenario scenario = blocked();
   RolloutOutcome outcome = outcomeWith("parked", scenario);
   outcome.others = {futureTrack("parked", kCarSize, {12.0, 0.0, 0.0}, 0.0)};
@@ -52,7 +52,7 @@ TEST(PlannerCrash, TakesTheVehicleAsItDroveWhereItReacted) {
             12.0);
 }
 
-TEST(PlannerCrash, TakesTheAttackerAsItDrove) {
+TEST(PlannerCrash, UsesTheSimulatedMotionOfTheAttacker) {
   const CrashScenario scenario = blocked();
   const auto crash = crashOf(outcomeWith(scenario.attacker.attacker_id, scenario),
                              scenario.ego.size, scenario.recorded.agents, limits());
@@ -60,7 +60,7 @@ TEST(PlannerCrash, TakesTheAttackerAsItDrove) {
   EXPECT_NEAR(crash->motion.attackerAt(kNow + 0.5).pose.x, -57.5, 1e-6);
 }
 
-TEST(PlannerCrash, IsNoneWithoutAContactAndOfSomebodyUnknown) {
+TEST(PlannerCrash, IsEmptyWithoutAContactAndForAnUnknownAgent) {
   const CrashScenario scenario = blocked();
   RolloutOutcome outcome = outcomeWith("nobody", scenario);
   EXPECT_FALSE(crashOf(outcome, scenario.ego.size, scenario.recorded.agents, limits()));

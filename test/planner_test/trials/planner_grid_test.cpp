@@ -29,7 +29,7 @@ const std::string kText =
     "  c: {d: 2, e: 3.5, list: [1.0]}\n"
     "f: \"4.0\"\n";
 
-/// What a call complains of; empty if it does not.
+/// Returns the error of a call; empty if there is none.
 template <typename Call>
 std::string complaintOf(const Call& call) {
   try {
@@ -53,12 +53,12 @@ PlannerGrid gridOf(const std::string& text) {
   return readPlannerGrid(folder.path() + "/grid.yaml", "pdm");
 }
 
-TEST(PlannerGrid, HasTheKeysOfItsPlannerAlone) {
+TEST(PlannerGrid, HasOnlyTheKeysOfItsPlanner) {
   const PlannerGrid grid = gridOf("pdm:\n  a.b: [1.0, 0.5]\n  a.c.d: [3]\nidm:\n  x.y: [7.0]\n");
   EXPECT_EQ(grid, (PlannerGrid{{"a.b", {1.0, 0.5}}, {"a.c.d", {3.0}}}));
 }
 
-TEST(PlannerGrid, BadFilesAreRefusedByKey) {
+TEST(PlannerGrid, BadFilesAreRejectedWithTheKey) {
   const auto complaint = [](const std::string& text) { return complaintOf([&] { gridOf(text); }); };
   EXPECT_PRED2(hasAll, complaint("idm:\n  a.b: [1.0]\n"),
                (std::vector<std::string>{"grid.yaml", "pdm is missing"}));
@@ -79,7 +79,7 @@ TEST(PlannerValues, AreFoundByTheirPaths) {
   EXPECT_EQ(values, (PlannerValues{{"a.b", 1.0}, {"a.c.e", 3.5}}));
 }
 
-TEST(PlannerValues, AreChangedAndAllElseStays) {
+TEST(PlannerValues, AreReplacedWithoutOtherChanges) {
   EXPECT_EQ(
       withPlannerValues("p.yaml", kText, {{"a.b", 0.25}, {"a.c.d", 100000.0}, {"a.c.e", 7.0}}),
       "# numbers\n"
@@ -89,7 +89,7 @@ TEST(PlannerValues, AreChangedAndAllElseStays) {
       "f: \"4.0\"\n");
 }
 
-TEST(PlannerValues, OfKeysThatAreNoNumbersAreRefused) {
+TEST(PlannerValues, RequireKeysWithNumbers) {
   const auto complaint = [](const std::string& key) {
     return complaintOf([&] { withPlannerValues("p.yaml", kText, {{key, 1.0}}); });
   };
@@ -100,7 +100,7 @@ TEST(PlannerValues, OfKeysThatAreNoNumbersAreRefused) {
   EXPECT_PRED2(hasAll, complaint("f"), (std::vector<std::string>{"line 5", "4.0", "in quotes"}));
 }
 
-TEST(PlannerValues, OfTheShippedGridAreTakenByTheShippedPlanners) {
+TEST(PlannerValues, OfTheShippedGridAreValid) {
   std::ifstream file(kShipped + "/planners.yaml");
   std::ostringstream text;
   text << file.rdbuf();
@@ -116,7 +116,7 @@ TEST(PlannerValues, OfTheShippedGridAreTakenByTheShippedPlanners) {
   }
 }
 
-TEST(PlannerValues, AreWhatPlannersAreMadeWith) {
+TEST(PlannerValues, AreUsedByThePlanner) {
   std::ifstream file(kShipped + "/planners.yaml");
   std::ostringstream text;
   text << file.rdbuf();

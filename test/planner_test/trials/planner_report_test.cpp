@@ -32,7 +32,8 @@ PlannerTestResult result(const std::string& scene, bool is_avoidable,
   return one;
 }
 
-/// Of "idm": two hits at 4 and 8 m/s (one unavoidable), a contact with another, none, a failure.
+/// Results of "idm": two hits at 4 and 8 m/s (one unavoidable), a contact with another agent, no
+/// contact, a failure.
 std::vector<PlannerTestResult> results() {
   std::vector<PlannerTestResult> found = {
       result("a", true, {row("idm", 4.0)}), result("b", false, {row("idm", 8.0)}),
@@ -61,7 +62,7 @@ TEST(PlannerReport, CountsContactsWithTheAttacker) {
   EXPECT_DOUBLE_EQ(rateOf(results(), "other").value, 0.25);
 }
 
-TEST(PlannerReport, TellsSoftCollisionsAndThoseAtFault) {
+TEST(PlannerReport, CountsSoftAndAtFaultCollisions) {
   std::vector<PlannerTestResult> all = results();
   all[0].rows[0].outcome.contact->impact_speed = 0.49;
   all[1].rows[0].outcome.contact->at_fault = true;
@@ -72,7 +73,7 @@ TEST(PlannerReport, TellsSoftCollisionsAndThoseAtFault) {
   EXPECT_DOUBLE_EQ(rateOf(all, "collision_at_fault").value, 0.5);
 }
 
-TEST(PlannerReport, TheWorstAreTheHardestFairImpactsOneAScene) {
+TEST(PlannerReport, WorstCasesAreTheHardestFairImpactsOnePerScene) {
   auto all = results();
   PlannerTestResult again = result("b", true, {row("idm", 7.0)});
   all.push_back(again);
@@ -86,14 +87,14 @@ TEST(PlannerReport, TheWorstAreTheHardestFairImpactsOneAScene) {
   EXPECT_EQ(worstCases(all, {"idm"}, 5).front().result, 0u);
 }
 
-TEST(PlannerReport, UnfairCollisionsAreNoTrials) {
+TEST(PlannerReport, UnfairCollisionsAreNotCounted) {
   auto all = results();
   all[1].rows[0].is_fair = false;
   EXPECT_EQ(rateOf(all, "collision_fair").trials, 3);
   EXPECT_NEAR(rateOf(all, "collision_fair").value, 1.0 / 3.0, 1e-12);
 }
 
-TEST(PlannerReport, TellsWhichCollisionsCouldBeEscaped) {
+TEST(PlannerReport, CountsAvoidableCollisions) {
   auto all = results();
   EXPECT_EQ(rateOf(all, "escape").trials, 0);
   all[0].rows[0].escape = AvoidabilitySummary{true, {}, EvasiveManoeuvre::kBraking, 1.0, 0.0};

@@ -80,14 +80,14 @@ TEST(PlannerResultFile, KeepsTheMotionsToTheMicrometre) {
   EXPECT_EQ(kept.outcome.others.back().states.front().velocity, Vector2(3.0, 0.0));
 }
 
-TEST(PlannerResultFile, AMotionWhoseListsDifferInLengthIsRefused) {
+TEST(PlannerResultFile, AMotionWithListsOfDifferentLengthIsRejected) {
   std::string line = plannerResultLine(tested());
   const std::size_t list = line.find("\"t\":[", line.find("\"drive\""));
   line.insert(line.find('[', list) + 1, "0,");
   EXPECT_THROW(readPlannerResultLine("here", line), JsonLineError);
 }
 
-TEST(PlannerResultFile, AnotherFormatIsRefusedByField) {
+TEST(PlannerResultFile, AnotherFormatIsRejectedWithTheField) {
   std::string line = plannerResultLine(tested());
   line.replace(line.find("\"version\":5"), 11, "\"version\":2");
   try {

@@ -12,7 +12,7 @@
 namespace forge {
 namespace {
 
-/// The attacker hits the ego of idm_published alone.
+/// A protocol in which the attacker hits only the ego of idm_published.
 class HitOfIdm : public PublishedProtocol {
  public:
   bool isHit(const std::vector<TrajectoryPoint>&) const override { return false; }
@@ -26,7 +26,7 @@ TEST(PlannerResult, EveryPlannerHasARow) {
   EXPECT_TRUE(result.avoidability.is_avoidable);
   ASSERT_EQ(result.rows.size(), 2u);
   EXPECT_EQ(result.rows[0].planner, "idm");
-  // IDM accelerates by at most 1 m/s2 and knows nothing of who comes from behind.
+  // IDM accelerates by at most 1 m/s2 and ignores agents behind the ego.
   ASSERT_TRUE(result.rows[0].outcome.contact);
   EXPECT_TRUE(result.rows[0].outcome.contact->is_attacker);
   EXPECT_FALSE(result.rows[0].outcome.contact->at_fault);
@@ -51,7 +51,7 @@ TEST(PlannerResult, EachPolicyOfTheAttackerHasARowOfItsOwn) {
   one.request.crash.limits = LimitSet::kStrict;
   const PlannerTestResult strict = testPlanners(one, plan, config(), config().planners);
   EXPECT_EQ(strict.rows[1].attacker.broken_limit, "") << "it drives by the limits of its class";
-  EXPECT_TRUE(result.rows[1].attacker.as_asked) << "IDM, hit by one who sees it";
+  EXPECT_TRUE(result.rows[1].attacker.as_asked) << "IDM, hit by an adaptive attacker";
   ASSERT_TRUE(result.rows[1].escape);
   EXPECT_TRUE(result.rows[1].escape->is_avoidable);
   EXPECT_TRUE(result.rows[1].is_fair);
@@ -59,7 +59,7 @@ TEST(PlannerResult, EachPolicyOfTheAttackerHasARowOfItsOwn) {
             result.rows[0].outcome.contact && result.rows[0].outcome.contact->is_attacker);
 }
 
-TEST(PlannerResult, AHitThatCannotBeEscapedForAsLongAsIsWantedIsUnfair) {
+TEST(PlannerResult, AHitAvoidableForLessThanAvoidableForIsUnfair) {
   PlannerCase one = rearEnd();
   Config strict = config();
   strict.adaptive.fairness.avoidable_for = one.request.tta;
@@ -80,7 +80,7 @@ TEST(PlannerResult, ACaseWithoutAnAttackIsNotTested) {
   EXPECT_TRUE(result.rows.empty());
 }
 
-TEST(PlannerResult, AnAttackerThatTouchesTheEgoAlreadyIsUnfit) {
+TEST(PlannerResult, AnAttackerThatTouchesTheEgoAtT0IsUnfit) {
   PlannerCase one = rearEnd();
   one.scenario.attacker.points.front().pose = {-3.0, 0.0, 0.0};
   const PlannerTestResult result = testPlanners(one, {{"idm"}}, config(), config().planners);
@@ -88,7 +88,7 @@ TEST(PlannerResult, AnAttackerThatTouchesTheEgoAlreadyIsUnfit) {
   EXPECT_NE(result.message.find("touches the ego"), std::string::npos);
 }
 
-TEST(PlannerResult, OfAnUnfitClipThePublishedHitOfThePublishedIdmIsKnown) {
+TEST(PlannerResult, AnUnfitClipHasThePublishedHitOfIdmPublished) {
   PlannerCase one = rearEnd();
   one.scenario.attacker.points.front().pose = {-3.0, 0.0, 0.0};
   one.published = std::make_shared<HitOfIdm>();

@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Cases of these names, of which the one named "broken" cannot be read.
+/// Cases with these names; the case "broken" is unreadable.
 class SampleCases : public PlannerCases {
  public:
   explicit SampleCases(std::vector<std::string> names) : names_(std::move(names)) {}
@@ -43,7 +43,7 @@ class PlannerRunTest : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(PlannerRunTest, GivesTheResultsInOrderAndTellsWhatCannotBeRead) {
+TEST_F(PlannerRunTest, ReturnsResultsInOrderWithUnreadableCases) {
   const auto results = testCases(run(), SampleCases({"a", "broken", "c"}), decline);
   ASSERT_EQ(results.size(), 3u);
   EXPECT_EQ(results[0].name, "a");
@@ -54,7 +54,7 @@ TEST_F(PlannerRunTest, GivesTheResultsInOrderAndTellsWhatCannotBeRead) {
   EXPECT_EQ(results[2].name, "c");
 }
 
-TEST_F(PlannerRunTest, ResultsOfARunBeforeAreGivenToo) {
+TEST_F(PlannerRunTest, ReturnsResultsOfAnEarlierRun) {
   testCases(run(), SampleCases({"a", "b"}), decline);
   const auto results = testCases(
       run(), SampleCases({"a", "b"}),
@@ -63,7 +63,7 @@ TEST_F(PlannerRunTest, ResultsOfARunBeforeAreGivenToo) {
   EXPECT_EQ(results[1].name, "b");
 }
 
-TEST_F(PlannerRunTest, AResultOfAnotherCaseIsRefused) {
+TEST_F(PlannerRunTest, AResultOfAnotherCaseIsRejected) {
   testCases(run(), SampleCases({"a", "b"}), decline);
   try {
     testCases(run(), SampleCases({"a", "c"}), decline);

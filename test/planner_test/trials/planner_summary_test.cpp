@@ -48,7 +48,7 @@ TEST(PlannerSummary, NamesTheCaseOfTheHardestHit) {
   EXPECT_EQ(summary.worst->case_name, "s:2");
 }
 
-TEST(PlannerSummary, CountsAsAvoidableOnlyHitsThatCouldBeEscaped) {
+TEST(PlannerSummary, CountsOnlyFairHitsAsAvoidable) {
   std::vector<PlannerTestResult> results = {result("s:1", "a", {row("idm", 4.0)}),
                                             result("s:2", "a", {row("idm", 9.0)}),
                                             result("s:3", "a", {row("idm", {})})};
@@ -56,7 +56,7 @@ TEST(PlannerSummary, CountsAsAvoidableOnlyHitsThatCouldBeEscaped) {
   EXPECT_EQ(summaryOf(results).avoidable, 1);
 }
 
-TEST(PlannerSummary, TellsPoliciesOfAnAttackerApart) {
+TEST(PlannerSummary, SeparatesAttackerPolicies) {
   PlannerRow adaptive = row("idm", 4.0);
   adaptive.attacker.policy = PolicyKind::kAdaptive;
   const std::string name = rowName("idm", PolicyKind::kAdaptive);

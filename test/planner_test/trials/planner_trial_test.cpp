@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kNap = 0.05;  // s
 
-/// Keeps its speed on a straight line; naps in its third call, and proposes the time of each call.
+/// A planner that drives straight at constant speed, sleeps in its third call, and proposes the
+/// time of each call.
 class NappingPlanner : public Planner {
  public:
   void initialize(const DrivingTask&) override {}
@@ -54,7 +55,7 @@ TEST(PlannerTrial, IsTheRolloutAndTheAvoidabilityOfTheScenario) {
   EXPECT_EQ(trial.avoidability.from_now.size(), avoidability.from_now.size());
 }
 
-TEST(PlannerTrial, OfAnAttackerWhoReactsTheEscapeIsToldOrWhatTheEgoDroveInstead) {
+TEST(PlannerTrial, UsesFindEscapeOrTheDrivenMotionForAnAdaptiveAttacker) {
   CrashScenario scenario = oncoming();
   RolloutSetup setup = shippedSetup();
   const PlannerUnderTest idm = makePlanner("idm", setup.planners, "attacker");
@@ -74,7 +75,7 @@ TEST(PlannerTrial, OfAnAttackerWhoReactsTheEscapeIsToldOrWhatTheEgoDroveInstead)
   EXPECT_EQ(missed.avoidability.last->manoeuvre, EvasiveManoeuvre::kKeeping);
 }
 
-TEST(PlannerTrial, KeepsTheProposalsOfTheLastCallAndTheTimeOfTheLongest) {
+TEST(PlannerTrial, KeepsTheLastProposalsAndTheLongestCallTime) {
   NappingPlanner planner;
   const PlannerTrial trial = tryPlanner(planner, {0.1, false}, oncoming(), shippedSetup());
   ASSERT_GT(trial.outcome.plans, 10);

@@ -76,7 +76,7 @@ PlannerCase rearEnd() {
   return one;
 }
 
-TEST(Combinations, AreTheDefaultsThenAllOthers) {
+TEST(Combinations, StartWithTheDefaults) {
   const PlannerGrid grid = {{"a", {1.0, 2.0}}, {"b", {3.0, 4.0, 5.0}}};
   const std::vector<PlannerValues> expected = {{{"a", 1.0}, {"b", 4.0}}, {{"a", 1.0}, {"b", 3.0}},
                                                {{"a", 1.0}, {"b", 5.0}}, {{"a", 2.0}, {"b", 3.0}},
@@ -84,7 +84,7 @@ TEST(Combinations, AreTheDefaultsThenAllOthers) {
   EXPECT_EQ(combinationsOf(grid, {{"a", 1.0}, {"b", 4.0}}), expected);
 }
 
-TEST(Variants, HaveTheirValuesInTheirConfiguration) {
+TEST(Variants, HaveTheirValuesInTheirOptions) {
   const auto found =
       variants({{"pdm.idm.min_gap", {1.0, 4.0}}, {"pdm.scoring.ttc_weight", {2.5, 5.0}}});
   ASSERT_EQ(found.size(), 4u);
@@ -97,7 +97,7 @@ TEST(Variants, HaveTheirValuesInTheirConfiguration) {
   EXPECT_EQ(found[2].options.pdm.idm.max_acceleration, 1.5);
 }
 
-TEST(Variants, LeaveTheTrafficThatReactsAsItIs) {
+TEST(Variants, LeaveReactiveTrafficUnchanged) {
   const auto found = variants({{"idm.standard.min_gap", {1.0, 4.0}}});
   ASSERT_EQ(found.back().options.idm.law.min_gap, 4.0);
   for (const PlannerVariant& variant : found) {
@@ -106,7 +106,7 @@ TEST(Variants, LeaveTheTrafficThatReactsAsItIs) {
   }
 }
 
-TEST(HeldOut, ASceneOfBothIsNamed) {
+TEST(HeldOut, RejectsASceneInBothSets) {
   EXPECT_NO_THROW(checkHeldOut({"a", "b"}, {"c"}));
   try {
     checkHeldOut({"a", "b"}, {"b", "c"});
@@ -116,7 +116,7 @@ TEST(HeldOut, ASceneOfBothIsNamed) {
   }
 }
 
-TEST(Collision, IsOfTheAttackerOrByOwnFaultOrAFailure) {
+TEST(Collision, IsWithTheAttackerOrAtFaultOrAFailure) {
   EXPECT_FALSE(isCollision(row("x", End::kFree).outcome));
   EXPECT_TRUE(isCollision(row("x", End::kAttacker).outcome));
   EXPECT_TRUE(isCollision(row("x", End::kAtFault).outcome));
@@ -124,9 +124,9 @@ TEST(Collision, IsOfTheAttackerOrByOwnFaultOrAFailure) {
   EXPECT_TRUE(isCollision(row("x", End::kFailure).outcome));
 }
 
-TEST(VariantScores, CountAvoidableCrashesAlone) {
-  PlannerTestResult rejection = result("d", {});
-  rejection.status = "NO_CANDIDATE";
+TEST(VariantScores, CountOnlyAvoidableCrashes) {
+  PlannerTestResult declined = result("d", {});
+  declined.status = "NO_CANDIDATE";
   const std::vector<PlannerTestResult> results = {
       result("a", {row("default", End::kAttacker, 2.0), row("1", End::kFree, 8.0)}),
       result("b", {row("default", End::kFree, 6.0), row("1", End::kFree, 10.0)}),
@@ -141,13 +141,13 @@ TEST(VariantScores, CountAvoidableCrashesAlone) {
   EXPECT_DOUBLE_EQ(scores[1].progress, 9.0);
 }
 
-TEST(BestVariant, HasTheLowestRateThenTheMostProgressThenComesFirst) {
+TEST(BestVariant, IsOrderedByRateThenProgressThenIndex) {
   EXPECT_EQ(bestVariant({score(0.3, 9.0), score(0.2, 1.0), score(0.4, 9.0)}), 1u);
   EXPECT_EQ(bestVariant({score(0.2, 5.0), score(0.2, 4.0), score(0.2, 6.0)}), 2u);
   EXPECT_EQ(bestVariant({score(0.2, 5.0), score(0.2, 5.0)}), 0u);
 }
 
-TEST(Comparison, ShowsBothAndTheChangeCaseByCase) {
+TEST(Comparison, ShowsBothRatesAndThePairedDifference) {
   const RateTable table = comparisonTable(
       {result("a", {row("default", End::kAttacker), row("tuned", End::kFree)}),
        result("b", {row("default", End::kAttacker), row("tuned", End::kAtFault)}),
@@ -161,23 +161,23 @@ TEST(Comparison, ShowsBothAndTheChangeCaseByCase) {
   EXPECT_DOUBLE_EQ(table.rates[2].back().value, -0.5);
 }
 
-TEST(TestVariants, GivesEachItsRow) {
+TEST(TestVariants, HasARowPerVariant) {
   const auto both = variants({{"idm.standard.max_acceleration", {5.0}}});
   const PlannerTestResult found =
       testVariants(rearEnd(), "idm", both, true, Background::kReplay, config(), config().planners);
   ASSERT_EQ(found.rows.size(), 2u);
   EXPECT_EQ(found.rows[0].planner, "default");
   EXPECT_EQ(found.rows[1].planner, "1");
-  // Who accelerates harder is farther ahead after any time.
+  // A higher acceleration leads to more progress at any time.
   const auto speed = [](const RolloutOutcome& o) { return o.progress / o.duration; };
   EXPECT_GT(speed(found.rows[1].outcome), speed(found.rows[0].outcome));
 }
 
-TEST(TestVariants, LeavesOutWhatCannotBeAvoidedOnRequest) {
+TEST(TestVariants, CanLeaveOutUnavoidableCases) {
   PlannerCase one = rearEnd();
   const auto only = variants({{"idm.standard.min_gap", {1.0}}});
   TrialOptions helpless = config().planners;
-  // Nothing but going on as before may be tried, and that is hit from behind.
+  // Only keeping the speed may be tried, and then the ego is hit from behind.
   helpless.avoidability.accelerations = {0.0};
   helpless.avoidability.offsets = {0.0};
   helpless.avoidability.draws = 0;

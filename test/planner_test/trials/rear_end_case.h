@@ -26,7 +26,7 @@ inline PlannerCase rearEnd() {
   return one;
 }
 
-/// Driven by two planners.
+/// The case tested with two planners.
 inline PlannerTestResult tested() {
   return testPlanners(rearEnd(), {{"idm", "idm_published"}}, config(), config().planners);
 }

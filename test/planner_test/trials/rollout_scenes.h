@@ -11,8 +11,8 @@
 
 namespace forge {
 
-/// The ego drives east along y = 0 on the two-lane road from the origin; the attacker is the given
-/// one, the others too.
+/// A scenario: the ego drives east along y = 0 on the two-lane road from the origin; `attacker` and
+/// the other agents are given.
 inline CrashScenario roadScenario(double ego_speed, AttackerTrajectory attacker,
                                   std::vector<std::pair<Track, Track>> others = {},
                                   std::shared_ptr<LaneMap> map = twoLaneRoad()) {
@@ -32,7 +32,7 @@ inline CrashScenario roadScenario(double ego_speed, AttackerTrajectory attacker,
   return scenario;
 }
 
-/// Past and future of a car that goes straight on.
+/// Past and future of a car that drives straight on.
 inline std::pair<Track, Track> straightCar(const std::string& id, const Pose2& now, double speed) {
   return {pastTrack(id, kCarSize, now, speed), futureTrack(id, kCarSize, now, speed)};
 }

@@ -13,7 +13,7 @@
 namespace forge {
 namespace {
 
-/// A planner made of a function.
+/// A planner that calls a function.
 class FunctionPlanner : public Planner {
  public:
   using Plan = std::function<std::vector<TrajectoryPoint>(const Observation&)>;
@@ -29,7 +29,7 @@ class FunctionPlanner : public Planner {
   DrivingTask task_;
 };
 
-/// Straight on along x at the ego's speed plus a constant acceleration, for four seconds.
+/// A plan of 4 s straight along x from the ego's speed with a constant acceleration.
 std::vector<TrajectoryPoint> straightPlan(const TrajectoryPoint& ego, double acceleration = 0.0) {
   std::vector<TrajectoryPoint> plan = {ego};
   for (int i = 1; i <= 40; ++i) {
@@ -51,7 +51,7 @@ RolloutOutcome drive(Planner& planner, const CrashScenario& scenario,
   return rollout(planner, {0.1, false}, scenario, shippedSetup(background));
 }
 
-/// Looks at what is there, and stops at a time.
+/// A policy that records its observations and stops at a given time.
 class StoppingAttacker : public AttackerPolicy {
  public:
   explicit StoppingAttacker(AttackerTrajectory trajectory) : trajectory_(std::move(trajectory)) {}
@@ -79,7 +79,7 @@ class StoppingAttacker : public AttackerPolicy {
   std::shared_ptr<std::vector<Frame>> seen_ = std::make_shared<std::vector<Frame>>();
 };
 
-TEST(Rollout, AnAttackerSeesTheEgoAsItComesAndDrivesWhatItThenMeansTo) {
+TEST(Rollout, TheAttackerObservesEveryStepAndFollowsItsNewestPlan) {
   const CrashScenario scenario = roadScenario(8.0, straightDrive({40.0, 0.0, M_PI}, 5.0, 6.0),
                                               {straightCar("other", {-30.0, 3.5, 0.0}, 4.0)});
   FunctionPlanner planner = keepingSpeed();
@@ -88,7 +88,7 @@ TEST(Rollout, AnAttackerSeesTheEgoAsItComesAndDrivesWhatItThenMeansTo) {
   setup.attacker = &attacker;
   const RolloutOutcome outcome = rollout(planner, {0.1, true}, scenario, setup);
   ASSERT_TRUE(outcome.contact);
-  // It stands at x = 35 from the second on.
+  // The attacker stands at x = 35 m from 1 s after t0 on.
   const double gap = 35.0 - 0.5 * (kEgoSize.length + kCarSize.length);
   EXPECT_NEAR(outcome.contact->time, kNow + gap / 8.0, 1e-3);
   EXPECT_EQ(outcome.phase, AttackerPhase::kDrivingOn);
@@ -104,7 +104,7 @@ TEST(Rollout, AnAttackerSeesTheEgoAsItComesAndDrivesWhatItThenMeansTo) {
   EXPECT_NEAR(other->states.front().pose.x, -26.0, 1e-6);
 }
 
-TEST(Rollout, AnEgoThatKeepsItsSpeedMeetsTheOncomingAttackerWhereBothAre) {
+TEST(Rollout, AnEgoAtConstantSpeedHitsAnOncomingAttackerAtTheExpectedTime) {
   const CrashScenario scenario = roadScenario(8.0, straightDrive({40.0, 0.0, M_PI}, 5.0, 6.0));
   FunctionPlanner planner = keepingSpeed();
   const RolloutOutcome outcome = drive(planner, scenario);
@@ -126,7 +126,7 @@ TEST(Rollout, AnEgoThatKeepsItsSpeedMeetsTheOncomingAttackerWhereBothAre) {
   EXPECT_EQ(outcome.failure, PlannerFailure::kNone);
 }
 
-TEST(Rollout, FindsWhoIsHitFirst) {
+TEST(Rollout, FindsTheFirstAgentHit) {
   const CrashScenario scenario = roadScenario(8.0, straightDrive({40.0, 0.0, M_PI}, 5.0, 6.0),
                                               {straightCar("standing", {15.0, 0.0, 0.0}, 0.0)});
   FunctionPlanner planner = keepingSpeed();
@@ -138,7 +138,7 @@ TEST(Rollout, FindsWhoIsHitFirst) {
   EXPECT_TRUE(outcome.contact->at_fault);
 }
 
-TEST(Rollout, WithoutAContactItLastsAsLongAsTheAttackerDrives) {
+TEST(Rollout, LastsUntilTheAttackersEndWithoutContact) {
   const CrashScenario scenario = roadScenario(5.0, straightDrive({20.0, 3.5, M_PI}, 5.0, 4.05));
   FunctionPlanner planner = keepingSpeed();
   const RolloutOutcome outcome = drive(planner, scenario);
@@ -150,7 +150,7 @@ TEST(Rollout, WithoutAContactItLastsAsLongAsTheAttackerDrives) {
   EXPECT_NEAR(outcome.off_road_share, 0.0, 1e-9);
 }
 
-TEST(Rollout, AnExactDriveFollowsThePlanWhateverACarCanDo) {
+TEST(Rollout, AnExactDriveFollowsThePlanWithoutVehicleLimits) {
   const CrashScenario scenario = roadScenario(5.0, straightDrive({-60.0, 3.5, 0.0}, 5.0, 2.0));
   FunctionPlanner planner([](const Observation& seen) { return straightPlan(seen.ego, -30.0); });
   const RolloutOutcome outcome = rollout(planner, {0.1, true}, scenario, shippedSetup());
@@ -172,7 +172,7 @@ TEST(Rollout, CallsThePlannerAtItsInterval) {
   }
 }
 
-TEST(Rollout, ShowsThePlannerTheStatesOfNowAndTheTask) {
+TEST(Rollout, GivesThePlannerTheCurrentStatesAndTheTask) {
   const CrashScenario scenario = roadScenario(5.0, straightDrive({20.0, 3.5, M_PI}, 5.0, 2.0));
   FunctionPlanner planner([](const Observation& seen) {
     for (const Track& agent : seen.agents) EXPECT_EQ(agent.states.back().time, seen.ego.time);
@@ -196,7 +196,7 @@ PlannerFailure failureOf(const FunctionPlanner::Plan& plan) {
   return outcome.failure;
 }
 
-TEST(Rollout, ABadPlanEndsItWithItsName) {
+TEST(Rollout, ABadPlanEndsTheRolloutWithItsFailure) {
   EXPECT_EQ(failureOf([](const Observation&) { return std::vector<TrajectoryPoint>(); }),
             PlannerFailure::kEmpty);
   EXPECT_EQ(failureOf([](const Observation& seen) {
@@ -234,7 +234,7 @@ TEST(Rollout, ABadPlanEndsItWithItsName) {
             PlannerFailure::kLate);
 }
 
-TEST(Rollout, LeavingTheMapEndsIt) {
+TEST(Rollout, LeavingTheMapEndsTheRollout) {
   const CrashScenario scenario = roadScenario(8.0, straightDrive({-60.0, 3.5, 0.0}, 5.0, 8.0));
   FunctionPlanner planner([](const Observation& seen) {
     std::vector<TrajectoryPoint> plan = {seen.ego};
@@ -253,7 +253,7 @@ TEST(Rollout, LeavingTheMapEndsIt) {
   EXPECT_GT(outcome.off_road_share, 0.0);
 }
 
-TEST(Rollout, AnAttackerThatTouchesTheEgoAlreadyIsRefused) {
+TEST(Rollout, AnAttackerThatTouchesTheEgoAtT0IsRejected) {
   const CrashScenario scenario = roadScenario(5.0, straightDrive({3.0, 0.0, 0.0}, 5.0, 3.0));
   FunctionPlanner planner = keepingSpeed();
   EXPECT_THROW(drive(planner, scenario), std::invalid_argument);
@@ -266,7 +266,7 @@ TEST(Rollout, BackgroundTrafficBrakesForAnEgoThatStops) {
   const RolloutOutcome replayed = drive(planner, scenario);
   ASSERT_TRUE(replayed.contact);
   EXPECT_EQ(replayed.contact->other_id, "behind");
-  EXPECT_TRUE(replayed.others.empty()) << "they are where they were recorded";
+  EXPECT_TRUE(replayed.others.empty()) << "replayed agents are at their recorded poses";
   const RolloutOutcome outcome = drive(planner, scenario, Background::kIdm);
   EXPECT_FALSE(outcome.contact);
   ASSERT_EQ(outcome.others.size(), 1u);

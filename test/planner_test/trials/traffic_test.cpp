@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-/// The attacker drives far away from everybody.
+/// The attacker drives far away from all agents.
 CrashScenario scenarioWith(std::vector<std::pair<Track, Track>> others) {
   return roadScenario(5.0, straightDrive({0.0, 100.0, 0.0}, 5.0, 8.0), std::move(others));
 }
@@ -22,7 +22,7 @@ std::unique_ptr<AttackerPolicy> fixed(const CrashScenario& scenario) {
   return std::make_unique<FixedAttacker>(scenario.attacker);
 }
 
-/// Turns around at the first look.
+/// A policy that turns around at its first update step.
 class Hesitant : public FixedAttacker {
  public:
   using FixedAttacker::FixedAttacker;
@@ -59,8 +59,8 @@ TEST(Traffic, ReplaysTheRecording) {
   EXPECT_NEAR(find(traffic, "other").states.front().time, kNow + 1.0, 0.11);
 }
 
-TEST(Traffic, ShowsNothingOfTheFuture) {
-  // Two recordings that part at the frame 0.5 s after now.
+TEST(Traffic, ContainsNoFutureStates) {
+  // Two recordings that differ from the frame 0.5 s after t0 on.
   auto calm = straightCar("other", {20.0, 3.5, M_PI}, 4.0);
   auto sudden = calm;
   for (AgentState& state : sudden.second.states) {
@@ -85,7 +85,7 @@ TEST(Traffic, ShowsNothingOfTheFuture) {
   EXPECT_NE(find(first, "other").states.back().pose.y, find(second, "other").states.back().pose.y);
 }
 
-TEST(Traffic, ReplayDrivesThroughAnEgoThatStandsAndIdmDoesNot) {
+TEST(Traffic, ReplayDrivesThroughAStandingEgoButIdmDoesNot) {
   const CrashScenario scenario = scenarioWith({straightCar("behind", {-30.0, 0.0, 0.0}, 8.0)});
   Traffic replay(scenario, fixed(scenario), Background::kReplay, idm(), 2.0);
   Traffic reacting(scenario, fixed(scenario), Background::kIdm, idm(), 2.0);
@@ -100,7 +100,7 @@ TEST(Traffic, ReplayDrivesThroughAnEgoThatStandsAndIdmDoesNot) {
   EXPECT_GT(find(reacting, "behind").states.back().pose.x, bumper - 6.0);
 }
 
-TEST(Traffic, WhoWasHeldUpNeverGetsAheadOfTheRecording) {
+TEST(Traffic, ADelayedVehicleNeverGetsAheadOfTheRecording) {
   const CrashScenario scenario = scenarioWith({straightCar("behind", {-30.0, 0.0, 0.0}, 8.0)});
   Traffic traffic(scenario, fixed(scenario), Background::kIdm, idm(), 2.0);
   for (int i = 1; i <= 95; ++i) {
@@ -111,7 +111,7 @@ TEST(Traffic, WhoWasHeldUpNeverGetsAheadOfTheRecording) {
   EXPECT_GT(find(traffic, "behind").states.back().velocity.x(), 2.0);
 }
 
-TEST(Traffic, TheAttackerLooksBeforeEveryStepAndACopyLooksForItself) {
+TEST(Traffic, ThePolicyUpdatesBeforeEveryStepAndACopyIsIndependent) {
   const CrashScenario scenario = scenarioWith({});
   Traffic traffic(scenario, std::make_unique<Hesitant>(scenario.attacker), Background::kReplay,
                   idm(), 2.0);

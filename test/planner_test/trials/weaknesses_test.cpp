@@ -30,7 +30,7 @@ std::vector<Weakness> weaknessesOf(const std::vector<PlannerTestResult>& results
       results, [&](std::size_t index) { return manoeuvres.at(index); }, kOptions);
 }
 
-TEST(Weaknesses, HitsOfOneKindAreOneWithTheHardestFirst) {
+TEST(Weaknesses, GroupHitsOfOneKindHardestFirst) {
   const auto found =
       weaknessesOf({hit(3.0), hit(9.0), hit(5.0)}, std::vector<Manoeuvre>(3, Manoeuvre::kCutIn));
   ASSERT_EQ(found.size(), 1u);
@@ -52,7 +52,7 @@ TEST(Weaknesses, DifferByManoeuvreFaultPlaceAndPlanner) {
   EXPECT_EQ(found[4].planner, "idm");
 }
 
-TEST(Weaknesses, AreShownByFairHardHitsOfAttackersThatKeepTheirLimits) {
+TEST(Weaknesses, CountOnlyFairHardHitsWithinTheAttackersLimits) {
   std::vector<PlannerTestResult> results(8, hit(5.0));
   results[0].rows[0].is_fair = false;
   results[1].rows[0].outcome.contact->is_attacker = false;
@@ -66,7 +66,7 @@ TEST(Weaknesses, AreShownByFairHardHitsOfAttackersThatKeepTheirLimits) {
   EXPECT_EQ(found[0].results, std::vector<std::size_t>{7});
 }
 
-TEST(Weaknesses, AreShownByFollowersOnlyWhereThePlannerIsAtFault) {
+TEST(Weaknesses, CountFollowersOnlyIfThePlannerIsAtFault) {
   const auto found = weaknessesOf({hit(5.0), hit(4.0, true)},
                                   std::vector<Manoeuvre>(2, Manoeuvre::kFollowerCloses));
   ASSERT_EQ(found.size(), 1u);

@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// What a file is refused with; empty when it is not.
+/// Returns the error for a file; empty if it is accepted.
 std::string refusalOf(const TorchscriptOptions& options) {
   try {
     PlannerWorker worker(options);
@@ -20,7 +20,7 @@ std::string refusalOf(const TorchscriptOptions& options) {
   }
 }
 
-/// Refused by the file's name, in one line, and with these words.
+/// Expects a one-line error with the file's name and these words.
 void expectRefusal(const TorchscriptOptions& options, const std::vector<std::string>& words) {
   const std::string refusal = refusalOf(options);
   EXPECT_THAT(refusal, testing::StartsWith(options.file + ": "));
@@ -33,21 +33,21 @@ void expectRefusal(const std::string& body, const std::vector<std::string>& word
   expectRefusal(ScriptFile(body, arguments).options(), words);
 }
 
-TEST(PlannerModule, TakesAFileOfTheContract) {
+TEST(PlannerModule, AcceptsAValidFile) {
   EXPECT_EQ(refusalOf(ScriptFile(kConstantVelocity).options()), "");
 }
 
-TEST(PlannerModule, TakesFurtherInputsThatHaveDefaults) {
+TEST(PlannerModule, AcceptsFurtherInputsWithDefaults) {
   const std::string more = std::string(kContractArguments) + ", gain: float = 2.0";
   EXPECT_EQ(refusalOf(ScriptFile(kConstantVelocity, more).options()), "");
 }
 
-TEST(PlannerModule, RefusesAFileThatIsNotThere) {
+TEST(PlannerModule, RejectsAMissingFile) {
   const TemporaryFolder folder;
   expectRefusal(ScriptFile::optionsOf(folder.path() + "/nothing.pt"), {"cannot be read"});
 }
 
-TEST(PlannerModule, RefusesWhatIsNoTorchScript) {
+TEST(PlannerModule, RejectsAFileThatIsNotTorchScript) {
   const TemporaryFolder folder;
   for (const std::string& content : {std::string(), std::string("PK\3\4 no archive")}) {
     expectRefusal(ScriptFile::optionsOf(folder.write("text.pt", content)),
@@ -56,7 +56,7 @@ TEST(PlannerModule, RefusesWhatIsNoTorchScript) {
   expectRefusal(ScriptFile::optionsOf(folder.path()), {"is not a TorchScript file"});
 }
 
-TEST(PlannerModule, RefusesAModuleWithoutForward) {
+TEST(PlannerModule, RejectsAModuleWithoutForward) {
   const TemporaryFolder folder;
   torch::jit::Module module("Planner");
   module.define("def drive(self, x):\n    return x\n");
@@ -64,7 +64,7 @@ TEST(PlannerModule, RefusesAModuleWithoutForward) {
   expectRefusal(ScriptFile::optionsOf(folder.path() + "/planner.pt"), {"has no forward()"});
 }
 
-TEST(PlannerModule, RefusesOtherInputsByTheirNames) {
+TEST(PlannerModule, RejectsOtherInputsByName) {
   const std::string body = "    return torch.zeros([80, 3])\n";
   expectRefusal(body, {"no input route"},
                 "self, ego_history, agents, agents_mask, lanes, lanes_mask");
@@ -75,18 +75,18 @@ TEST(PlannerModule, RefusesOtherInputsByTheirNames) {
   expectRefusal(body, {"an input more", "goal"}, std::string(kContractArguments) + ", goal");
 }
 
-TEST(PlannerModule, RefusesAnOutputOfAnotherShape) {
+TEST(PlannerModule, RejectsAnOutputOfAnotherShape) {
   expectRefusal("    return torch.zeros([80, 2])\n", {"output", "[80, 2]", "[80, 3]"});
   expectRefusal("    return torch.zeros([1, 80, 3])\n", {"output", "[1, 80, 3]", "[80, 3]"});
 }
 
-TEST(PlannerModule, RefusesAnOutputThatIsNotFinite) {
+TEST(PlannerModule, RejectsANonFiniteOutput) {
   expectRefusal("    return torch.zeros([80, 3]) / 0.0\n", {"output", "not finite"});
   expectRefusal("    return torch.zeros([80, 3]) + agents.sum() / agents_mask.sum()\n",
                 {"output", "not finite", "nothing around the ego"});
 }
 
-TEST(PlannerModule, RefusesOneThatNeverEndsLoading) {
+TEST(PlannerModule, RejectsAFileThatNeverFinishesLoading) {
   const ScriptFile file(
       "    i = 0\n"
       "    while bool(ego_history[-1, 3] < 5.0):\n"
@@ -97,7 +97,7 @@ TEST(PlannerModule, RefusesOneThatNeverEndsLoading) {
   expectRefusal(options, {"no response within 4"});
 }
 
-TEST(PlannerModule, ForgetsAndDrawsTheSameInEveryRollout) {
+TEST(PlannerModule, ResetsStateAndRandomNumbersInEveryRollout) {
   const ScriptFile file(
       "    self.count += 1.0\n"
       "    return torch.rand([80, 3]) + self.count\n");

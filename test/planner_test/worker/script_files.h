@@ -13,13 +13,13 @@ namespace forge {
 inline const char* const kContractArguments =
     "self, ego_history, agents, agents_mask, lanes, lanes_mask, route";
 
-/// Keeps speed and heading.
+/// A forward() body that keeps speed and heading.
 inline const char* const kConstantVelocity =
     "    times = 0.1 * torch.arange(1, 81).float()\n"
     "    still = torch.zeros([80])\n"
     "    return torch.stack([ego_history[-1, 3] * times, still, still], 1)\n";
 
-/// A module whose forward() has these arguments and this body.
+/// Creates a module whose forward() has these arguments and this body.
 inline torch::jit::Module scriptOf(const std::string& body,
                                    const std::string& arguments = kContractArguments) {
   torch::jit::Module module("Planner");
@@ -28,7 +28,7 @@ inline torch::jit::Module scriptOf(const std::string& body,
   return module;
 }
 
-/// A folder with a file of such a module.
+/// A folder that contains a file of such a module.
 class ScriptFile {
  public:
   explicit ScriptFile(const std::string& body, const std::string& arguments = kContractArguments) {

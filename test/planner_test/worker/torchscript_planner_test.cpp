@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kAttackerSpeed = 5.0;  // m/s
 
-/// Drives far ahead of the ego for three seconds.
+/// An attacker that drives far ahead of the ego for 3 s.
 AttackerTrajectory farAttacker() {
   AttackerTrajectory attacker{"attacker", AgentClass::kCar, kCarSize, {}};
   for (int i = 0; i <= 30; ++i) {
@@ -32,12 +32,12 @@ RolloutOutcome driveWith(const TorchscriptOptions& options, double ego_speed) {
                  shippedSetup());
 }
 
-/// `throwing` from 2 m/s on, which no try before driving has.
+/// A body that executes `throwing` above 2 m/s, a speed that the test inputs at load do not have.
 std::string whenDriving(const std::string& throwing) {
   return "    if bool(ego_history[-1, 3] > 2.0):\n        " + throwing + "\n" + kConstantVelocity;
 }
 
-TEST(TorchscriptPlanner, PlansAsTheFileSaysInTheFrameOfTheEgo) {
+TEST(TorchscriptPlanner, PlansInTheEgoFrame) {
   const ScriptFile file(kConstantVelocity);
   TorchscriptPlanner planner(file.options(), shippedConfig().planners.route_centerline);
   planner.initialize(taskOn(threeLaneRoad()));
@@ -54,8 +54,9 @@ TEST(TorchscriptPlanner, PlansAsTheFileSaysInTheFrameOfTheEgo) {
   }
 }
 
-TEST(TorchscriptPlanner, RemembersWhereTheEgoWas) {
-  // It stands for a frame of the contract, then answers with where the ego was then.
+TEST(TorchscriptPlanner, KeepsTheEgoHistory) {
+  // The file returns the previous history frame in the ego frame; 0 (no motion) while that frame is
+  // unknown.
   const ScriptFile file(
       "    was = ego_history[-2]\n"
       "    return was[5] * was[0:3].expand(80, 3)\n");
@@ -73,7 +74,7 @@ TEST(TorchscriptPlanner, RemembersWhereTheEgoWas) {
   EXPECT_NEAR(planner.plan({ego, {}})[1].pose.x, 3.0, 1e-6);
 }
 
-TEST(TorchscriptPlanner, FailsWhereTheFileThrows) {
+TEST(TorchscriptPlanner, FailsIfTheFileThrows) {
   const ScriptFile file(whenDriving("assert False, 'no idea'"));
   const RolloutOutcome outcome = driveWith(file.options(), 6.0);
   EXPECT_EQ(outcome.failure, PlannerFailure::kError);
@@ -81,7 +82,7 @@ TEST(TorchscriptPlanner, FailsWhereTheFileThrows) {
   EXPECT_THAT(outcome.failure_message, testing::HasSubstr("no idea"));
 }
 
-TEST(TorchscriptPlanner, FailsWhereTheOutputChangesItsShape) {
+TEST(TorchscriptPlanner, FailsIfTheOutputChangesShape) {
   const ScriptFile file(whenDriving("return torch.zeros([79, 3])"));
   const RolloutOutcome outcome = driveWith(file.options(), 6.0);
   EXPECT_EQ(outcome.failure, PlannerFailure::kError);
@@ -100,7 +101,7 @@ TEST(TorchscriptPlanner, TimesOutInAnEndlessLoop) {
   EXPECT_EQ(driveWith(options, 1.5).failure, PlannerFailure::kNone) << "with a new process";
 }
 
-TEST(TorchscriptPlanner, LoadsAFileAnewThatWasWrittenAnew) {
+TEST(TorchscriptPlanner, ReloadsAChangedFile) {
   const ScriptFile file(kConstantVelocity);
   const TorchscriptOptions options = file.options();
   EXPECT_GT(driveWith(options, 6.0).progress, 17.0);
@@ -108,7 +109,7 @@ TEST(TorchscriptPlanner, LoadsAFileAnewThatWasWrittenAnew) {
   EXPECT_LT(driveWith(options, 6.0).progress, 16.0);
 }
 
-TEST(TorchscriptPlanner, DrivesInManyThreads) {
+TEST(TorchscriptPlanner, RunsInManyThreads) {
   const ScriptFile file(kConstantVelocity);
   const TorchscriptOptions options = file.options();
   std::vector<double> progress(3);

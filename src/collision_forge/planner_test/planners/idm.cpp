@@ -75,8 +75,8 @@ class LeadFinder {
     const std::vector<bool> touched = corridor_.touchedFrom(std::clamp(progress, 0.0, path_.end()));
     const double ego_radius = circumradius(ego.size);
     const Other* nearest = nullptr;
-    // nuPlan's search tree returns the agent with the smallest y if several have the same distance
-    // or touch the ego (distance 0).
+    // Among agents at the same distance (0 if they touch the ego), nuPlan's search
+    // tree returns the one with the smallest y.
     auto least = std::make_pair(std::numeric_limits<double>::infinity(), 0.0);
     for (std::size_t i = 0; i < others_.size(); ++i) {
       const Other& other = others_[i];

@@ -36,6 +36,7 @@ struct PublishedIdmOptions {
 /// a standing lead.
 class IdmPlanner : public Planner {
  public:
+  /// `route`: how lanes along the route are found.
   IdmPlanner(const IdmOptions& options, const RouteCenterlineOptions& route)
       : options_(options), route_(route) {}
   void initialize(const DrivingTask& task) override;
@@ -66,6 +67,7 @@ double publishedIdmSpeed(const PublishedIdmOptions& options, double speed, doubl
 /// attacker is not in sight, the ego drives as on a free road.
 class PublishedIdmPlanner : public Planner {
  public:
+  /// `attacker_id`: id of the lead in Observation::agents.
   PublishedIdmPlanner(const PublishedIdmOptions& options, std::string attacker_id)
       : options_(options), attacker_id_(std::move(attacker_id)) {}
   void initialize(const DrivingTask& task) override;

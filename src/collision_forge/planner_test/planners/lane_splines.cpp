@@ -84,8 +84,7 @@ class MeasuredLine {
   Vector2 closest_{0.0, 0.0};
 };
 
-/// Joins the nodes of a path backwards from an edge's start with the nodes of a path ahead from its
-/// end.
+/// Joins a path backwards from an edge's start with a path ahead from its end.
 std::vector<Vector2> pointsOf(const LaneGraph& graph, const NodePath& behind,
                               const NodePath& ahead) {
   std::vector<Vector2> points;

@@ -12,10 +12,12 @@ namespace forge {
 /// lengths are behind it. m, global map frame.
 class LaneSpline {
  public:
+  /// A point of the path.
   struct Point {
     Vector2 position{0.0, 0.0};
     Vector2 heading{1.0, 0.0};  ///< unit length at the knots, shorter between them
   };
+  /// A point with its length along the path.
   struct Knot {
     double length = 0.0;  ///< m along the path
     Point point;
@@ -40,8 +42,8 @@ struct Reach {
 };
 
 /// Returns the candidate paths of a vehicle over a lane graph: one along every graph path through
-/// every edge in `matches`, in their order, then in the order of the edges at each branch. Each is bent
-/// to pass through the vehicle. Without a match, returns one straight path along the heading. If
+/// every edge in `matches`, in their order, then of the edges at each branch. Each is bent to
+/// pass through the vehicle. Without a match, returns one straight path along the heading. If
 /// `reach.behind` is 0, paths that differ only behind the vehicle are returned once. `speed`: m/s.
 std::vector<LaneSpline> laneSplinesOf(const LaneGraph& graph, const std::vector<EdgeMatch>& matches,
                                       const Pose2& vehicle, double speed, const Reach& reach,

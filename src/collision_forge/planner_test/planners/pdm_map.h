@@ -39,6 +39,7 @@ class PdmMap {
   /// Adds an outline on the route that belongs to no lane.
   void addRoute(const std::vector<Vector2>& outline);
 
+  /// Returns the relation of a box to the areas, the route and the drivable area.
   PdmPlace placeOf(const OrientedBox& box) const;
   bool isInIntersection(const Vector2& point) const;
 

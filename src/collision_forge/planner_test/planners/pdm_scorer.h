@@ -16,14 +16,15 @@ struct PdmScore {
   double collision =
       1.0;  ///< 0 after an at-fault collision; static_collision_score with a static object
   std::optional<double> collision_time;  ///< s from t0, of the first at-fault collision
-  double drivable_area = 0.0;
-  double driving_direction = 0.0;
+  double drivable_area = 0.0;            ///< 0 after leaving the drivable area
+  double driving_direction =
+      0.0;                ///< 1, wrong_way_score or 0 by the distance driven off the route's lanes
   double driven = 0.0;    ///< m along the centreline, not negative
-  double progress = 0.0;  ///< `driven` as a share of the best motion's
-  double time_to_collision = 1.0;
+  double progress = 0.0;  ///< share 0..1 of the best motion's; see PdmScorer::score()
+  double time_to_collision = 1.0;  ///< 0 after a state that is too close
   std::optional<double> ttc_time;  ///< s from t0, of the first state that is too close
-  double comfort = 0.0;
-  double total = 0.0;
+  double comfort = 0.0;            ///< 1 if comfortable, else 0
+  double total = 0.0;  ///< product of the first three terms times the weighted mean of the others
 };
 
 /// Everything that motions are scored against. All references must outlive the scorer.
@@ -37,11 +38,12 @@ struct PdmSurroundings {
 /// Scores motions as PDM-Closed does (Dauner et al. 2023), one term at a time.
 class PdmScorer {
  public:
+  /// Keeps the references in `surroundings`.
   PdmScorer(const PdmSurroundings& surroundings, const PdmScoringOptions& options);
 
-  /// Scores all terms of all motions. Progress is relative to the farthest motion that has a
-  /// positive product of the collision, drivable-area and direction terms. If no such motion gets
-  /// farther than `options.min_progress`, progress is 1, or 0 for motions whose product is 0.
+  /// Scores all terms of all motions. Progress is `driven` times the product of the first three
+  /// terms, as a share of the largest such value. If no value exceeds `options.min_progress`,
+  /// progress is 1, or 0 for motions whose product is 0.
   std::vector<PdmScore> score(const std::vector<PdmMotion>& motions) const;
 
  private:

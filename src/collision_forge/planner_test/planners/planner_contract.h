@@ -30,7 +30,7 @@ inline constexpr std::size_t kContractPoseNumbers = 3;  ///< x, y, yaw
 struct ContractTensor {
   const char* name;
   std::array<std::size_t, 3> sizes;
-  std::size_t dimensions;
+  std::size_t dimensions;  ///< number of valid `sizes`
 
   /// Returns the number of elements.
   constexpr std::size_t count() const {

@@ -40,6 +40,7 @@ class PlannerWorker {
   /// kContractOutput.
   std::vector<float> plan(const std::vector<float>& inputs);
 
+  /// Returns false after begin() or plan() has thrown; such a worker must be replaced.
   bool isUsable() const { return is_usable_; }
   /// Identifies the file and its version at load time.
   const std::string& key() const { return key_; }

@@ -53,7 +53,7 @@ TestPictures picturesBeside(const std::string& results_path,
     const std::string path = folder + "/weaknesses/" + std::to_string(++rank);
     std::vector<Picture>& of = pictures[{hit.name, hit.row}];
     add(of, "Weakness " + std::to_string(rank), path);
-    add(of, "Its escape", path + "_escape");
+    add(of, "Its evasive manoeuvre", path + "_escape");
   }
   return pictures;
 }

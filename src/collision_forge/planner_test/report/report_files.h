@@ -26,6 +26,7 @@ struct RowFormat {
   std::function<std::optional<ReportRow>(const std::string& line)> rowOf;
 };
 
+/// An input file with its detected kind.
 struct ReportFile {
   std::string path;
   ReportFileKind kind;

@@ -19,13 +19,13 @@ struct ReportRow {
   std::size_t line = 0;  ///< from 1 on
   std::string scene;
   std::string type;
-  std::string mode;
+  std::string mode;     ///< "history" or "replay"
   std::string planner;  ///< rowName(); for results.csv the method
   /// For attacks "declined" (request rejected), "generated" (no recording available), "as_asked",
   /// "otherwise" (touches the ego, but not as requested) or "missed"; for planners "hit",
   /// "hit_other", "clear", "failed" or "untested".
   std::string outcome;
-  std::string status;
+  std::string status;   ///< status code as in the files, e.g. "OK"
   std::string message;  ///< for users: why there is no attack, or which check the attack fails
   std::string manoeuvre;
   std::string attacker_class;
@@ -54,7 +54,7 @@ struct ReportRow {
 ReportRow rowOfAttack(const Scenario& scenario, const Attack& attack,
                       const std::optional<StrictOutcome>& recorded);
 
-/// Returns the row of a planner in a case, or without `row` the row of an untested case. Copies the
+/// Returns the row of a planner in a case, or of an untested case if `row` is null. Copies the
 /// fields of the attack itself from `attack`, if given.
 ReportRow rowOfTest(const PlannerTestResult& result, const PlannerRow* row,
                     const ReportRow* attack);

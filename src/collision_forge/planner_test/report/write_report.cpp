@@ -273,9 +273,9 @@ class ReportBuilder {
     const std::vector<TrajectoryPoint> points = outcome.attacker.points;
     outcome.attacker = attack.attacker;
     outcome.attacker.points = points;
-    const std::vector<Track> nobody;
+    const std::vector<Track> no_agents;
     const auto crash =
-        forge::crashOf(outcome, attack.ego, scenes_ ? scenes_->at(scene)->scene.agents : nobody,
+        forge::crashOf(outcome, attack.ego, scenes_ ? scenes_->at(scene)->scene.agents : no_agents,
                        settings_.options.attack.verification.drivable);
     if (!crash) return std::nullopt;
     std::optional<ShownCrash> shown = shownCrash(crash->motion);

@@ -12,8 +12,8 @@ namespace forge {
 
 /// A criterion that an attack meets or not, or a value of it; tables show its rate.
 struct Measure {
-  std::string name;  ///< column name in results.csv
-  std::string title;
+  std::string name;   ///< column name in results.csv
+  std::string title;  ///< shown above the table
   std::optional<std::size_t>
       given;  ///< index of another measure; the rate is among rows that meet it; empty: all rows
   bool is_headline = false;  ///< drawn as a chart

@@ -54,7 +54,7 @@ std::vector<Sum> sumByScene(const std::vector<Trial>& trials) {
 double meanOf(const Sum& sum) { return sum.values / sum.trials; }
 
 template <typename Predicate>
-std::vector<Trial> those(const std::vector<Trial>& trials, Predicate predicate) {
+std::vector<Trial> selected(const std::vector<Trial>& trials, Predicate predicate) {
   std::vector<Trial> found;
   std::copy_if(trials.begin(), trials.end(), std::back_inserter(found), predicate);
   return found;
@@ -99,12 +99,12 @@ Rate pooledRate(const std::vector<Trial>& trials, const StatisticsOptions& optio
 std::vector<TrialGroup> groupTrials(const std::vector<Trial>& trials) {
   std::vector<TrialGroup> groups;
   for (const CollisionType type : kCollisionTypes) {
-    groups.push_back(
-        {shortName(type), those(trials, [=](const Trial& trial) { return trial.type == type; })});
+    groups.push_back({shortName(type),
+                      selected(trials, [=](const Trial& trial) { return trial.type == type; })});
   }
   double after = 0.0;
   for (const TtaBucket& bucket : kTtaBuckets) {
-    groups.push_back({bucket.title, those(trials, [=](const Trial& trial) {
+    groups.push_back({bucket.title, selected(trials, [=](const Trial& trial) {
                         return trial.tta > after && trial.tta <= bucket.last;
                       })});
     after = bucket.last;

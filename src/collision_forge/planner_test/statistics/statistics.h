@@ -54,7 +54,7 @@ double quantile(const std::vector<double>& sorted, double share);
 
 /// The trials of one table column.
 struct TrialGroup {
-  std::string title;
+  std::string title;  ///< column title
   std::vector<Trial> trials;
 };
 

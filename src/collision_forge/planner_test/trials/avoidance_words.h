@@ -6,10 +6,10 @@
 
 namespace forge {
 
-/// Returns how a hit could have been avoided, worded to follow "avoidable ": "by braking until
-/// 2.0 s" (the last start that works), "by braking at once" (only from now on).
-/// `start`: s from now. `is_escape`: from an Escape, where kKeeping keeps the speed that the ego
-/// has at `start`; else from an Avoidance, where kKeeping is the recorded drive.
+/// Returns how a hit could have been avoided, worded to follow "avoidable ": "up to 2.0 s after t0
+/// by braking" (the latest start that works), "at once by braking" (only from t0 on). `start`: s
+/// after t0. `is_escape`: `manoeuvre` comes from an Escape, where kKeeping keeps the ego's speed at
+/// `start`; else from an Avoidance, where kKeeping is the recorded drive.
 std::string avoidanceWords(EvasiveManoeuvre manoeuvre, double start, bool is_escape);
 
 }  // namespace forge

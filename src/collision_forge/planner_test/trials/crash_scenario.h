@@ -20,6 +20,7 @@ struct CrashScenario {
   EgoVehicle ego;
   std::shared_ptr<const LaneIndex> lanes;
 
+  /// Returns the time of the attacker's last point. `attacker.points` must not be empty.
   double end() const { return attacker.points.back().time; }
 };
 

@@ -40,6 +40,7 @@ enum class EvasiveManoeuvre {
 };
 /// Returns "keeping", "braking", "accelerating", "steering" or "both".
 const char* toString(EvasiveManoeuvre manoeuvre);
+/// Returns nothing for an unknown name.
 std::optional<EvasiveManoeuvre> evasiveManoeuvreFromString(const std::string& name);
 
 /// Control targets of the ego during one phase of an evasive plan.
@@ -51,7 +52,7 @@ struct EvasiveDemand {
 /// Two phases: `first` for `duration` seconds, then `second`.
 struct EvasivePlan {
   EvasiveDemand first;
-  double duration = 0.0;
+  double duration = 0.0;  ///< s
   EvasiveDemand second;
 };
 

@@ -48,8 +48,8 @@ NuplanJudge::NuplanJudge(const PdmMap& map, const EgoVehicle& ego, const PdmScor
                          const NuplanScoreOptions& options)
     : map_(map), ego_(ego), scoring_(scoring), options_(options) {}
 
-void NuplanJudge::see(const TrajectoryPoint& ego, const std::vector<Track>& agents,
-                      const std::set<std::string>& ignored) {
+void NuplanJudge::addStep(const TrajectoryPoint& ego, const std::vector<Track>& agents,
+                          const std::set<std::string>& ignored) {
   const PdmPlace place = map_.placeOf({ego.pose, ego_.size});
   driven_.push_back(ego);
   is_wrong_way_.push_back(place.is_wrong_way);

@@ -34,13 +34,13 @@ struct NuplanScoreOptions {
 /// in [0, 1], where 1 is good.
 struct NuplanScore {
   double no_at_fault_collision = 1.0;  ///< 0 after one with an agent, 0.5 with a static object
-  double drivable_area = 1.0;
-  double driving_direction = 1.0;     ///< 1, 0.5 or 0
-  double making_progress = 1.0;       ///< 1 or 0
-  double time_to_collision = 1.0;     ///< 1 or 0
-  double comfort = 1.0;               ///< 1 or 0
-  double progress = 1.0;              ///< share of the recorded ego's progress
-  std::optional<double> speed_limit;  ///< empty if no lane driven on has a limit
+  double drivable_area = 1.0;          ///< 1 or 0
+  double driving_direction = 1.0;      ///< 1, 0.5 or 0
+  double making_progress = 1.0;        ///< 1 or 0
+  double time_to_collision = 1.0;      ///< 1 or 0
+  double comfort = 1.0;                ///< 1 or 0
+  double progress = 1.0;               ///< share of the recorded ego's progress
+  std::optional<double> speed_limit;   ///< empty if no lane driven on has a limit
   /// Product of the first four terms times the weighted mean of the remaining known ones.
   double total = 1.0;
 };
@@ -68,8 +68,8 @@ class NuplanJudge {
 
   /// Adds the states of one step; call in order of time. Agents with an id in `ignored` are
   /// skipped.
-  void see(const TrajectoryPoint& ego, const std::vector<Track>& agents,
-           const std::set<std::string>& ignored);
+  void addStep(const TrajectoryPoint& ego, const std::vector<Track>& agents,
+               const std::set<std::string>& ignored);
 
   /// Returns the score of the steps so far. `driven` and `recorded`: progress of the ego and the
   /// recorded ego along the route, m.

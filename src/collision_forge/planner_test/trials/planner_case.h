@@ -17,10 +17,10 @@ namespace forge {
 class PublishedProtocol {
  public:
   virtual ~PublishedProtocol() = default;
-  /// True if the attacker hits the ego that drives `ego` from now on. Throws std::invalid_argument
-  /// if `ego` has no points.
+  /// Returns whether the attacker hits an ego that drives `ego` from t0 on. Throws
+  /// std::invalid_argument if `ego` has no points.
   virtual bool isHit(const std::vector<TrajectoryPoint>& ego) const = 0;
-  /// True if the attacker hits the ego that the planner idm_published drives from the clip's first
+  /// Returns whether the attacker hits the ego that idm_published drives from the clip's first
   /// frame on.
   virtual bool isIdmHit(const PublishedIdmOptions& idm) const = 0;
 };

@@ -18,6 +18,7 @@ using PlannerGrid = std::map<std::string, std::vector<double>>;
 /// Reads section `planner` of a file like config/tuning.yaml. Throws ConfigError for a missing or
 /// empty section, and for a value that is not a list of distinct numbers.
 PlannerGrid readPlannerGrid(Section file, const std::string& planner);
+/// As above, from the YAML file at `path`.
 PlannerGrid readPlannerGrid(const std::string& path, const std::string& planner);
 
 /// Returns the values in planners.yaml (whose text is `text`) of the keys in the grid. Throws

@@ -16,15 +16,14 @@ namespace forge {
 
 /// Summary of an Avoidability or of findEscape().
 struct AvoidabilitySummary {
-  bool is_avoidable = false;
+  bool is_avoidable = false;               ///< a witness is known
   std::vector<EvasiveManoeuvre> from_now;  ///< kinds that work from t0; not set for findEscape()
-  EvasiveManoeuvre last =
-      EvasiveManoeuvre::kKeeping;  ///< these three with is_avoidable: the witness with the
-  double last_after = 0.0;         ///< latest start, s from now
-  double off_road_share = 0.0;
+  EvasiveManoeuvre last = EvasiveManoeuvre::kKeeping;  ///< of the witness with the latest start
+  double last_after = 0.0;                             ///< s after t0, start of this witness
+  double off_road_share = 0.0;  ///< share 0..1 of the box off the drivable area, mean
 };
 
-/// Contents of a test: planners, background traffic and attacker policies.
+/// Configuration of a test: planners, background traffic and attacker policies.
 struct TestPlan {
   std::vector<std::string> planners;
   Background background = Background::kReplay;
@@ -83,10 +82,9 @@ struct PlannerTestResult {
   double tta = 0.0;
   double now = 0.0;  ///< s, scene clock; t0
   Background background = Background::kReplay;
-  std::string status;   ///< "OK", or why there is no test: a StatusCode, kUnreadable or kUnfit
-  std::string message;  ///< for people; empty with OK
-  bool is_strict =
-      false;  ///< with OK: meets all conditions of the strict protocol against the recording
+  std::string status;      ///< "OK", or why there is no test: a StatusCode, kUnreadable or kUnfit
+  std::string message;     ///< for users; empty with OK
+  bool is_strict = false;  ///< with OK: meets the strict protocol against the recording
   AvoidabilitySummary avoidability;  ///< valid with OK, like `rows`
   /// With OK one row per planner and policy, ordered as rowNames(). An unfit clip has one row,
   /// idm_published, with only `published_hit` set: that test drives the clip from its first frame.

@@ -16,6 +16,7 @@ PlannerTestResult readPlannerResultLine(const std::string& where, const std::str
 
 // Parts of the line, shared with other files.
 
+/// Writes the summary as the object `key`.
 void writeAvoidability(JsonLineWriter& writer, const char* key, const AvoidabilitySummary& summary);
 
 /// Writes the fields of an element of "planners" into the open object. `now`: s, scene clock.

@@ -11,17 +11,18 @@ namespace forge {
 
 /// Result of one planner against attackers of one policy, over all tested cases.
 struct PlannerSummary {
+  /// A hit by the attacker.
   struct Impact {
     double speed = 0.0;     ///< m/s
     std::string case_name;  ///< PlannerTestResult::name
   };
 
-  std::string planner;  ///< rowName()
-  int scenes = 0;       ///< distinct scenes of the cases
-  int cases = 0;        ///< rollouts, failures included
-  int hits = 0;         ///< first contacts with the attacker, without failures
-  int avoidable = 0;    ///< hits that the planner could have avoided (PlannerRow::is_fair)
-  int failures = 0;
+  std::string planner;          ///< rowName()
+  int scenes = 0;               ///< distinct scenes of the cases
+  int cases = 0;                ///< rollouts, failures included
+  int hits = 0;                 ///< first contacts with the attacker, without failures
+  int avoidable = 0;            ///< hits that the planner could have avoided (PlannerRow::is_fair)
+  int failures = 0;             ///< rollouts that ended with a planner failure
   std::optional<Impact> worst;  ///< the hardest hit; empty if there is none
 };
 

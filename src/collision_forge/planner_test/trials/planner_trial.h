@@ -13,7 +13,7 @@ struct PlannerTrial {
   Avoidability avoidability;
   std::vector<std::vector<Pose2>> proposals;  ///< Planner::proposals() of the last call
   double mean_call = 0.0;                     ///< s of the wall clock per successful call of plan()
-  double max_call = 0.0;
+  double max_call = 0.0;                      ///< s, the longest such call
 };
 
 /// Runs rollout() and findAvoidability(). If the setup has its own attacker policy, uses

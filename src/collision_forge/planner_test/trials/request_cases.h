@@ -17,8 +17,8 @@ namespace forge {
 /// Options of RequestCases.
 struct RequestDraw {
   RequestListOptions list;  ///< times, TTAs and types
-  std::size_t tries = 0;
-  std::uint64_t seed = 0;  ///< of the draw
+  std::size_t tries = 0;    ///< number of requests to draw
+  std::uint64_t seed = 0;   ///< of the draw
   /// Progress callback: number of scenes processed, total number.
   std::function<void(std::size_t, std::size_t)> on_scene = {};
 };
@@ -36,7 +36,6 @@ class RequestCases : public PlannerCases {
 
   /// Returns "NAME: REASON" for each scene that cannot be read and is left out.
   const std::vector<std::string>& unreadable() const { return unreadable_; }
-  std::vector<std::string> unreadable_;
   const std::vector<std::string>& names() const override { return names_; }
   std::string fingerprint() const override;
   PlannerCase at(std::size_t index) const override;
@@ -54,6 +53,7 @@ class RequestCases : public PlannerCases {
   std::string method_;
   std::vector<SceneRequest> requests_;
   std::vector<std::string> names_;
+  std::vector<std::string> unreadable_;
 };
 
 }  // namespace forge

@@ -170,7 +170,7 @@ class Run {
     }
     outcome_.driven.push_back(ego_.point());
     keepOthers();
-    judge_.see(ego_.point(), traffic_.agents(), ignored_);
+    judge_.addStep(ego_.point(), traffic_.agents(), ignored_);
     was_on_road_ = offRoadShare() < 1.0;
   }
 
@@ -245,7 +245,7 @@ class Run {
       outcome_.driven.push_back(pointAt({from, ego_.point()}, outcome_.contact->time));
     } else {
       outcome_.driven.push_back(ego_.point());
-      judge_.see(ego_.point(), traffic_.agents(), ignored_);
+      judge_.addStep(ego_.point(), traffic_.agents(), ignored_);
       checkRoad();
     }
   }

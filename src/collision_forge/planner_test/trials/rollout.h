@@ -42,6 +42,7 @@ enum class PlannerFailure {
 };
 /// Returns "none", "error", "empty", "not_finite", "unordered", "late", "timed_out" or "off_map".
 const char* toString(PlannerFailure failure);
+/// Returns nothing for an unknown name.
 std::optional<PlannerFailure> plannerFailureFromString(const std::string& name);
 
 /// The ego's first contact.
@@ -57,7 +58,7 @@ struct PlannerContact {
   double impact_speed = 0.0;       ///< m/s, norm of the relative velocity
   double ego_speed = 0.0;          ///< m/s
   ContactCause cause = ContactCause::kLateral;
-  bool at_fault = false;
+  bool at_fault = false;  ///< of the ego; see isAtFault()
 };
 
 /// Result of rollout().

@@ -14,6 +14,7 @@ namespace forge {
 enum class Background { kReplay, kIdm };
 /// Returns "replay" or "idm".
 const char* toString(Background background);
+/// Returns nothing for an unknown name.
 std::optional<Background> backgroundFromString(const std::string& name);
 
 /// Simulates all agents except the ego, step by step. The attacker's policy observes every step
@@ -27,8 +28,10 @@ class Traffic {
   /// past states in agents().
   Traffic(const CrashScenario& scenario, std::unique_ptr<AttackerPolicy> attacker,
           Background background, const IdmOptions& idm, double history);
+  /// Copies the state, including a clone of the attacker's policy.
   Traffic(const Traffic& other);
 
+  /// Current time, s, scene clock.
   double time() const { return time_; }
   /// Returns the agents in sight at time(), each with its states of the last `history` seconds.
   /// Velocities are estimated from past states only; the attacker's come from its trajectory.

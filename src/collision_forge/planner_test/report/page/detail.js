@@ -8,7 +8,7 @@ import {OUTCOME_NOTES, amount, degrees, element, title} from './words.js';
 const SPEEDS = [0.25, 0.5, 1, 2, 4];
 const FAR_LESS = 0.8; // share of the view's height
 
-/** "scenarios:3, Left turn across path, 4.0 s after t0, car, cut in"; of a test its planner comes second. */
+/** Returns "scenarios:3, Left turn across path, 4.0 s after t0, car, cut in"; a test has its planner second. */
 export function headline(rows, row) {
   const parts = [rows.name(row), rows.text('planner', row), title(rows.text('type', row)) || 'Unreadable case'];
   if (rows.number('tta', row) !== null) parts.push(amount(rows.number('tta', row), 1, 's') + ' after t0');
@@ -16,7 +16,7 @@ export function headline(rows, row) {
   return parts.filter((part) => part).join(', ');
 }
 
-/** What the top view and the time lines show, from the records of a row. */
+/** Builds the data of the top view and the timelines from the records of a row. */
 export function worldOf({now, tta, scene, attack, test}) {
   const world = {others: [], roles: [], begin: 0, end: (tta || 0) + 1, focus: [], map: scene && scene.map};
   const offset = scene && scene.origin - now;
@@ -95,7 +95,7 @@ function rightwardsOf(world) {
     directions[0] || 0);
 }
 
-/** Of the planner, else in the recording, else as it was predicted. */
+/** Returns the contact of the planner, else in the recording, else the predicted one. */
 function contactOf(attack, test, world) {
   if (test) {
     if (!test.contact || !test.drive) return null; // without the drive the place is unknown
@@ -145,7 +145,7 @@ function reportList(name, report) {
   ]);
 }
 
-/** The greatest of what the attacker does, beside what it may. */
+/** Lists the largest values of the attacker's motion with their limits. */
 function limitList(attack, world) {
   const {limits} = attack;
   const attacker = world.roles.find((role) => role.isAttacker).motion;
@@ -175,7 +175,7 @@ function pictureList(pictures) {
     element('p', {}, element('a', {href: link}, name))));
 }
 
-/** Commands in a box, with a button that copies them; where a browser forbids that they are selected. */
+/** Shows commands with a button that copies them, or selects them if the browser forbids copying. */
 function commandList(commands) {
   if (!commands.length) return null;
   return element('section', {}, element('h3', {}, 'Reproduce this row'), ...commands.map(({title: name, lines}) => {

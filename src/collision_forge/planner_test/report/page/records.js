@@ -6,7 +6,7 @@ async function unpacked(base64) {
   return JSON.parse(await new Response(stream).text());
 }
 
-/** Whole numbers that each add to the one before, as values in units. */
+/** Decodes a list of integer differences to values in units. */
 export function summed(steps, unit) {
   let sum = 0;
   return Float64Array.from(steps, (step) => (sum += step) * unit);
@@ -35,13 +35,13 @@ export function continued(motion, next) {
 
 const stemOf = (path) => path.split('/').pop().replace(/\.[a-z]+$/, '');
 
-/** How rows name each file: by its name without folder and ending, by its path where that is not unique. */
+/** Returns the names of files in rows: the stem, or the path if the stem is not unique. */
 function namesOf(files) {
   const stems = files.map(({path}) => stemOf(path));
   return stems.map((stem, i) => (stems.indexOf(stem) === stems.lastIndexOf(stem) ? stem : files[i].path));
 }
 
-/** The table: columns of texts and of numbers. */
+/** The rows of the table, stored as columns of texts and numbers. */
 export class Rows {
   constructor(index) {
     this.length = index.rows;
@@ -59,17 +59,17 @@ export class Rows {
     return this.files[this.number('file', row)].has_tests;
   }
 
-  /** "scenarios:11", and "scenarios:11.2" for the second row of that line. */
+  /** Returns "scenarios:11", or "scenarios:11.2" for the second row of that line. */
   name(row) {
     return `${this.fileNames[this.number('file', row)]}:${this.line(row)}`;
   }
 
-  /** "11" or "11.2". */
+  /** Returns "11" or "11.2". */
   line(row) {
     return this.number('line', row) + (this.parts[row] > 1 ? '.' + this.parts[row] : '');
   }
 
-  /** The row of a name, or of a line of the first file; null where there is none. */
+  /** Returns the row with a name, or of a line of the first file; null if there is none. */
   named(name) {
     for (let row = 0; row < this.length; ++row) {
       if (this.name(row) === name || (this.number('file', row) === 0 && this.line(row) === name)) return row;
@@ -82,7 +82,7 @@ export class Rows {
     return column.words[column.values[row]];
   }
 
-  /** null where there is none. */
+  /** Returns null for a missing number. */
   number(name, row) {
     const column = this.columns[name];
     const value = column.values[row];
@@ -97,7 +97,7 @@ export class Records {
     this.read = new Map();
   }
 
-  /** The record at a place; null for the place null. */
+  /** Returns the record with an index; null for the index null. */
   async at(place) {
     if (place === null) return null;
     this.lines = this.lines || this.text.trim().split('\n');

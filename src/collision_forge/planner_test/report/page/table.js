@@ -50,7 +50,7 @@ export class Table {
     new ResizeObserver(() => this.draw()).observe(this.scroller);
   }
 
-  /** Takes the columns that rows of this list need. */
+  /** Selects the columns that the rows of this list need. */
   chooseColumns(list) {
     this.columns = COLUMNS.filter(({isShown}) => (isShown || ALWAYS)(this.rows, list));
     this.sorting = {key: 'name', falling: false};
@@ -134,7 +134,7 @@ export class Table {
     return made;
   }
 
-  /** Where there is no drive, the reason takes the place of all that is said of one. */
+  /** Shows the reason in place of the contact columns if there is no drive. */
   cellsOf(row) {
     if (!WITHOUT_DRIVE.includes(this.rows.text('outcome', row))) {
       return this.columns.map((column) => this.makeCell(column, row));
@@ -164,13 +164,13 @@ export class Table {
     this.draw();
   }
 
-  /** Chooses a row, if it is shown. */
+  /** Selects a row if it is shown. */
   chooseRow(row) {
     const place = this.order.indexOf(row);
     if (place >= 0) this.choose(place);
   }
 
-  /** The row that is `step` places on in the order, chosen; null at the ends. */
+  /** Selects and returns the row `step` places further in the order; null at the ends. */
   neighbour(step) {
     const place = this.chosen + step;
     if (place < 0 || place >= this.order.length) return null;

@@ -12,7 +12,7 @@ const svg = (tag, attributes = {}) => {
   return made;
 };
 
-/** Round numbers that divide a range into a few parts. */
+/** Returns round numbers that divide a range into a few parts. */
 function ticksOf(least, greatest) {
   const rough = (greatest - least) / 3;
   const power = 10 ** Math.floor(Math.log10(rough));
@@ -53,7 +53,7 @@ export class Timelines {
     this.place.replaceChildren(...this.plots.map(({figure}) => figure));
   }
 
-  /** Between the attacker and every ego that is shown. */
+  /** Returns the distances between the attacker and every shown ego. */
   distances(world, times) {
     const attacker = world.roles.find((role) => role.isAttacker);
     if (!attacker) return [];

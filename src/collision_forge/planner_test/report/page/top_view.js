@@ -13,7 +13,7 @@ function addLine(path, [x, y], isRing) {
   if (isRing) path.closePath();
 }
 
-/** The outlines and lines of a map, made once and drawn at any zoom. */
+/** The outlines and lines of a map, created once and drawn at any zoom. */
 class MapPaths {
   constructor(map) {
     this.drivable = map.drivable.map((area) => this.areaOf(area));
@@ -97,7 +97,7 @@ export class TopView {
     this.draw();
   }
 
-  /** A step on the ground, as the view is turned: to the right and up. */
+  /** Returns the displacement on the ground of a step to the right and up in the rotated view. */
   turned([x, y]) {
     return [this.cos * x + this.sin * y, this.cos * y - this.sin * x];
   }
@@ -133,7 +133,7 @@ export class TopView {
     return [this.middle[0] + step[0], this.middle[1] + step[1]];
   }
 
-  /** One finger or the mouse moves the map, two fingers zoom. */
+  /** Moves the map with one finger or the mouse, zooms with two fingers. */
   onMove(event) {
     const before = this.pointers.get(event.pointerId);
     if (!before) return;
@@ -221,7 +221,7 @@ export class TopView {
     }
   }
 
-  /** A filled box with a mark at its front. */
+  /** Draws a filled box with a mark at its front. */
   drawBox(state, {length, width}, color, opacity, isOutline = false) {
     const {context} = this;
     const points = corners(state, length, width);
