@@ -53,7 +53,7 @@ ScenarioView viewOfCollision(const PlannerCase& one, const PlannerRow& row, cons
 ScenarioView viewOfEvasiveManoeuvre(const PlannerCase& one, const PlannerRow& row) {
   const Escape& escape = *row.escape_drive;
   ScenarioView view =
-      viewOf(one, row, wholeEscape(row.outcome.driven, escape.ego), escape.attacker);
+      viewOf(one, row, wholeEvasion(row.outcome.driven, escape.ego), escape.attacker);
   view.avoided_hit = row.outcome.contact->time;
   return view;
 }

@@ -60,7 +60,7 @@ std::string witnessLine(const Weakness& weakness, const Shown& shown) {
   writer.text("policy", toString(weakness.policy));
   writer.text("manoeuvre", toString(escape.manoeuvre));
   writer.number("start_t", fromNow(escape.start, now));
-  writeMotion(writer, "ego", wholeEscape(shown.row.outcome.driven, escape), now);
+  writeMotion(writer, "ego", wholeEvasion(shown.row.outcome.driven, escape), now);
   writeMotion(writer, "attacker", shown.row.escape_drive->attacker.points, now);
   writer.endObject();
   return writer.line();
@@ -99,7 +99,7 @@ std::string printedLine(int rank, const Weakness& weakness, const Shown& shown) 
          (weakness.at_fault ? "planner" : "attacker") + " at fault)" +
          formatted(" after %.1f s at %.1f m/s, avoidable ", fromNow(contact.time, now),
                    contact.impact_speed) +
-         avoidanceWords(escape.manoeuvre, fromNow(escape.start, now), true) + "; " +
+         avoidanceText(escape.manoeuvre, fromNow(escape.start, now), true) + "; " +
          counted(weakness.results.size(), "hit") + ", the hardest in " + shown.one.name + "\n";
 }
 

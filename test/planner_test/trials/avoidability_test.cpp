@@ -25,7 +25,7 @@ double clearance(const CrashScenario& scenario, const Avoidance& avoidance) {
     ego.states.push_back({point.time, point.pose, Vector2::Zero()});
   }
   double least = 1e9;
-  for (const Track& other : othersFromNow(scenario)) {
+  for (const Track& other : agentsFromT0(scenario)) {
     for (double time = avoidance.start; time < scenario.end(); time += 1e-3) {
       const auto here = stateAt(ego, time);
       const auto there = stateAt(other, time);

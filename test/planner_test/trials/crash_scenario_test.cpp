@@ -46,7 +46,7 @@ TEST(CrashScenario, InvalidScenariosAreRejectedWithTheReason) {
 TEST(CrashScenario, TheSnapshotContainsThePastOfAnAddedAttacker) {
   CrashScenario scenario = sound();
   const std::size_t seen = scenario.snapshot.agents.size();
-  showPast(scenario);
+  addAttackerPast(scenario);
   EXPECT_EQ(scenario.snapshot.agents.size(), seen);
   scenario.attacker.attacker_id = "added";
   scenario.attacker.agent_class = AgentClass::kBus;
@@ -54,7 +54,7 @@ TEST(CrashScenario, TheSnapshotContainsThePastOfAnAddedAttacker) {
   scenario.attacker.past = {
       {scenario.snapshot.now - 1.0, before, 5.0 * before.heading()},
       {scenario.snapshot.now, scenario.attacker.points.front().pose, 5.0 * before.heading()}};
-  showPast(scenario);
+  addAttackerPast(scenario);
   ASSERT_EQ(scenario.snapshot.agents.size(), seen + 1);
   const Track& added = scenario.snapshot.agents.back();
   EXPECT_EQ(added.id, "added");
@@ -69,7 +69,7 @@ TEST(CrashScenario, TheAttackerReplacesItsRecordedTrack) {
   scenario.snapshot.agents.front().agent_class = AgentClass::kTruck;
   scenario.recorded.agents = {futureTrack("attacker", kCarSize, {0.0, 50.0, 0.0}, 1.0),
                               futureTrack("other", kCarSize, {0.0, 60.0, 0.0}, 1.0)};
-  const auto others = othersFromNow(scenario);
+  const auto others = agentsFromT0(scenario);
   ASSERT_EQ(others.size(), 2u);
   EXPECT_EQ(others[0].id, "attacker");
   EXPECT_EQ(others[0].agent_class, AgentClass::kTruck);

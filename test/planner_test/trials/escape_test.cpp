@@ -66,12 +66,12 @@ TEST(Escape, AWitnessAvoidsTheAttackerInClosedLoop) {
   const PlannerUnderTest idm = makePlanner("idm", config().planners, "");
   const RolloutOutcome hit = rollout(*idm.planner, idm.driving, one.scenario, setup);
   ASSERT_TRUE(hit.contact && hit.contact->is_attacker);
-  const auto escape = findEscape(one.scenario, hit.driven, setup);
+  const auto escape = findEvasion(one.scenario, hit.driven, setup);
   ASSERT_TRUE(escape);
   EXPECT_LT(escape->ego.start, hit.contact->time);
   EXPECT_GT(escape->ego.start, hit.contact->time - 2.0) << "a follower can be avoided late";
 
-  Reader reader(wholeEscape(hit.driven, escape->ego));
+  Reader reader(wholeEvasion(hit.driven, escape->ego));
   const RolloutOutcome escaped = rollout(reader, kExact, one.scenario, setup);
   EXPECT_EQ(escaped.failure, PlannerFailure::kNone) << escaped.failure_message;
   EXPECT_FALSE(escaped.contact);
@@ -90,7 +90,7 @@ TEST(Escape, AnAttackerAlwaysAtTheEgoIsUnavoidable) {
   Reader reader(straightOn(scenario, 10.0));
   const RolloutOutcome hit = rollout(reader, kExact, scenario, setup);
   ASSERT_TRUE(hit.contact);
-  EXPECT_FALSE(findEscape(scenario, hit.driven, setup));
+  EXPECT_FALSE(findEvasion(scenario, hit.driven, setup));
 }
 
 TEST(Escape, MatchesFindAvoidabilityForAFixedAttacker) {
@@ -102,7 +102,7 @@ TEST(Escape, MatchesFindAvoidabilityForAFixedAttacker) {
   Reader reader(straightOn(scenario, 10.0));
   const RolloutOutcome hit = rollout(reader, kExact, scenario, setup);
   ASSERT_TRUE(hit.contact);
-  const auto escape = findEscape(scenario, hit.driven, setup);
+  const auto escape = findEvasion(scenario, hit.driven, setup);
   const Avoidability known = findAvoidability(scenario, setup.planners.avoidability,
                                               setup.planners.planning.route, setup.attack);
   ASSERT_TRUE(escape && known.last);

@@ -63,7 +63,7 @@ TEST(PlannerTrial, UsesFindEscapeOrTheDrivenMotionForAnAdaptiveAttacker) {
   setup.attacker = &attacker;
   const PlannerTrial hit = tryPlanner(*idm.planner, idm.driving, scenario, setup);
   ASSERT_TRUE(hit.outcome.contact && hit.outcome.contact->is_attacker);
-  const auto escape = findEscape(scenario, hit.outcome.driven, setup);
+  const auto escape = findEvasion(scenario, hit.outcome.driven, setup);
   ASSERT_TRUE(escape && hit.avoidability.last);
   EXPECT_EQ(hit.avoidability.last->start, escape->ego.start);
   EXPECT_TRUE(hit.avoidability.from_now.empty());

@@ -96,8 +96,8 @@ StressOutcome stressAttacker(const CrashScenario& scenario, const CollisionReque
   CollisionRequest request = asked;
   if (setup.attacker) request.crash.limits = kAdaptiveLimits;
   const Track ego = egoOf(scenario, request.tta, conduct, seed, setup);
-  Traffic traffic(scenario, attackerOf(scenario, setup), setup.background, setup.planners.traffic,
-                  setup.planners.planning.history);
+  Traffic traffic(scenario, makeRolloutAttacker(scenario, setup), setup.background,
+                  setup.planners.traffic, setup.planners.planning.history);
   Future driven = scenario.recorded;
   driven.ego.states.clear();
   for (std::size_t i = 0; i < ego.states.size(); ++i) {

@@ -17,7 +17,7 @@ class Search {
          const RouteOptions& route, const AttackOptions& attack)
       : scenario_(scenario), options_(options), drives_(scenario, options, route, attack) {
     others_.ego = attackerTrack(scenario);
-    const std::set<std::string> ignored = overlappingNow(scenario);
+    const std::set<std::string> ignored = agentsOverlappingEgoAtT0(scenario);
     for (const Track& agent : scenario.recorded.agents) {
       if (agent.id != scenario.attacker.attacker_id && ignored.count(agent.id) == 0) {
         others_.agents.push_back(agent);

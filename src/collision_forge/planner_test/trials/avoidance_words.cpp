@@ -10,7 +10,7 @@ std::string secondsText(double seconds) { return formatted("%.1f s", seconds); }
 
 }  // namespace
 
-std::string avoidanceWords(EvasiveManoeuvre manoeuvre, double start, bool is_escape) {
+std::string avoidanceText(EvasiveManoeuvre manoeuvre, double start, bool is_escape) {
   const bool is_at_once = start < kTimeEpsilon;
   if (manoeuvre == EvasiveManoeuvre::kKeeping) {
     if (!is_escape) return "by driving as recorded";

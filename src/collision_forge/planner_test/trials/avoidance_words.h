@@ -10,6 +10,6 @@ namespace forge {
 /// by braking" (the latest start that works), "at once by braking" (only from t0 on). `start`: s
 /// after t0. `is_escape`: `manoeuvre` comes from an Escape, where kKeeping keeps the ego's speed at
 /// `start`; else from an Avoidance, where kKeeping is the recorded drive.
-std::string avoidanceWords(EvasiveManoeuvre manoeuvre, double start, bool is_escape);
+std::string avoidanceText(EvasiveManoeuvre manoeuvre, double start, bool is_escape);
 
 }  // namespace forge

@@ -15,7 +15,7 @@ Track attackerTrack(const CrashScenario& scenario) {
           toStates(attacker.points)};
 }
 
-std::vector<Track> othersFromNow(const CrashScenario& scenario) {
+std::vector<Track> agentsFromT0(const CrashScenario& scenario) {
   std::vector<Track> others = {attackerTrack(scenario)};
   for (const Track& agent : scenario.recorded.agents) {
     if (agent.id != scenario.attacker.attacker_id) others.push_back(agent);
@@ -23,7 +23,7 @@ std::vector<Track> othersFromNow(const CrashScenario& scenario) {
   return others;
 }
 
-std::set<std::string> overlappingNow(const CrashScenario& scenario) {
+std::set<std::string> agentsOverlappingEgoAtT0(const CrashScenario& scenario) {
   const OrientedBox ego{scenario.recorded.ego.states.front().pose, scenario.ego.size};
   std::set<std::string> ids;
   for (const Track& agent : scenario.recorded.agents) {
@@ -36,7 +36,7 @@ std::set<std::string> overlappingNow(const CrashScenario& scenario) {
   return ids;
 }
 
-void showPast(CrashScenario& scenario) {
+void addAttackerPast(CrashScenario& scenario) {
   const AttackerTrajectory& attacker = scenario.attacker;
   if (!attacker.isAdded()) return;
   scenario.snapshot.agents.push_back(

@@ -29,14 +29,14 @@ Track attackerTrack(const CrashScenario& scenario);
 
 /// Returns all agents except the ego from t0 on: the attacker on its trajectory first, then the
 /// others as recorded.
-std::vector<Track> othersFromNow(const CrashScenario& scenario);
+std::vector<Track> agentsFromT0(const CrashScenario& scenario);
 
 /// Returns the ids of the agents, except the attacker, whose recorded boxes overlap the ego's at
 /// t0. Such overlaps occur in recordings and do not count as contacts.
-std::set<std::string> overlappingNow(const CrashScenario& scenario);
+std::set<std::string> agentsOverlappingEgoAtT0(const CrashScenario& scenario);
 
 /// If the attacker was added to the scene, adds its past states to the snapshot.
-void showPast(CrashScenario& scenario);
+void addAttackerPast(CrashScenario& scenario);
 
 /// Throws std::invalid_argument with the reason if no rollout of the scenario is possible: no
 /// lanes, no attacker points, no ego at t0, times that do not increase, or an attacker that does

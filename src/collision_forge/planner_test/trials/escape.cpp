@@ -27,7 +27,7 @@ class Search {
         setup_(setup),
         options_(setup.planners.avoidability),
         drives_(scenario, options_, setup.planners.planning.route, setup.attack),
-        ignored_(overlappingNow(scenario)) {}
+        ignored_(agentsOverlappingEgoAtT0(scenario)) {}
 
   std::optional<Escape> run(const std::vector<TrajectoryPoint>& driven) const {
     const std::vector<Traffic> moments = momentsOf(driven);
@@ -43,7 +43,7 @@ class Search {
  private:
   /// Records all agents at the start times before the contact.
   std::vector<Traffic> momentsOf(const std::vector<TrajectoryPoint>& driven) const {
-    Traffic traffic(scenario_, attackerOf(scenario_, setup_), setup_.background,
+    Traffic traffic(scenario_, makeRolloutAttacker(scenario_, setup_), setup_.background,
                     setup_.planners.traffic, setup_.planners.planning.history);
     std::vector<Traffic> moments = {traffic};
     for (std::size_t i = 1; i + 1 < driven.size(); ++i) {
@@ -163,15 +163,15 @@ class Search {
 
 }  // namespace
 
-std::optional<Escape> findEscape(const CrashScenario& scenario,
-                                 const std::vector<TrajectoryPoint>& driven,
-                                 const RolloutSetup& setup) {
+std::optional<Escape> findEvasion(const CrashScenario& scenario,
+                                  const std::vector<TrajectoryPoint>& driven,
+                                  const RolloutSetup& setup) {
   checkScenario(scenario);
   return Search(scenario, setup).run(driven);
 }
 
-std::vector<TrajectoryPoint> wholeEscape(const std::vector<TrajectoryPoint>& driven,
-                                         const Avoidance& escape) {
+std::vector<TrajectoryPoint> wholeEvasion(const std::vector<TrajectoryPoint>& driven,
+                                          const Avoidance& escape) {
   std::vector<TrajectoryPoint> whole;
   for (const TrajectoryPoint& point : driven) {
     if (point.time < escape.start - kTimeEpsilon) whole.push_back(point);

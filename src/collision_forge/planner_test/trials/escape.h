@@ -27,13 +27,13 @@ struct Escape {
 ///   end: continuous contact and every limit of the ego. Agents that overlap the ego at t0, except
 ///   the attacker, are ignored.
 /// Deterministic. Throws as checkScenario() and routeOf().
-std::optional<Escape> findEscape(const CrashScenario& scenario,
-                                 const std::vector<TrajectoryPoint>& driven,
-                                 const RolloutSetup& setup);
+std::optional<Escape> findEvasion(const CrashScenario& scenario,
+                                  const std::vector<TrajectoryPoint>& driven,
+                                  const RolloutSetup& setup);
 
 /// Returns the ego's whole motion: `driven` up to the start of the evasive manoeuvre, then
 /// `escape`.
-std::vector<TrajectoryPoint> wholeEscape(const std::vector<TrajectoryPoint>& driven,
-                                         const Avoidance& escape);
+std::vector<TrajectoryPoint> wholeEvasion(const std::vector<TrajectoryPoint>& driven,
+                                          const Avoidance& escape);
 
 }  // namespace forge

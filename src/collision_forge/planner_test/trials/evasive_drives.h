@@ -13,7 +13,7 @@
 
 namespace forge {
 
-/// Options of findAvoidability() and findEscape(): config/planners.yaml, section avoidability,
+/// Options of findAvoidability() and findEvasion(): config/planners.yaml, section avoidability,
 /// where each number's source stands.
 struct AvoidabilityOptions {
   double interval = 0.0;              ///< s between two start times that are tried

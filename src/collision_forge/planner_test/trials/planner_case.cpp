@@ -28,7 +28,7 @@ PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed
                   one.request.type,
                   scenario.ego,
                   indexed.lanes};
-  showPast(one.scenario);
+  addAttackerPast(one.scenario);
   one.pattern = scenario.answer.pattern;
   one.effort = scenario.answer.effort;
   return one;

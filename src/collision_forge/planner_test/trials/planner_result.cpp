@@ -103,8 +103,8 @@ PlannerTestResult untested(const PlannerCase& one, const std::string& status,
   return result;
 }
 
-PlannerTestResult judgeCase(const PlannerCase& one, const AnswerOptions& options,
-                            const TrialOptions& trials) {
+PlannerTestResult evaluateCase(const PlannerCase& one, const AnswerOptions& options,
+                               const TrialOptions& trials) {
   PlannerTestResult result = untested(one, toString(one.status.code), one.status.message);
   if (one.status.code != StatusCode::kOk) return result;
   try {
@@ -160,7 +160,7 @@ PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Polic
   row.outcome = drive(one, planner, setup);
   row.attacker = summaryOf(one, policy, plan.background, row.outcome, options);
   if (row.outcome.contact && row.outcome.contact->is_attacker) {
-    row.escape_drive = findEscape(one.scenario, row.outcome.driven, setup);
+    row.escape_drive = findEvasion(one.scenario, row.outcome.driven, setup);
     row.escape = summaryOf(row.escape_drive, one.scenario.snapshot.now);
     row.is_fair = row.escape->is_avoidable &&
                   row.escape->last_after >= options.adaptive.fairness.avoidable_for;
@@ -184,7 +184,7 @@ void dropMotions(PlannerTestResult& result) {
 
 PlannerTestResult testPlanners(const PlannerCase& one, const TestPlan& plan,
                                const AnswerOptions& options, const TrialOptions& trials) {
-  PlannerTestResult result = judgeCase(one, options, trials);
+  PlannerTestResult result = evaluateCase(one, options, trials);
   result.background = plan.background;
   for (const std::string& name : plan.planners) {
     if (result.status == kUnfit && one.published && name == kPublishedIdm) {

@@ -14,10 +14,10 @@
 
 namespace forge {
 
-/// Summary of an Avoidability or of findEscape().
+/// Summary of an Avoidability or of findEvasion().
 struct AvoidabilitySummary {
   bool is_avoidable = false;               ///< a witness is known
-  std::vector<EvasiveManoeuvre> from_now;  ///< kinds that work from t0; not set for findEscape()
+  std::vector<EvasiveManoeuvre> from_now;  ///< kinds that work from t0; not set for findEvasion()
   EvasiveManoeuvre last = EvasiveManoeuvre::kKeeping;  ///< of the witness with the latest start
   double last_after = 0.0;                             ///< s after t0, start of this witness
   double off_road_share = 0.0;  ///< share 0..1 of the box off the drivable area, mean
@@ -56,7 +56,7 @@ struct PlannerRow {
   std::string planner;
   RolloutOutcome outcome;
   AttackerSummary attacker;
-  /// Result of findEscape(); set if the attacker hit the ego.
+  /// Result of findEvasion(); set if the attacker hit the ego.
   std::optional<AvoidabilitySummary> escape = {};
   std::optional<Escape> escape_drive = {};  ///< with an escape
   /// False for a hit without a known evasive manoeuvre that starts at least
@@ -100,15 +100,15 @@ PlannerTestResult untested(const PlannerCase& one, const std::string& status,
 
 /// Evaluates a case without a planner: its status and, with OK, whether it is strict and avoidable.
 /// A case that checkScenario() rejects is kUnfit.
-PlannerTestResult judgeCase(const PlannerCase& one, const AnswerOptions& options,
-                            const TrialOptions& trials);
+PlannerTestResult evaluateCase(const PlannerCase& one, const AnswerOptions& options,
+                               const TrialOptions& trials);
 
 /// Creates the attacker's policy for a case; null for PolicyKind::kFixed.
 std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind policy,
                                              const PredictionModels& foresight,
                                              const AnswerOptions& options);
 
-/// Runs a planner through a case that judgeCase() found OK. Uses only the background and the
+/// Runs a planner through a case that evaluateCase() found OK. Uses only the background and the
 /// foresight of the plan. Throws std::invalid_argument for an unknown planner.
 PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, PolicyKind policy,
                        const TestPlan& plan, const AnswerOptions& options,
@@ -117,8 +117,8 @@ PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Polic
 /// Removes the motions from the rows to save memory; tables do not need them.
 void dropMotions(PlannerTestResult& result);
 
-/// Runs judgeCase(), then every planner of the plan against an attacker of each policy; rows as in
-/// PlannerTestResult. Throws as testPlanner().
+/// Runs evaluateCase(), then every planner of the plan against an attacker of each policy; rows as
+/// in PlannerTestResult. Throws as testPlanner().
 PlannerTestResult testPlanners(const PlannerCase& one, const TestPlan& plan,
                                const AnswerOptions& options, const TrialOptions& trials);
 

@@ -45,7 +45,7 @@ Avoidability avoidabilityOf(const RolloutOutcome& outcome, const CrashScenario& 
                             const RolloutSetup& setup) {
   Avoidability found;
   if (outcome.contact) {
-    if (auto escape = findEscape(scenario, outcome.driven, setup)) found.last = escape->ego;
+    if (auto escape = findEvasion(scenario, outcome.driven, setup)) found.last = escape->ego;
   } else if (outcome.failure == PlannerFailure::kNone) {
     found.last = Avoidance{EvasiveManoeuvre::kKeeping, scenario.snapshot.now, outcome.driven,
                            outcome.off_road_share};

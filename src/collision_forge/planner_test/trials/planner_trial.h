@@ -17,7 +17,7 @@ struct PlannerTrial {
 };
 
 /// Runs rollout() and findAvoidability(). If the setup has its own attacker policy, uses
-/// findEscape() after a hit instead; a rollout without contact then counts as avoidable, and one
+/// findEvasion() after a hit instead; a rollout without contact then counts as avoidable, and one
 /// with a failure has no result. Throws as these functions.
 PlannerTrial tryPlanner(Planner& planner, const Driving& driving, const CrashScenario& scenario,
                         const RolloutSetup& setup);

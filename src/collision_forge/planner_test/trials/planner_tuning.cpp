@@ -107,7 +107,7 @@ PlannerTestResult testVariants(const PlannerCase& one, const std::string& planne
                                const std::vector<PlannerVariant>& variants, bool only_avoidable,
                                Background background, const AnswerOptions& options,
                                const TrialOptions& trials) {
-  PlannerTestResult result = judgeCase(one, options, trials);
+  PlannerTestResult result = evaluateCase(one, options, trials);
   result.background = background;
   if (!result.isTested() || (only_avoidable && !result.avoidability.is_avoidable)) return result;
   TestPlan plan;

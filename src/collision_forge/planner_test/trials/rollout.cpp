@@ -161,8 +161,8 @@ class Run {
         road_(roadAlong(*scenario.lanes, task_.route, setup.planners.route_centerline,
                         setup.planners.pdm.map)),
         judge_(road_.map, scenario.ego, setup.planners.pdm.scoring, setup.planners.nuplan_score),
-        traffic_(scenario, attackerOf(scenario, setup), setup.background, setup.planners.traffic,
-                 setup.planners.planning.history),
+        traffic_(scenario, makeRolloutAttacker(scenario, setup), setup.background,
+                 setup.planners.traffic, setup.planners.planning.history),
         ego_(startOf(scenario, setup.attack), driving, scenario.ego, setup.planners) {
     const OrientedBox box{ego_.point().pose, scenario.ego.size};
     for (const Track& agent : traffic_.agents()) {
@@ -386,8 +386,8 @@ std::optional<PlannerFailure> plannerFailureFromString(const std::string& name) 
   return valueOf(kFailureNames, name);
 }
 
-std::unique_ptr<AttackerPolicy> attackerOf(const CrashScenario& scenario,
-                                           const RolloutSetup& setup) {
+std::unique_ptr<AttackerPolicy> makeRolloutAttacker(const CrashScenario& scenario,
+                                                    const RolloutSetup& setup) {
   if (setup.attacker) return setup.attacker->clone();
   return std::make_unique<FixedAttacker>(scenario.attacker);
 }

@@ -85,8 +85,8 @@ struct RolloutOutcome {
 
 /// Creates the attacker's policy for a rollout: a copy of the setup's, or one that follows the
 /// scenario's trajectory.
-std::unique_ptr<AttackerPolicy> attackerOf(const CrashScenario& scenario,
-                                           const RolloutSetup& setup);
+std::unique_ptr<AttackerPolicy> makeRolloutAttacker(const CrashScenario& scenario,
+                                                    const RolloutSetup& setup);
 
 /// Simulates the planner's ego from t0 until its first contact (unless the setup says otherwise), a
 /// failure of the planner or the end of the attacker's trajectory.

@@ -50,7 +50,7 @@ std::optional<Background> backgroundFromString(const std::string& name) {
 Traffic::Traffic(const CrashScenario& scenario, std::unique_ptr<AttackerPolicy> attacker,
                  Background background, const IdmOptions& idm, double history)
     : attacker_(std::move(attacker)), idm_(idm), history_(history), time_(scenario.snapshot.now) {
-  for (Track& track : othersFromNow(scenario)) {
+  for (Track& track : agentsFromT0(scenario)) {
     Driver driver;
     driver.shown = Track{track.id, track.agent_class, track.size, {}};
     driver.is_attacker = drivers_.empty();

@@ -66,7 +66,7 @@ std::string words(const ShownRollout& shown, const std::string& planner) {
   const std::optional<Avoidance>& last = shown.trial.avoidability.last;
   if (!last && outcome.failure != PlannerFailure::kNone) return text;
   if (!last) return text + "\nno way to avoid it was found";
-  return text + "\navoidable " + avoidanceWords(last->manoeuvre, last->start - now, false);
+  return text + "\navoidable " + avoidanceText(last->manoeuvre, last->start - now, false);
 }
 
 colors::MarkerColor colorOf(const Track& agent, const std::string& attacker_id) {
@@ -99,7 +99,7 @@ OrientedBox egoBox(const ShownRollout& shown, double time) {
 /// What the words are not to cover: the ways of everybody up to the stand.
 std::vector<OrientedBox> waysOf(const ShownRollout& shown) {
   std::vector<OrientedBox> ways;
-  const std::vector<Track> agents = othersFromNow(shown.scenario);
+  const std::vector<Track> agents = agentsFromT0(shown.scenario);
   for (double time = shown.now(); time < shown.standTime() + kWayStep; time += kWayStep) {
     ways.push_back(egoBox(shown, std::min(time, shown.standTime())));
     for (const Track& agent : agents) {
@@ -156,7 +156,7 @@ visualization_msgs::MarkerArray rolloutMarkers(const ShownRollout& shown, double
   MarkerList markers(headerAt(instant));
   markers.addBox("ego", egoBox(shown, instant), kVehicleHeight, colors::kEgo);
   const std::string& attacker_id = shown.scenario.attacker.attacker_id;
-  for (const Track& agent : othersFromNow(shown.scenario)) {
+  for (const Track& agent : agentsFromT0(shown.scenario)) {
     const auto pose = shownPose(agent, shown, instant);
     if (!pose) continue;
     markers.addBox(agent.id == attacker_id ? "attacker" : "agents", {*pose, agent.size},

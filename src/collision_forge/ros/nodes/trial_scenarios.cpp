@@ -176,7 +176,7 @@ PlannerCase TrialScenarios::ofTrajectory(const AttackerTrajectory& trajectory,
                   egoVehicleOf(recording_->scene, config_.ego_vehicle.center_offset),
                   recording_->lanes};
   one.scene = recording_->scene.name;
-  showPast(one.scenario);
+  addAttackerPast(one.scenario);
   return one;
 }
 
