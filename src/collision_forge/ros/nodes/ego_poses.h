@@ -12,15 +12,14 @@
 
 namespace forge {
 
-/// Tells where the middle of the ego's box is, as /tf comes: whenever that moves base_link, as soon
-/// as its place in the map is known, whatever frames lie between. Velocities are zero. Times grow
-/// but where a replay starts again, which they tell by going back by more than kRestart; what is
-/// late or not finite is left out.
+/// Subscribes to /tf and reports each new pose of the ego's box middle in the map frame, through
+/// any chain of frames to base_link. Velocities are zero. Times increase; a step back by more than
+/// kRestart means that the replay restarted. Late and non-finite transforms are dropped.
 class EgoPoses {
  public:
   using Callback = std::function<void(const AgentState& ego)>;
 
-  /// `center_offset` as of EgoVehicle.
+  /// `center_offset`: m, as in EgoVehicle. Calls `callback` in the thread that receives /tf.
   EgoPoses(ros::NodeHandle& node, double center_offset, Callback callback);
 
  private:
