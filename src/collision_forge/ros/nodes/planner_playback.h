@@ -13,7 +13,7 @@ namespace forge {
 
 /// Animates the rollout of a planner test in a loop at wall-clock speed, on `planner_markers`,
 /// `planner_scene_markers` and `shown_area`. Meanwhile `planner_test_shown` is true, and other
-/// nodes do not publish `shown_area`. The animation ends on stop() and when a paused replay (with
+/// nodes leave the picture unchanged. The animation ends on stop() and when a paused replay (with
 /// /clock) continues; over a running replay it plays once. Thread-safe.
 class PlannerPlayback {
  public:
