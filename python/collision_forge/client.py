@@ -221,7 +221,7 @@ class CollisionForge:
     def _look(player: Player, attack: Attack) -> None:
         """Step the player by one frame and give the nodes time to process it."""
         if player.is_at_end:
-            raise ForgeError('the bag ends before the outcome of {!r}: use a longer bag or an earlier t0'.format(attack))
+            raise ForgeError('the bag ends before the outcome of {!r}: use an earlier t0'.format(attack))
         player.step()
         time.sleep(LOOK)
 

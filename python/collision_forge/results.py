@@ -1,8 +1,8 @@
-"""What the suite answers, as plain data.
+"""Results of the services as plain data.
 
 SI units and radians, in the frame `map`; every vehicle is named by the middle of its box. `now` is the stamp of the
-frame of agents that was asked about, on the recording's clock. All other instants are in s from now. `message` is the
-ROS message that a result was made of.
+frame of agents at t0, on the recording's clock. All other times are in s from t0. `message` is the ROS message of a
+result.
 """
 import math
 from dataclasses import dataclass, field, fields
@@ -280,7 +280,7 @@ class PlannerOutcome:
             self.contact.impact_speed, self._avoidance())
 
     def _avoidance(self) -> str:
-        """How the contact could have been avoided."""
+        """Return the text about evasive manoeuvres."""
         if self.last_moment is None:
             return 'not known to be avoidable'
         at_once = self.last_moment < 1e-6  # s
