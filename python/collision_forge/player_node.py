@@ -122,7 +122,7 @@ class PlayerNode:
         self._go_back(now)
 
     def _go_back(self, end: Time) -> None:
-        """Shows the last HISTORY seconds before a time again, and waits until the suite has encoded the newest frame."""
+        """Publish the last HISTORY s before a time again; wait until the suite has encoded the newest frame."""
         self._encoded = None
         self._go_to(end, Time.from_sec(max(0.0, end.to_sec() - HISTORY)))
         frames = self._source.frames_until(end)
