@@ -26,15 +26,15 @@ UNREADABLE = (OSError, RuntimeError, ValueError, struct.error, rosbag.ROSBagExce
 
 
 def published(topic: str) -> str:
-    """The name by which a bag's topic is published: relative, as the names that the suite hears."""
+    """Return the published name of a bag's topic: relative, like the subscriptions of the suite."""
     return topic if topic in GLOBAL else topic.lstrip('/')
 
 
 class BagPublisher:
-    """Publishes a bag's messages in their order, and is the only one to publish `/clock`.
+    """Publishes a bag's messages in order, and is the only publisher of `/clock`.
 
     Instants are in s from the bag's first frame of agents, as `--now` of `forge inject`; times are those of the bag.
-    First comes `begin()`, then `publish_until()`, again and again.
+    Call `begin()` first, then `publish_until()` repeatedly.
     """
 
     def __init__(self, bag: Union[str, Path]) -> None:
@@ -66,22 +66,22 @@ class BagPublisher:
 
     @property
     def start(self) -> Time:
-        """The time of the first frame of agents."""
+        """Time of the first frame of agents."""
         return self.frames[0][0]
 
     @property
     def length(self) -> float:
-        """s from the first frame of agents to the last one."""
+        """Time from the first to the last frame of agents, s."""
         return self.instant_at(self.frames[-1][0])
 
     @property
     def is_over(self) -> bool:
-        """No message is left."""
+        """True if no message is left."""
         return self.now is not None and self._next is None
 
     @property
     def instant(self) -> Optional[float]:
-        """The instant up to which all is published; None before the first one."""
+        """Time up to which all is published, s; None before the first message."""
         return None if self.now is None else self.instant_at(self.now)
 
     def instant_at(self, of: Time) -> float:
@@ -91,7 +91,7 @@ class BagPublisher:
         return [] if end is None else [frame for frame in self.frames if frame[0] <= end]
 
     def time_of_frame(self, stamp: Time) -> Time:
-        """When the frame of agents with a stamp is in the bag."""
+        """Return the bag time of the frame of agents with `stamp`."""
         time_of = next((time_of for time_of, of in self.frames if is_same(of, stamp)), None)
         if time_of is None:
             raise ForgeError('{} has no frame of agents at {:.3f} s'.format(self.path, stamp.to_sec()))
@@ -138,13 +138,13 @@ class BagPublisher:
         self.now = end
 
     def close(self) -> None:
-        """Publishes nothing any more."""
+        """End all publishing."""
         for publisher in self._publishers.values():
             publisher.unregister()
         self._bag.close()
 
     def unconnected(self) -> List[str]:
-        """Who hears a topic of the bag, as the master says, and is not connected yet."""
+        """Return the subscribers of the bag's topics that are not connected yet."""
         graph = Graph()
         missing = []
         for topic, publisher in self._publishers.items():

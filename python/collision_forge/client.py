@@ -1,4 +1,4 @@
-"""The suite's services and topics, for Python."""
+"""Python client of the collision_forge services and topics."""
 import time
 from pathlib import Path
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Union
@@ -14,8 +14,8 @@ from collision_forge.player import Player
 from collision_forge.results import Answer, Attack, PlannerOutcome, PossibleCollision, Report, Scene
 from collision_forge.waiting import Graph, Inbox, wait_until
 
-TIMEOUT = 30.0  # s of the wall clock; for what takes a fraction of a second on an idle machine
-LOOK = 0.2      # s of the wall clock that the nodes get for a frame where no message tells that they are done
+TIMEOUT = 30.0  # s of the wall clock; the calls take a fraction of a second on an idle machine
+LOOK = 0.2      # s of the wall clock for the nodes to process a frame; no message reports the end of processing
 SERVICES = {'generate_collision': srv.GenerateCollision, 'generate_collisions': srv.GenerateCollisions,
             'list_collisions': srv.ListCollisions, 'test_planner': srv.TestPlanner, 'reset': Trigger}
 PUBLISHED = ['encoded_scene', 'attack', 'tested_report', 'injected_agents', 'attack_methods']
@@ -23,19 +23,19 @@ Collision = Union[str, PossibleCollision]
 
 
 class CollisionForge:
-    """The suite, as `collision_forge.launch` or `replay.launch` start it.
+    """Client of the nodes that `collision_forge.launch` or `replay.launch` start.
 
-    Makes this process a ROS node if it is none yet, and waits for the suite. `timeout`: s of the wall clock for
-    whatever is waited for. Names are relative, so `ROS_NAMESPACE` and remappings are heeded. Without a player
-    (`play()`) requests are about the newest scene; with one they are about the frame at which it has paused.
+    Initialises a ROS node in this process if there is none, and waits for the suite; raises NotReady after `timeout`
+    (s of the wall clock, also for all later waits). Names are relative: `ROS_NAMESPACE` and remappings apply. Requests
+    use the newest scene, or with a player (`play()`) the frame at which the player has paused. Not thread-safe.
     """
 
     def __init__(self, timeout: float = TIMEOUT) -> None:
         self.timeout = timeout
         self.player: Optional[Player] = None
-        self._tested_from = 0  # mark in the tested reports: those before it are of earlier attacks
+        self._tested_from = 0  # mark in the tested reports: reports before it belong to earlier attacks
         if not rospy.core.is_initialized():
-            Graph()  # says so where there is no master; init_node() would wait for one
+            Graph()  # raises without a master; init_node() would wait for one
             rospy.init_node('collision_forge_client', anonymous=True, disable_signals=True)
         self._scenes = Inbox('encoded_scene', msg.EncodedScene)
         self._attacks = Inbox('attack', msg.Attack)
@@ -48,7 +48,7 @@ class CollisionForge:
             raise
 
     def close(self) -> None:
-        """Hears and plays nothing any more."""
+        """Close the subscriptions and the player."""
         if self.player is not None:
             self.player.close()
         for inbox in (self._scenes, self._attacks, self._reports, self._methods):
@@ -63,12 +63,12 @@ class CollisionForge:
     # Is it ready?
 
     def wait_until_ready(self, timeout: Optional[float] = None) -> 'CollisionForge':
-        """Until the suite is there and has a scene; NotReady says what is missing."""
+        """Wait for the nodes and a first scene; raise NotReady with the missing parts after `timeout` s."""
         wait_until(lambda: self._missing_nodes() + self._missing_scene(), self.timeout if timeout is None else timeout)
         return self
 
     def missing(self) -> List[str]:
-        """What the suite lacks to answer a request now; empty: nothing."""
+        """Return the parts that are missing for a request; empty: ready."""
         return self._missing_nodes() + self._missing_scene()
 
     def _missing_nodes(self) -> List[str]:
@@ -89,13 +89,13 @@ class CollisionForge:
 
     @property
     def scene(self) -> Scene:
-        """The newest one; waits for the first."""
+        """The newest scene; waits for the first one."""
         self.wait_until_ready()
         return Scene.of(self._scenes.newest())
 
     @property
     def methods(self) -> Dict[str, str]:
-        """The methods that can be asked for, the default one first, each with a line about it."""
+        """The available methods by name, the default first, each with a one-line description."""
         message = self._first_of(self._methods)
         lines = dict(zip(message.names, message.descriptions))
         return {message.default_method: lines.pop(message.default_method), **lines}
@@ -108,21 +108,20 @@ class CollisionForge:
 
     def generate(self, collision: Collision, tta: Optional[float] = None, *, at: Optional[Time] = None,
                  method: str = '', **controls: Any) -> Attack:
-        """An attack of a type, `tta` s from now; or exactly the attack that `possible()` has listed.
+        """Generate an attack of a type, `tta` s from t0; or exactly an attack that `possible()` has listed.
 
-        With a tta, a method, an instant or controls other than those of the list, the listed attacker and manoeuvre
-        are asked for anew. at: stamp of the frame of agents that is now; controls: as of `control_fields()`. Raises
-        Declined.
+        If tta, method, `at` or controls differ from the list, requests the listed attacker and manoeuvre anew.
+        at: stamp of the frame of agents at t0; controls: see `control_fields()`. Raises Declined if there is no attack.
         """
         return self._generate(collision, tta, at, method, fields_of(controls), False)
 
     def adaptive(self, collision: Collision, tta: Optional[float] = None, *, at: Optional[Time] = None,
                  method: str = '', **controls: Any) -> 'AdaptiveAttack':
-        """As `generate()`, by an attacker that sees and reacts. Iterate over what becomes of it."""
+        """Generate an adaptive attack, with the arguments of `generate()`. Iterate over the result for its updates."""
         mark = self._attacks.mark()
         first = self._generate(collision, tta, at, method, fields_of(controls), True)
         is_first = [same_attack(message, first.message) for message in self._attacks.since(mark)]
-        return AdaptiveAttack(self, first, mark + is_first.index(True))  # those before it end an earlier attack
+        return AdaptiveAttack(self, first, mark + is_first.index(True))  # messages before it end an earlier attack
 
     def _generate(self, collision: Collision, tta: Optional[float], at: Optional[Time], method: str,
                   controls: Dict[str, Any], adaptive: bool) -> Attack:
@@ -139,7 +138,7 @@ class CollisionForge:
             at, tta = at or collision.now, collision.tta if tta is None else tta
             collision = collision.collision_type
         if tta is None:
-            raise TypeError('generate() needs tta, s from now to impact')
+            raise TypeError('generate() needs tta, the time from t0 to impact in s')
         mark, self._tested_from = self._attacks.mark(), self._reports.mark()
         answer = self._call('generate_collision', stamp=self._stamp(at), collision_type=collision, tta=float(tta),
                             method=method, adaptive=adaptive, **controls)
@@ -150,7 +149,7 @@ class CollisionForge:
 
     def possible(self, collision_types: Sequence[str] = (), ttas: Sequence[float] = (), *, at: Optional[Time] = None,
                  method: str = '', **controls: Any) -> List[PossibleCollision]:
-        """The collisions that can be asked for now, by type, then tta; by default of all types, at the usual ttas."""
+        """Return the feasible collisions by type, then tta; default: all types, ttas of config/requests.yaml."""
         fields = fields_of(controls)
         answer = self._call('list_collisions', **self._each(collision_types, ttas, at, method, fields))
         asked = {**fields, 'method': method}
@@ -158,15 +157,15 @@ class CollisionForge:
 
     def generate_all(self, collision_types: Sequence[str] = (), ttas: Sequence[float] = (), *,
                      at: Optional[Time] = None, method: str = '', **controls: Any) -> List[Answer]:
-        """An answer for each type and tta, at one instant; nothing is published, and nobody is injected."""
+        """Run one request per type and tta at one t0 and return all results. Publishes and injects nothing."""
         answer = self._call('generate_collisions',
                             **self._each(collision_types, ttas, at, method, fields_of(controls)))
         return [Answer.of(message) for message in answer.answers]
 
     def requests(self, every: float, collision_types: Sequence[str] = (), ttas: Sequence[float] = (),
                  **controls: Any) -> Iterator[PossibleCollision]:
-        """What can be asked for over a bag: plays on from where it is, and pauses every so many seconds. Nothing can be
-        where too little was seen yet."""
+        """Yield the feasible collisions along the bag: play from the current position and pause every `every` s.
+        Skips positions with too little history."""
         for _ in self._needed_player().every(every):
             try:
                 yield from self.possible(collision_types, ttas, **controls)
@@ -180,19 +179,19 @@ class CollisionForge:
                 'request': msg.CollisionRequest(**controls), 'method': method}
 
     def _stamp(self, at: Optional[Time]) -> Time:
-        """The player's frame, so that a node that has not heard of it yet waits for it; else none: the newest."""
+        """Return the stamp of the player's frame, for which nodes wait; without a player 0: the newest frame."""
         return at or (self.player and self.player.stamp) or Time()
 
     # The attack that was generated last.
 
     @property
     def attack(self) -> Optional[Attack]:
-        """The newest attack as published; None: there is none."""
+        """The newest published attack, or None."""
         message = self._attacks.newest()
         return Attack.of(message) if message and message.trajectory.attacker_id else None
 
     def tested(self, attack: Attack) -> Report:
-        """How the attack of the last `generate()` turned out; plays on until that is known, where there is a player."""
+        """Return the outcome of the attack of the last `generate()`; a player plays until it is known."""
         player = self.player
         if player is not None and not self._tested(attack):
             end = min(player.instant_of(attack.now) + attack.trajectory[-1].t, player.duration)
@@ -209,7 +208,7 @@ class CollisionForge:
                 wait_until(lambda: [] if self._tested(attack) else ['a message on tested_report'], self.timeout)
 
     def reset(self) -> None:
-        """Forgets the attack: nobody is injected any more."""
+        """Drop the attack and end its injection."""
         self._call('reset')
         wait_until(lambda: ['an empty attack'] if self.attack else [], self.timeout)
 
@@ -220,9 +219,9 @@ class CollisionForge:
 
     @staticmethod
     def _look(player: Player, attack: Attack) -> None:
-        """A frame more, with time for what the nodes make of it."""
+        """Step the player by one frame and give the nodes time to process it."""
         if player.is_at_end:
-            raise ForgeError('the bag ends before it is known what becomes of {!r}'.format(attack))
+            raise ForgeError('the bag ends before the outcome of {!r}: use an earlier t0'.format(attack))
         player.step()
         time.sleep(LOOK)
 
@@ -231,13 +230,13 @@ class CollisionForge:
     def test_planner(self, planner: str, attack: Optional[Attack] = None, *, scenario: Union[str, int] = '',
                      parameters: Optional[Mapping[str, float]] = None, attacker_policy: str = '',
                      background: str = '') -> PlannerOutcome:
-        """Drives a planner in closed loop through an attack over the suite's `recording`, or through a scenario.
+        """Drive a planner in closed loop through an attack over the suite's `recording`, or a scenario.
 
-        planner: idm, idm_published, pdm, rule_based, rule_based_tuned, torchscript or external (a node of your own,
-            which is waited for)
+        planner: idm, idm_published, pdm, rule_based, rule_based_tuned, torchscript or external (your own node;
+            waits for it)
         attack: by default, and with attacker_policy adaptive, the newest one
         scenario: number of a line of the node's scenario file, or a whole line
-        parameters: numbers in place of those of config/planners.yaml, as {'pdm.idm.min_gap': 2.0}
+        parameters: overrides of numbers in config/planners.yaml, such as {'pdm.idm.min_gap': 2.0}
         attacker_policy: fixed or adaptive; background: replay or idm
         """
         if planner == 'external':
@@ -254,7 +253,7 @@ class CollisionForge:
     # Bags.
 
     def play(self, bag: Union[str, Path]) -> Player:
-        """A player of a bag, in lock step with this client; in place of the one before. Nothing is published yet."""
+        """Return a new player of a bag, in lock step with this client; closes the previous one."""
         if self.player is not None:
             self.player.close()
         self.player = Player(bag, self._scenes, self.timeout)
@@ -272,7 +271,7 @@ class CollisionForge:
         except (rospy.ServiceException, rospy.ROSException) as error:
             raise Unavailable('{}: {}'.format(name, error)) from error
         except SerializationError as error:
-            raise ForgeError('{}: a value that no message can hold: {}'.format(name, error)) from error
+            raise ForgeError('{}: a value does not fit into the message: {}'.format(name, error)) from error
         code = getattr(answer, 'code', Code.OK)
         if code != Code.OK:
             raise Declined(code, answer.message)
@@ -284,8 +283,8 @@ class CollisionForge:
 
 
 class AdaptiveAttack:
-    """An attacker that sees and reacts. Iterate over it: the attack as it set out, then as it is published anew, until
-    its test is known; that is in `report` then. With a player each look is at the next frame of agents of the bag."""
+    """An adaptive attack. Iteration yields the first attack and each update until the outcome is known, and then sets
+    `report`. With a player, each step plays the next frame of agents of the bag."""
 
     def __init__(self, forge: CollisionForge, first: Attack, mark: int) -> None:
         self.first = first
@@ -314,7 +313,7 @@ class AdaptiveAttack:
         mark = self._forge._attacks.mark()
         for message in self._forge._attacks.since(self._mark)[:mark - self._mark]:
             if not same_attack(message, self.first.message):
-                raise ForgeError('another attack took the place of {!r}'.format(self.first))
+                raise ForgeError('another attack replaced {!r}'.format(self.first))
             self.newest = Attack.of(message)
             yield self.newest
         self._mark = mark
@@ -324,6 +323,6 @@ class AdaptiveAttack:
 
 
 def same_attack(one: Any, other: Any) -> bool:
-    """Of the same instant, type and attacker, whatever it drives by now."""
+    """Return true if both messages have the same t0, type and attacker; the trajectory may differ."""
     return (one.header.stamp, one.pattern.collision_type, one.trajectory.attacker_id) == (
         other.header.stamp, other.pattern.collision_type, other.trajectory.attacker_id)

@@ -1,4 +1,4 @@
-"""A node of ROS that ends whenever it is told to."""
+"""A ROS node that ends reliably on a signal."""
 import signal
 from typing import Any, Callable
 
@@ -6,10 +6,10 @@ import rospy
 
 
 def run_node(name: str, work: Callable[[], int], **options: Any) -> int:
-    """Does `work` as a node of this name, and returns its exit code; 0 where a signal or another node ended it.
+    """Run `work` in a node of this name and return its exit code; 0 if a signal or another node ended it.
 
-    A signal ends the work first, and the node then. rospy itself ends a node in the middle of what its main thread is
-    at. If that is publishing, it holds a lock that the end needs as well, and the node hangs for ever."""
+    A signal ends the work first, then the node. rospy itself shuts a node down while its main thread runs; if that
+    thread is publishing, it holds a lock that the shutdown needs, and the node hangs."""
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, _interrupt)
     try:

@@ -1,4 +1,4 @@
-"""A player of bags that goes exactly as far as it is told to, and then lets time stand still."""
+"""A player of bags that publishes up to a given time and then pauses the clock."""
 from pathlib import Path
 from typing import Iterator, List, Optional, Union
 
@@ -13,7 +13,7 @@ SHOWN_TO = 0.05  # s: a player's length, as it is printed, is an instant of the 
 
 
 class Player:
-    """Publishes a bag's messages and `/clock`, up to an instant; `forge.play()` makes one.
+    """Publishes a bag's messages and `/clock` up to a given time; created by `forge.play()`.
 
     Instants are in s from the bag's first frame of agents, as `--now` of `forge inject`. When a call returns,
     everything up to the instant is published, nothing after it, and `encoded_scene` has come for the newest frame of
@@ -29,58 +29,58 @@ class Player:
 
     @property
     def path(self) -> Path:
-        """The bag."""
+        """Path of the bag."""
         return self._source.path
 
     @property
     def now(self) -> Optional[float]:
-        """The instant up to which all is published; None before the first one."""
+        """Time up to which all is published, s; None before the first message."""
         return self._source.instant
 
     @property
     def stamp(self) -> Optional[Time]:
-        """The stamp of the newest frame of agents that is published."""
+        """Stamp of the newest published frame of agents."""
         shown = self._source.frames_until(self._source.now)
         return shown[-1][1] if shown else None
 
     def instant_of(self, stamp: Time) -> float:
-        """The instant of the frame of agents with a stamp."""
+        """Return the time of the frame of agents with `stamp`, s."""
         return self._source.instant_at(self._source.time_of_frame(stamp))
 
     @property
     def duration(self) -> float:
-        """s from the first frame of agents to the last one."""
+        """Time from the first to the last frame of agents, s."""
         return self._source.length
 
     @property
     def is_at_end(self) -> bool:
-        """No frame of agents is left."""
+        """True if no frame of agents is left."""
         return self._source.now is not None and self._source.now >= self._source.frames[-1][0]
 
     # Going on.
 
     def until(self, instant: float) -> 'Player':
-        """Goes on to an instant; starts the bag anew if that is past. ForgeError for one after the bag's end."""
+        """Play to `instant`, s; restart the bag if that is past. Raise ForgeError beyond the bag's end."""
         if instant > self.duration + SHOWN_TO:
             raise ForgeError('until({}): the last frame of agents of {} is at {:.1f} s'.format(
                 instant, self.path.name, self.duration))
         return self._play(self._source.start + Duration.from_sec(instant))
 
     def step(self, frames: int = 1) -> 'Player':
-        """Goes on to the next frame of agents, or that many frames."""
+        """Play the next `frames` frames of agents."""
         return self._play(self._source.time_of_next_frame(frames))
 
     def go_on(self, seconds: Optional[float] = None, rate: Optional[float] = None) -> 'Player':
-        """Goes on for some seconds of the bag, to its last frame of agents by default.
+        """Play `seconds` of the bag, by default to its last frame of agents.
 
-        `rate`: so many times as fast as the clock on the wall; by default as fast as it can.
+        `rate`: multiple of real time; by default as fast as possible.
         """
         begin = self._source.now or self._source.start
         end = self._source.frames[-1][0] if seconds is None else begin + Duration.from_sec(seconds)
         return self._play(end, rate)
 
     def every(self, seconds: float) -> Iterator[float]:
-        """Goes on through the bag, and pauses every so many seconds, now first; yields the instant."""
+        """Play through the bag and pause every so many seconds, first at the current time; yield the time, s."""
         instant = self.now or 0.0
         while instant <= self.duration:
             self.until(instant)
@@ -88,7 +88,7 @@ class Player:
             instant += seconds
 
     def close(self) -> None:
-        """Publishes nothing any more."""
+        """End all publishing."""
         self._source.close()
 
     def _play(self, end: Time, rate: Optional[float] = None) -> 'Player':
@@ -103,7 +103,7 @@ class Player:
         return self
 
     def _restart(self) -> None:
-        """Back to the first message, with everybody who hears the bag connected."""
+        """Return to the first message and wait until all subscribers are connected."""
         self._source.advertise()
         wait_until(self._unconnected, self._timeout)
         self._source.begin()

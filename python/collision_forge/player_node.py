@@ -1,4 +1,4 @@
-"""The node `player`: plays a bag in real time, and is paused, stepped and put back by services."""
+"""The node `player`: plays a bag in real time; services pause, step and move it."""
 import threading
 import time
 from typing import Any, Callable, List, Optional
@@ -122,7 +122,7 @@ class PlayerNode:
         self._go_back(now)
 
     def _go_back(self, end: Time) -> None:
-        """Shows the last HISTORY seconds before a time again, and waits until the suite has encoded the newest frame."""
+        """Publish the last HISTORY s before a time again; wait until the suite has encoded the newest frame."""
         self._encoded = None
         self._go_to(end, Time.from_sec(max(0.0, end.to_sec() - HISTORY)))
         frames = self._source.frames_until(end)
@@ -158,7 +158,7 @@ class PlayerNode:
 
 
 class Arguments:
-    """The private parameters of the node; raises ForgeError for those that are wrong."""
+    """Return the private parameters of the node; raise ForgeError for invalid ones."""
 
     def __init__(self) -> None:
         self.bag = str(rospy.get_param('~bag', ''))
@@ -186,7 +186,7 @@ class Arguments:
         return float(value)
 
     def check_start(self, source: BagPublisher) -> None:
-        """Raises ForgeError where the bag has no such instant."""
+        """Raise ForgeError if the bag has no such time."""
         if not 0.0 <= self.start <= source.length:
             raise ForgeError('the parameter start is {:g}, not in {}: 0 to {:g}'.format(self.start, source.path,
                                                                                     source.length))
@@ -201,7 +201,7 @@ def wait_for_suite(missing: Callable[[], List[str]]) -> None:
 
 
 def missing_nodes() -> List[str]:
-    """What nobody of the suite publishes yet."""
+    """Return the topics of the suite without a publisher."""
     graph = Graph()
     topics = set(PUBLISHED) | {published(topic) for topic in MADE_BY_SUITE}
     return ['a publisher of ' + topic for topic in sorted(topics) if not graph.publishers_of(topic)]

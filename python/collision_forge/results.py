@@ -1,8 +1,8 @@
-"""What the suite answers, as plain data.
+"""Results of the services as plain data.
 
 SI units and radians, in the frame `map`; every vehicle is named by the middle of its box. `now` is the stamp of the
-frame of agents that was asked about, on the recording's clock. All other instants are in s from now. `message` is the
-ROS message that a result was made of.
+frame of agents at t0, on the recording's clock. All other times are in s from t0. `message` is the ROS message of a
+result.
 """
 import math
 from dataclasses import dataclass, field, fields
@@ -18,12 +18,12 @@ CLASSES: Dict[int, str] = {value: name.lower() for name, value in vars(AgentMess
 
 
 def raw() -> Any:
-    """A field for the message, which neither shows nor counts."""
+    """Return a field for the message, excluded from repr and comparison."""
     return field(repr=False, compare=False)
 
 
 class Result:
-    """Shows its fields, numbers to three decimals."""
+    """Base class with a repr of its fields, numbers to three decimals."""
 
     def __repr__(self) -> str:
         shown = ((entry.name, getattr(self, entry.name)) for entry in fields(self) if entry.repr)
@@ -54,7 +54,7 @@ class Pose(Result):
 class Point(Result):
     """One sample of a vehicle's motion."""
 
-    t: float             # s from now
+    t: float             # s from t0
     pose: Pose
     speed: float         # m/s along the heading
     acceleration: float  # m/s2 along the heading
@@ -67,7 +67,7 @@ class Point(Result):
 
 
 def seconds(now: Time, stamp: Time) -> float:
-    """s from now to a stamp."""
+    """Return the time from t0 to a stamp, s."""
     return float((stamp - now).to_sec())
 
 
@@ -75,7 +75,7 @@ def seconds(now: Time, stamp: Time) -> float:
 class Contact(Result):
     """The first touch of ego and attacker."""
 
-    t: float                 # s from now
+    t: float                 # s from t0
     ego: Pose
     attacker: Pose
     relative_heading: float  # rad, attacker's yaw minus the ego's, (-pi, pi]
@@ -87,24 +87,24 @@ class Contact(Result):
 
 @dataclass(frozen=True, repr=False)
 class Report:
-    """What verification found about an attacker's trajectory: as foreseen, or as it came (tested)."""
+    """Verification result of an attacker trajectory: predicted, or measured in the recording (tested)."""
 
     now: Time
     attacker: str
-    verified: bool              # contact as asked, every limit kept, nobody else touched before
+    verified: bool              # contact as requested, limits kept, no other agent touched before
     contact: Optional[Contact]  # None: the attacker does not touch the ego
     type_kept: bool
     on_time: bool
     limits_kept: bool
-    broken_limit: str           # name, value and limit of the worst one; empty: none
-    touched_before: str         # whom the attacker touches before the ego; empty: nobody
-    off_road_share: float       # mean share of its box off the drivable area, [0, 1]
-    manoeuvre: str              # what it does; empty without contact
-    manoeuvre_begin: Optional[float]  # s from now
-    believable: bool            # it drives as drivers do until its manoeuvre
-    unbelievable: str           # why not
-    confidence: float           # share of the likely ego futures in which all holds, [0, 1]; 0 of a tested report
-    decision: str               # the last one of an attacker that sees and reacts
+    broken_limit: str           # name, value and limit of the worst violation; empty: none
+    touched_before: str         # id of the agent that the attacker touches before the ego; empty: none
+    off_road_share: float       # mean share of the attacker's box off the drivable area, [0, 1]
+    manoeuvre: str              # of the attacker; empty without contact
+    manoeuvre_begin: Optional[float]  # s from t0
+    believable: bool            # plausible driving until the manoeuvre
+    unbelievable: str           # reason if not plausible
+    confidence: float           # share of sampled ego futures in which all holds, [0, 1]; 0 if tested
+    decision: str               # last decision of an adaptive attacker
     message: Any = raw()
 
     @classmethod
@@ -132,21 +132,21 @@ class Report:
 
 @dataclass(frozen=True, repr=False)
 class Attack:
-    """A vehicle's way into the ego."""
+    """A generated attack."""
 
     now: Time
     collision_type: str     # lane_change, opposite_direction, rear_end, junction_crossing or ltap
     attacker: str           # its id among the agents
     attacker_class: str     # car, truck, ...
     added: bool             # nobody recorded it
-    trajectory: Tuple[Point, ...]  # from now to past the contact
-    report: Report          # as foreseen
+    trajectory: Tuple[Point, ...]  # from t0 to after the contact
+    report: Report          # predicted
     method: str
-    adaptive: bool          # it sees and reacts
-    phase: str              # of one that does: attacking, committed or driving_on
-    decision: str           # its last one, for people
-    plans: int              # how often it decided; 0 if not adaptive
-    alternatives: Tuple['Attack', ...]  # further ones, the surest first
+    adaptive: bool          # it replans
+    phase: str              # adaptive: attacking, committed or driving_on
+    decision: str           # last decision, for people
+    plans: int              # number of decisions; 0 if not adaptive
+    alternatives: Tuple['Attack', ...]  # further attacks by descending confidence
     message: Any = raw()
 
     @classmethod
@@ -166,20 +166,20 @@ class Attack:
 
 @dataclass(frozen=True, repr=False)
 class PossibleCollision(Result):
-    """A collision that can be asked for, and how it would go: `forge.generate()` takes it as it is."""
+    """A feasible collision with its predicted contact; an argument of `forge.generate()`."""
 
     now: Time = field(repr=False)
     collision_type: str
-    tta: float            # s from now, to ask for
-    alternative: int      # which attack of the answer to the request, from 1 on
-    attacker: str         # its id; of one that is added its id then
+    tta: float            # s from t0, for the request
+    alternative: int      # number of the attack in the response, from 1
+    attacker: str         # its id; for an added vehicle its new id
     attacker_class: str
     added: bool           # nobody recorded it
     manoeuvre: str
     confidence: float     # [0, 1]
-    contact_after: float  # s from now, as foreseen
-    impact_speed: float   # m/s, as foreseen
-    controls: Dict[str, Any] = field(repr=False, compare=False)  # with which it was asked for
+    contact_after: float  # s from t0, predicted
+    impact_speed: float   # m/s, predicted
+    controls: Dict[str, Any] = field(repr=False, compare=False)  # constraints of the request
     message: Any = raw()
 
     @classmethod
@@ -191,13 +191,13 @@ class PossibleCollision(Result):
 
 @dataclass(frozen=True, repr=False)
 class Answer(Result):
-    """The answer to one of several requests."""
+    """The result of one of several requests."""
 
     collision_type: str
-    tta: float                # s from now
+    tta: float                # s from t0
     code: Code
-    reason: str               # why not; empty with OK
-    attack: Optional[Attack]  # None: declined
+    reason: str               # reason of failure; empty with OK
+    attack: Optional[Attack]  # None: rejected
     message: Any = raw()
 
     @classmethod
@@ -211,38 +211,38 @@ class Answer(Result):
 class PlannerContact(Result):
     """The first touch of a planner's ego."""
 
-    t: float                 # s from now
-    other: str               # the id of whom it touches
+    t: float                 # s from t0
+    other: str               # id of the touched agent
     is_attacker: bool
-    collision_type: str      # that the contact is of; empty: none
-    relative_heading: float  # rad, the other's yaw minus the ego's, (-pi, pi]
+    collision_type: str      # type of the contact; empty: none
+    relative_heading: float  # rad, yaw of the touched agent minus the ego's, (-pi, pi]
     ego_side: str            # front, rear, left or right
     other_side: str
     impact_speed: float      # m/s, norm of the relative velocity
     cause: str               # stopped_ego, stopped_other, rear, front or lateral
-    at_fault: bool           # the ego is to blame
+    at_fault: bool           # the ego is at fault
 
 
 @dataclass(frozen=True, repr=False)
 class PlannerOutcome:
-    """How a planner drove through an attack."""
+    """Result of a planner's drive through an attack."""
 
     now: Time
     planner: str
     attacker: str
-    failure: str                       # what ended its drive, as error or off_map; empty: none
+    failure: str                       # failure that ended the drive, such as error or off_map; empty: none
     failure_reason: str
-    duration: float                    # s from now to the contact, the failure or the attacker's end
-    contact: Optional[PlannerContact]  # None: it touched nobody
-    avoidable: bool                    # proven: some motion touches nobody. False proves nothing
-    last_manoeuvre: str                # that which works latest; empty unless avoidable
-    last_moment: Optional[float]       # s from now, from when it works
+    duration: float                    # s from t0 to the contact, the failure or the attacker's end
+    contact: Optional[PlannerContact]  # None: no contact
+    avoidable: bool                    # an evasive manoeuvre was found; False: none was found
+    last_manoeuvre: str                # avoids the crash when begun latest; empty unless avoidable
+    last_moment: Optional[float]       # s from t0, latest begin of last_manoeuvre
     max_braking: float                 # m/s2
     off_road_share: float              # mean share of the ego's box off the drivable area, [0, 1]
     progress: float                    # m along the route
-    recorded_progress: float           # m, of the recorded ego over the same time
+    recorded_progress: float           # m, by the recorded ego in the same time
     nuplan: Dict[str, float]           # nuPlan's closed-loop `score` and its parts, [0, 1]
-    driven: Tuple[Point, ...]          # the ego, from now on
+    driven: Tuple[Point, ...]          # the ego, from t0
     message: Any = raw()
 
     @classmethod
@@ -280,7 +280,7 @@ class PlannerOutcome:
             self.contact.impact_speed, self._avoidance())
 
     def _avoidance(self) -> str:
-        """How the contact could have been avoided."""
+        """Return the text about evasive manoeuvres."""
         if self.last_moment is None:
             return 'not known to be avoidable'
         at_once = self.last_moment < 1e-6  # s
@@ -295,7 +295,7 @@ class PlannerOutcome:
 
 @dataclass(frozen=True, repr=False)
 class Agent(Result):
-    """Somebody in the scene, as of now."""
+    """An agent in the scene at t0."""
 
     id: str
     agent_class: str  # car, truck, ...
@@ -313,11 +313,11 @@ class Agent(Result):
 
 @dataclass(frozen=True, repr=False)
 class Scene:
-    """What is known now."""
+    """The observed scene at t0."""
 
     now: Time
     ego: Agent
-    agents: Tuple[Agent, ...]  # those who are there now
+    agents: Tuple[Agent, ...]  # agents present at t0
     message: Any = raw()
 
     @classmethod

@@ -1,4 +1,4 @@
-"""The suite in processes of its own, under a master of its own, for tests."""
+"""Start the suite in separate processes under a separate ROS master, for tests."""
 import ctypes
 import os
 import signal
@@ -20,12 +20,12 @@ PR_SET_PDEATHSIG = 1  # of prctl(2)
 
 
 def interrupt_with_parent() -> None:
-    """This process is interrupted when the one that started it ends, however it does."""
+    """Make the kernel send SIGINT to this process when its parent ends."""
     LIBC.prctl(PR_SET_PDEATHSIG, signal.SIGINT)
 
 
 class Program:
-    """A program that runs, with all that it starts, until `stop()` or this process's end; its output is in `log`."""
+    """A running program with its children, until `stop()` or the end of this process; its output is in `log`."""
 
     def __init__(self, command: Sequence[str], log: Path) -> None:
         self.name = command[0]
@@ -36,7 +36,7 @@ class Program:
                                              preexec_fn=interrupt_with_parent)
 
     def check(self) -> None:
-        """Raises if it has ended."""
+        """Raise ForgeError if the program has ended."""
         if self._process.poll() is not None:
             raise ForgeError('{} has ended: {}'.format(self.name, self.output()[-SHOWN:]))
 
@@ -44,7 +44,7 @@ class Program:
         return self.log.read_text(errors='replace')
 
     def stop(self) -> None:
-        """Interrupts it; what is left of it and its group after that is killed."""
+        """Interrupt the program, and kill the rest of its process group after STOP_TIMEOUT."""
         self._signal(signal.SIGINT)
         try:
             self._process.wait(STOP_TIMEOUT)
@@ -67,7 +67,7 @@ class Program:
 
 
 class Master(Program):
-    """A roscore on a free port; from now on this process and those that it starts use it."""
+    """A roscore on a free port. Sets the environment of this process, so that it and its children use it."""
 
     def __init__(self, folder: Path, timeout: float) -> None:
         with socket.socket() as free:
@@ -89,7 +89,7 @@ class Master(Program):
 
 
 class Suite(Program):
-    """collision_forge.launch with some arguments; `recording` is the bag of replay mode and of test_planner."""
+    """collision_forge.launch with arguments; `recording`: bag for replay mode and test_planner."""
 
     def __init__(self, folder: Path, recording: Optional[Path] = None, **arguments: str) -> None:
         if recording is not None:

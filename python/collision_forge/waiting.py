@@ -15,7 +15,7 @@ MASTER_ANSWERS = 5.0  # s; a master of this machine takes milliseconds
 
 
 def wait_until(missing: Callable[[], Sequence[str]], timeout: float) -> None:
-    """Until nothing is missing any more; NotReady tells what still is after `timeout` s."""
+    """Poll `missing()` until it is empty; raise NotReady with the missing parts after `timeout` s."""
     deadline = time.monotonic() + timeout
     while True:
         still_missing = missing()
@@ -29,7 +29,7 @@ def wait_until(missing: Callable[[], Sequence[str]], timeout: float) -> None:
 
 
 class Inbox:
-    """Keeps the newest messages of a topic. A mark, from `mark()`, separates those before it from those after it."""
+    """Keeps the newest messages of a topic. `mark()` returns a position; later calls select messages after it."""
 
     KEPT = 1000  # messages
 
@@ -52,7 +52,7 @@ class Inbox:
             return self._dropped + len(self._messages)
 
     def since(self, mark: int) -> List[Any]:
-        """All that came after a mark, oldest first."""
+        """Return the messages after `mark`, oldest first."""
         with self._lock:
             return self._messages[max(0, mark - self._dropped):]
 
@@ -61,7 +61,7 @@ class Inbox:
             return self._messages[-1] if self._messages else None
 
     def find(self, condition: Callable[[Any], bool], mark: int = 0) -> Optional[Any]:
-        """The newest message after a mark that fulfils the condition."""
+        """Return the newest message after `mark` that meets `condition`, or None."""
         return next((message for message in reversed(self.since(mark)) if condition(message)), None)
 
     def is_connected(self) -> bool:
@@ -73,7 +73,7 @@ class Inbox:
 
 
 class LimitedTransport(xmlrpc.client.Transport):
-    """Calls to a master that fail where it does not answer, in place of waiting for ever."""
+    """Transport for calls to the master with a timeout."""
 
     def make_connection(self, host: Any) -> http.client.HTTPConnection:
         connection = super().make_connection(host)
@@ -82,7 +82,7 @@ class LimitedTransport(xmlrpc.client.Transport):
 
 
 class Graph:
-    """Who publishes, hears and answers what, as the master knows it."""
+    """Publishers, subscribers and services known to the master."""
 
     def __init__(self) -> None:
         uri = rosgraph.get_master_uri()

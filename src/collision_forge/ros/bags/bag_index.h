@@ -4,8 +4,8 @@
 
 namespace forge {
 
-/// True where the index of a bag, one that rosbag opens, tells of messages at time 0, which means
-/// that they have none. rosbag itself leaves these out.
+/// Returns true if the index of the bag has messages at time 0, which means "no time" and which
+/// rosbag skips. rosbag must be able to open the bag.
 bool hasMessageAtZero(const std::string& path);
 
 }  // namespace forge

@@ -11,28 +11,27 @@
 
 namespace forge {
 
-/// Reads /tf (map -> base_link), /agents and /lane_map of a bag into a scene named after the file;
-/// as the nodes see it live: agents are sorted by id, and velocities derived. Of a
-/// bag with an attack the recorded frames of agents alone are taken, not those in between. Messages
-/// that cannot be used (a stamp that is not after the one before, an agent that is not a number or
-/// has no size) are left out, as checkScene() leaves out agents, and `warnings`, if given, gets a
-/// line a kind. Throws BagError naming path and topic for a bag that is truncated, no bag, or
-/// without one of the three, and InputError as checkScene().
+/// Reads /tf (map -> base_link), /agents and /lane_map of a bag into a scene named after the file,
+/// equal to the scene in the live nodes: agents sorted by id, velocities derived. In a bag with an
+/// attack only recorded frames of agents are read. Drops unusable messages and agents (stamp not
+/// after the previous one, non-finite values, no size) and agents rejected by checkScene(), with
+/// one line per kind in `warnings` if given. Throws BagError with path and topic for a truncated
+/// bag, a file that is no bag or a missing topic, and InputError like checkScene().
 Scene readBag(const std::string& path, const DataOptions& options,
               std::vector<std::string>* warnings = nullptr);
 
-/// The same with agents in the order they appear, with the velocities that the bag has, derived
-/// where it has none, and with times rounded to microseconds, as tables of nuScenes have them.
+/// Like readBag(), but agents are in order of appearance, velocities are those in the bag (derived
+/// only if missing), and times are rounded to microseconds as in nuScenes tables.
 Scene readBagAsWritten(const std::string& path, const DataOptions& options,
                        std::vector<std::string>* warnings = nullptr);
 
-/// The lanes of /lane_map; none without such a topic. Throws BagError as above, and InputError as
-/// checkMap().
+/// Returns the map of /lane_map; null without that topic. Throws BagError like readBag(), and
+/// InputError like checkMap().
 std::shared_ptr<const LaneMap> readLaneMap(const std::string& path, const InputLimits& limits);
 
-/// The attack in a bag of forge inject: what was asked for, and the attack without alternatives.
-/// The scene is named after the file. Throws BagError as above, and for a bag without an attack,
-/// and InputError as checkTrajectory() and checkPattern().
+/// Returns request and attack, without alternatives, from a bag of `forge inject`. The scene is
+/// named after the file. Throws BagError like readBag() and for a bag without an attack, and
+/// InputError like checkTrajectory() and checkPattern().
 Scenario readAttack(const std::string& path, const DataOptions& options,
                     const CrashDefinition& crash);
 

@@ -21,10 +21,10 @@
 
 namespace forge {
 
-/// A topic of profile ros1 whose messages the suite makes; its channel is there from the first on.
+/// A generated topic of profile ros1; its channel is added with the first message.
 class MadeTopic {
  public:
-  /// `name` of topic_names.h; the schema's encoding is set here.
+  /// `name`: from topic_names.h. Sets the encoding of `schema`.
   MadeTopic(McapWriter& writer, const char* name, McapSchema schema, const char* md5,
             bool latched = false);
 
@@ -34,27 +34,27 @@ class MadeTopic {
   McapWriter& writer_;
   McapSchema schema_;
   McapChannel channel_;
-  std::optional<std::uint16_t> number_;  ///< of the channel
+  std::optional<std::uint16_t> number_;  ///< number of the channel
 };
 
-/// What an MCAP file has beside the messages of its bag, made of these as they come: the map and
-/// every frame of agents as scenes, with what is known of the attack by then, and how fast ego and
-/// attacker are. A frame is shown when the ego's place at its stamp is known, and not before. What
-/// is beyond the limits of input is not shown.
+/// Generates the additional topics of an MCAP file from the messages of its bag: map and frames of
+/// agents as 3D scenes, with the attack as known at that time, and the speeds of ego and attacker
+/// (m/s). A frame waits until the ego's pose at its stamp is known. Messages outside the input
+/// limits are skipped and counted.
 class CrashTopics {
  public:
-  /// `agents`: the topic of the frames, as the bag names it.
+  /// `agents`: topic of the frames in the bag.
   CrashTopics(McapWriter& writer, const EgoVehicle& ego, const InputLimits& limits,
               std::string agents);
 
-  /// A message of the bag, in the order of time.
+  /// Processes a message of the bag; call in the order of time.
   void take(const rosbag::MessageInstance& instance);
 
-  /// What was not shown, a line a topic.
+  /// Returns one line per topic with skipped messages.
   std::vector<std::string> warnings() const;
 
  private:
-  // With a header, as PosedFrames wants it, and the time in the bag.
+  // With a header, for PosedFrames, and the time in the bag.
   struct Frame {
     std_msgs::Header header;
     ros::Time time;
@@ -66,7 +66,7 @@ class CrashTopics {
   };
 
   bool isShown(const collision_forge::Agent& agent) const;
-  /// Whether `check` does not throw; counts where it does.
+  /// Returns true if `check` does not throw InputError or MessageError; else counts the message.
   template <typename Check>
   bool isWithinLimits(const char* topic, const Check& check);
   void takeMap(const collision_forge::LaneMap& map, const ros::Time& time);
@@ -81,8 +81,8 @@ class CrashTopics {
   InputLimits limits_;
   std::string agents_;
   PosedFrames<Frame> frames_;
-  PosedFrames<Place> places_;       ///< of base_link
-  std::optional<AgentState> base_;  ///< the newest of them
+  PosedFrames<Place> places_;       ///< poses of base_link
+  std::optional<AgentState> base_;  ///< newest pose
   std::optional<collision_forge::Attack> attack_;
   std::optional<collision_forge::CollisionReport> tested_;
   MadeTopic scene_;

@@ -8,14 +8,13 @@
 
 namespace forge {
 
-/// Reads ego and agents of a bag of others, by a mapping of its topics, as a recording named after
-/// the file, without a location. Categories are those that stand for the agents' classes, instances
-/// are the ids. Frames are as often as they come. What cannot be used is left out, and `warnings`,
-/// if given, gets a line a kind: messages whose stamp is not set or goes back, poses and agents
-/// that are not a number, agents without a size or an id, or with that of another one or the ego.
-/// Throws BagError naming path, topic and field for a bag that is truncated or no bag, and for
-/// one that is not as the mapping says: a topic or field that is not there or of another type,
-/// another frame_id.
+/// Reads ego and agents of a bag with foreign message types, by `mapping`, into a recording named
+/// after the file, without a location. Categories are the nuScenes categories of the agents'
+/// classes, instances are the ids; the frame rate is kept. Drops unusable data, with one line per
+/// kind in `warnings` if given: messages without a stamp or with a decreasing one, non-finite poses
+/// and agents, agents without size or id, duplicate ids and the ego's id. Throws BagError with
+/// path, topic and field for a truncated bag, a file that is no bag, and a bag that contradicts
+/// `mapping` (missing topic or field, wrong type or frame_id).
 NuScenesRecording readForeignBag(const std::string& path, const TopicMapping& mapping,
                                  const EgoVehicle& ego,
                                  std::vector<std::string>* warnings = nullptr);

@@ -8,18 +8,18 @@
 
 namespace forge {
 
-/// How bags of others are read.
+/// Options for bags with foreign message types.
 struct ForeignBags {
   TopicMapping mapping;
-  /// A file of nuScenes' map expansion, whose name is the location; empty: every bag has its lanes
-  /// on /lane_map.
+  /// Path of a file of nuScenes' map expansion, named after the location; empty: each bag has its
+  /// map on /lane_map.
   std::string map;
 };
 
-/// A bag or a folder of bags, one a scene, by readForeignBag(). Throws BagError where there is no
-/// bag, std::runtime_error for a wanted scene that is not there. recording() throws as
-/// readForeignBag(), readLaneMap() and readNuScenesMapFile() do, BagError for a bag without lanes,
-/// and ConfigError for a location without a driving side.
+/// Opens a bag or a folder of bags, one scene per bag, read by readForeignBag(). Throws BagError if
+/// there is no bag, std::runtime_error if a wanted scene is missing. recording() throws like
+/// readForeignBag(), readLaneMap() and readNuScenesMapFile(), BagError for a bag without lanes, and
+/// ConfigError for a location without a driving side.
 std::unique_ptr<SceneReader> openForeignBags(const std::string& bags, ForeignBags how,
                                              SceneReading reading);
 

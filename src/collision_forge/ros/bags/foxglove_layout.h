@@ -4,8 +4,8 @@
 
 namespace forge {
 
-/// A layout for Foxglove and Lichtblick, as the text of its file: what CrashTopics show in 3D, and
-/// the speeds of ego and attacker over time.
+/// Returns the JSON text of a layout file for Foxglove and Lichtblick: a 3D view of CrashTopics and
+/// plots of the speeds of ego and attacker.
 std::string foxgloveLayout();
 
 }  // namespace forge

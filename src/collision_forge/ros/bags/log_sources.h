@@ -6,11 +6,12 @@
 
 namespace forge {
 
-/// Bags of forge convert: one, or a folder with some, each a scene named as its file.
+/// Returns the format of bags of `forge convert`: one bag or a folder; each is a scene named after
+/// its file.
 const LogFormat& bagFormat();
 
-/// The log source at a path, of whichever format it looks like: a bag or a folder of bags, a
-/// ScenarioNet folder, else a nuScenes root. `version` is of the last.
+/// Returns the log source at `path` and detects its format: a bag or a folder of bags, a
+/// ScenarioNet folder, else a nuScenes root with tables of `version`.
 LogSource logSourceAt(const std::string& path, const std::string& version);
 
 }  // namespace forge

@@ -8,13 +8,13 @@
 
 namespace forge {
 
-/// Writes a bag as an MCAP file of profile ros1, aside and renamed. Every message has its bytes,
-/// its topic and the bag's time; every connection is a channel with what its header says. Beside
-/// them there are CrashTopics. Holds a chunk of either file and the bag's index. `on_progress` is
-/// told the share that is done. Returns what is copied, but beyond the limits of input, and so not
-/// shown in CrashTopics. Throws BagError naming `in` for a bag that is truncated, damaged, no bag
-/// or empty, and for one with a message at time 0, which means none; std::runtime_error naming
-/// `out` where that cannot be written.
+/// Converts a bag to an MCAP file of profile ros1, written to a temporary file and renamed. Keeps
+/// bytes, topic and bag time of each message; each connection becomes a channel with the metadata
+/// of its header. Adds CrashTopics. Memory: one chunk of each file and the bag's index.
+/// `on_progress` receives the completed share 0..1. Returns CrashTopics::warnings(). Throws
+/// BagError with `in` for a truncated, damaged or empty bag, a file that is no bag, and a message
+/// at time 0
+/// ("no time"); std::runtime_error with `out` if that cannot be written.
 std::vector<std::string> exportToMcap(
     const std::string& in, const std::string& out, const DataOptions& options,
     const std::function<void(double)>& on_progress = [](double) {});

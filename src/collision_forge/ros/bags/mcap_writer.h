@@ -11,7 +11,7 @@
 
 namespace forge {
 
-/// What MCAP's profile ros1 calls the bytes of messages and the text of their definitions.
+/// Encoding names in MCAP's profile ros1: of messages and of their definitions.
 inline constexpr char kRos1Encoding[] = "ros1";
 inline constexpr char kRos1Definition[] = "ros1msg";
 
@@ -22,42 +22,42 @@ struct McapSchema {
 };
 
 struct McapChannel {
-  std::uint16_t schema = 0;  ///< as addSchema() returned it
+  std::uint16_t schema = 0;  ///< number returned by addSchema()
   std::string topic;
   std::string message_encoding;
   std::map<std::string, std::string> metadata;
 };
 
 /// Writes an MCAP file (mcap.dev/spec): messages in chunks, each an LZ4 frame, with their indexes,
-/// and a summary with its offsets. A CRC-32 covers each chunk, the data and the summary. Holds one
-/// chunk and what the summary needs. Write errors stay in the stream.
+/// and a summary with its offsets. A CRC-32 covers each chunk, the data and the summary. Keeps one
+/// chunk and the summary in memory. Check the stream for write errors.
 class McapWriter {
  public:
-  /// `stream` is binary, at the begin of a file, and outlives this.
+  /// `stream` must be binary, at the beginning of a file, and outlive the object.
   McapWriter(std::ostream& stream, const std::string& profile, const std::string& library);
 
-  /// Returns the schema's number, from 1; that of an equal one, where there is one. Throws
-  /// std::length_error where there are 65,535 others.
+  /// Returns the schema's number, from 1; an equal schema is reused. Throws std::length_error after
+  /// 65,535 schemas.
   std::uint16_t addSchema(McapSchema schema);
-  /// Returns the channel's number, from 0. Throws as addSchema().
+  /// Returns the channel's number, from 0. Throws like addSchema().
   std::uint16_t addChannel(McapChannel channel);
 
-  /// `time` in nanoseconds, when the message was sent and recorded. Times may go back.
+  /// Writes a message. `time`: ns, both publish and log time; may decrease.
   void write(std::uint16_t channel, std::uint64_t time, std::string_view message);
 
-  /// Ends the file; to be called once, last.
+  /// Ends the file. Must be called once, as the last call.
   void finish();
 
  private:
-  /// Where a message lies: its time, and its place in the uncompressed chunk.
+  /// Index of messages: time (ns) and offset in the uncompressed chunk.
   using MessagePlaces = std::vector<std::pair<std::uint64_t, std::uint64_t>>;
-  using Times = std::pair<std::uint64_t, std::uint64_t>;  ///< of messages, the first and the last
+  using Times = std::pair<std::uint64_t, std::uint64_t>;  ///< ns, of the first and the last message
 
   struct ChunkEntry {
     Times times;
-    std::uint64_t offset = 0;                        ///< of its record in the file
-    std::uint64_t length = 0;                        ///< of its record
-    std::map<std::uint16_t, std::uint64_t> indexes;  ///< where those of its channels are
+    std::uint64_t offset = 0;                        ///< of the chunk's record in the file, bytes
+    std::uint64_t length = 0;                        ///< of the chunk's record, bytes
+    std::map<std::uint16_t, std::uint64_t> indexes;  ///< offsets of the message indexes, by channel
     std::uint64_t indexes_length = 0;
     std::uint64_t compressed_size = 0;
     std::uint64_t size = 0;
@@ -72,13 +72,13 @@ class McapWriter {
 
   std::ostream& stream_;
   std::uint64_t offset_ = 0;  ///< bytes written
-  std::uint32_t crc_ = 0;     ///< of these, since the last section began
+  std::uint32_t crc_ = 0;     ///< of the bytes since the last section began
   std::vector<McapSchema> schemas_;
   std::vector<McapChannel> channels_;
-  std::vector<std::uint32_t> counts_;  ///< messages of each channel
-  std::string chunk_;                  ///< records of the one that is being filled
+  std::vector<std::uint32_t> counts_;  ///< number of messages, by channel
+  std::string chunk_;                  ///< records of the current chunk
   Times chunk_times_;
-  std::map<std::uint16_t, MessagePlaces> places_;  ///< in that chunk, by channel
+  std::map<std::uint16_t, MessagePlaces> places_;  ///< in the current chunk, by channel
   std::vector<ChunkEntry> chunks_;
 };
 

@@ -7,7 +7,7 @@
 
 namespace forge {
 
-/// Types of fields that are no messages.
+/// Built-in field types of ROS 1.
 enum class BuiltinType {
   kBool,
   kInt8,
@@ -31,32 +31,32 @@ struct MessageField {
   enum class Shape { kSingle, kFixedArray, kArray };
 
   std::string name;
-  std::string type;                      ///< of an element, as it is written
-  const MessageType* message = nullptr;  ///< none: `builtin` says what it is
+  std::string type;                      ///< of an element, as in the definition
+  const MessageType* message = nullptr;  ///< null: the type is `builtin`
   BuiltinType builtin = BuiltinType::kBool;
   Shape shape = Shape::kSingle;
-  std::size_t count = 1;  ///< elements of a fixed array
+  std::size_t count = 1;  ///< number of elements of a fixed array
 
-  // Of one element.
+  // Size of one serialised element.
   std::size_t min_size = 0;    ///< bytes
-  bool is_fixed_size = false;  ///< none has more bytes
+  bool is_fixed_size = false;  ///< every element has min_size bytes
 };
 
 struct MessageType {
-  std::string name;  ///< with its package
+  std::string name;  ///< package/Type
   std::vector<MessageField> fields;
   std::size_t min_size = 0;
   bool is_fixed_size = false;
-  int height = 0;  ///< types within types, itself included
+  int height = 0;  ///< depth of nesting, itself included
 };
 
-/// A ROS 1 message type and all types it is made of, as the text in a bag's connection defines it:
-/// the fields of the type, then after lines of `=` those of the others, which `MSG: PACKAGE/TYPE`
-/// names. Constants are left out.
+/// A ROS 1 message type and its nested types, parsed from the definition text of a bag's
+/// connection: the fields of the type, then for each nested type a line of `=`, `MSG: PACKAGE/TYPE`
+/// and its fields. Constants are skipped.
 class MessageDefinition {
  public:
-  /// Throws BagError naming type and field for a line that cannot be read or has a zero byte, for a
-  /// type that is not defined, and for types that nest too deep, as one does that holds itself.
+  /// Throws BagError with type and field for an unreadable line or a zero byte, an undefined type,
+  /// and types that nest too deep, for example recursively.
   MessageDefinition(const std::string& type, const std::string& text);
   MessageDefinition(const MessageDefinition&) = delete;
   MessageDefinition& operator=(const MessageDefinition&) = delete;

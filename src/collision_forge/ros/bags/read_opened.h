@@ -10,7 +10,8 @@
 
 namespace forge {
 
-/// What `read` makes of the open bag; errors of rosbag and of messages as BagError.
+/// Opens the bag at `path` and returns read(bag). Converts errors of rosbag and of messages to
+/// BagError.
 template <typename Read>
 auto readOpened(const std::string& path, const Read& read) {
   try {

@@ -9,14 +9,14 @@ namespace forge {
 
 /// The attack in a bag of `forge inject`.
 struct RecordedAttack {
-  collision_forge::CollisionReport tested_report;  ///< against the recorded ego
+  collision_forge::CollisionReport tested_report;  ///< outcome against the recorded ego
   std::string source;                              ///< file name of the bag without the attack
 };
 
 /// Returns nullopt for a bag without an attack. Throws BagError.
 std::optional<RecordedAttack> readRecordedAttack(const std::string& path);
 
-/// Returns why no further attack is possible in the bag at `path`, and which bag to play instead.
+/// Returns the error text for a second attack in the bag at `path`, with the bag to play instead.
 std::string refusalOf(const RecordedAttack& attack, const std::string& path);
 
 }  // namespace forge

@@ -8,11 +8,11 @@
 
 #include "collision_forge/base/scene/track.h"
 
-/// Where a bag of others has the ego and the agents: a file like config/topics_autoware.yaml, in
-/// which every key is told.
+/// Mapping from the message fields of a foreign bag to ego and agents. Each key is described in
+/// config/topics_autoware.yaml.
 namespace forge {
 
-/// Where a number is: a path as FieldPath has it, or a number that stands for all messages.
+/// Source of a number: the path of a field (FieldPath), or a constant for all messages.
 using NumberSource = std::variant<std::string, double>;
 
 struct PoseFields {
@@ -21,13 +21,13 @@ struct PoseFields {
   std::variant<std::array<NumberSource, 4>, NumberSource> orientation;
 };
 
-/// A topic and what belongs to every message of it.
+/// A topic and the fields common to all mapped messages.
 struct TopicFields {
   std::string topic;
-  std::string type;           ///< with its package
-  std::string stamp;          ///< path of a time
-  std::string frame_id;       ///< the frame that poses are to be in; empty: nobody asks
-  std::string frame_id_path;  ///< where a message says which they are in
+  std::string type;           ///< package/Type
+  std::string stamp;          ///< path of a time field
+  std::string frame_id;       ///< required frame of poses; empty: not checked
+  std::string frame_id_path;  ///< path of the field with the frame of the poses
 };
 
 enum class EgoReference { kBaseLink, kBoxMiddle };
@@ -35,9 +35,9 @@ enum class EgoReference { kBaseLink, kBoxMiddle };
 struct EgoMapping {
   TopicFields fields;
   PoseFields pose;
-  EgoReference reference = EgoReference::kBaseLink;  ///< what the pose is of
-  /// Of a tf2_msgs/TFMessage: the frame whose pose it is, and where a transform names it.
-  /// Transforms of other frames are none of the ego. Empty for other types.
+  EgoReference reference = EgoReference::kBaseLink;  ///< point that the pose describes
+  /// For tf2_msgs/TFMessage: the ego's frame, and the path of the child frame in a transform.
+  /// Transforms of other frames are ignored. Empty for other types.
   std::string child_frame_id;
   std::string child_frame_id_path;
 };
@@ -51,14 +51,14 @@ struct VelocityFields {
 
 struct AgentsMapping {
   TopicFields fields;
-  std::string id;              ///< of a number, a text or an array of uint8
-  std::string classification;  ///< path of the class: of an integer or a text
-  std::string probability;     ///< of several classes the likeliest counts; empty: the first
-  std::map<std::string, AgentClass> classes;  ///< by what stands there
+  std::string id;              ///< path of a number, a text or an array of uint8
+  std::string classification;  ///< path of the class, an integer or a text
+  std::string probability;     ///< path; selects the most probable class; empty: the first
+  std::map<std::string, AgentClass> classes;  ///< by the value of `classification`
   AgentClass default_class = AgentClass::kStaticObject;
-  PoseFields pose;                         ///< of the middle of the box
+  PoseFields pose;                         ///< middle of the box
   std::array<NumberSource, 3> size;        ///< length, width, height, m
-  std::optional<VelocityFields> velocity;  ///< none: derived from the positions
+  std::optional<VelocityFields> velocity;  ///< empty: derived from the positions
 };
 
 struct TopicMapping {
@@ -66,7 +66,7 @@ struct TopicMapping {
   AgentsMapping agents;
 };
 
-/// Throws ConfigError naming file, key and value.
+/// Reads a mapping file. Throws ConfigError with file, key and value.
 TopicMapping readTopicMapping(const std::string& path);
 
 }  // namespace forge

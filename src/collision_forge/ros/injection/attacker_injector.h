@@ -10,30 +10,30 @@
 
 namespace forge {
 
-/// Remembers what the trajectory does not say about an attacker (height, z), and puts it into
-/// frames of agents. One that was added is as high, and stands as high, as the nearest recorded
-/// vehicle of its class, or of another where there is none.
+/// Inserts an attacker into frames of agents. Takes height and z, which the trajectory lacks, from
+/// recorded frames: for a recorded attacker its own, for an added one those from the nearest
+/// recorded vehicle of its class, or of any class if there is none. Not thread-safe.
 class AttackerInjector {
  public:
-  /// After the end of the trajectory the attacker brakes to a stand (brakingFromEnd()). Throws
-  /// MessageError as fromMessage() of the trajectory.
+  /// After the end of the trajectory the attacker brakes to a standstill, by the limits `options`.
+  /// Throws MessageError like fromMessage() of the trajectory.
   AttackerInjector(collision_forge::AttackerTrajectory trajectory,
                    const DriveLimitOptions& options);
 
-  /// Drives on by another trajectory of the same vehicle from the same now, and keeps what it
-  /// remembers, also of a crash; false, and nothing is changed, where it is of another attack.
+  /// Replaces the trajectory by a replanned one of the same attack (same vehicle and t0); height, z
+  /// and crash are kept. Returns false and changes nothing if it belongs to another attack.
   bool change(const collision_forge::AttackerTrajectory& trajectory);
 
-  /// From the contact on the attacker moves as `crash` has it; empty: it has no contact.
+  /// Sets the attacker's motion after the contact; empty: no contact.
   void setCrash(const std::optional<PostCrashMotion>& crash) { crash_ = crash; }
 
-  /// Takes height and z from a recorded frame, if the attacker is in it. inject() does so itself
-  /// with frames up to the trajectory's start, and later ones where there was none.
+  /// Takes height and z from a recorded frame, if the attacker is in it. inject() does this for
+  /// frames up to the trajectory's start, and for a later frame if there was none before.
   void remember(const collision_forge::AgentArray& recorded);
 
-  /// Frames up to the trajectory's start pass as they are; an attacker that was added is put into
-  /// those of its past, too, as a new agent. Later, the attacker is where its trajectory or its
-  /// crash has it, whether it was recorded in that frame or not, and all others are as they were.
+  /// Returns `agents` with the attacker. Up to the trajectory's start, only an added attacker is
+  /// inserted, in the frames of its past. Later, the attacker has the pose of its trajectory or its
+  /// crash, also if it is missing in the recorded frame. Other agents are unchanged.
   collision_forge::AgentArray inject(collision_forge::AgentArray agents);
 
  private:

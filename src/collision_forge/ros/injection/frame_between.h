@@ -4,9 +4,9 @@
 
 namespace forge {
 
-inline constexpr double kSameTime = 1e-3;  ///< seconds; frames are no nearer to each other
+inline constexpr double kSameTime = 1e-3;  ///< s, minimum distance of two frames
 
-/// The point or vector at a ratio of the way from one to another.
+/// Interpolates linearly; `ratio` 0 is `before`, 1 is `after`.
 template <typename Message>
 Message between(const Message& before, const Message& after, double ratio) {
   Message message;
@@ -16,14 +16,14 @@ Message between(const Message& before, const Message& after, double ratio) {
   return message;
 }
 
-/// A frame of agents between two recorded ones, at the ratio of the time between them that is in
-/// (0, 1): those who are in both, moved linearly and turned the shorter way.
+/// Returns the frame at `ratio`, in (0, 1), of the time between two recorded frames. It has the
+/// agents in both frames, with linearly interpolated positions and the shorter rotation.
 collision_forge::AgentArray frameBetween(const collision_forge::AgentArray& before,
                                          const collision_forge::AgentArray& after, double ratio);
 
-/// A frame of agents soon after a recorded one: its agents, moved on as in shownPose(), with what
-/// `before`, the recorded frame before it, tells of their motion. Who is not in that, or where it
-/// is null, stands still. Velocities turn with their boxes.
+/// Extrapolates the agents of the recorded frame `newest` to `stamp` like shownPose(). `before`,
+/// the recorded frame before it, is used to derive their motion. Agents that are not in `before`
+/// stand still, as do all if it is null. Velocities rotate with the boxes.
 collision_forge::AgentArray frameAfter(const collision_forge::AgentArray* before,
                                        const collision_forge::AgentArray& newest,
                                        const ros::Time& stamp);

@@ -15,58 +15,58 @@
 
 namespace forge {
 
-/// What an attacked bag shows after the contact with the recorded ego.
+/// Content of an attacked bag after the contact with the recorded ego.
 enum class AfterContact {
-  kStop,  ///< both move as of PostCrashMotion; /tf and odom are rewritten; the bag ends when both
-          ///< have stood for AttackedBagOptions::seconds_after_stand
+  kStop,  ///< both move by PostCrashMotion; /tf and odom are rewritten; the bag ends when both have
+          ///< stood for AttackedBagOptions::seconds_after_stand
   kEnd,   ///< the bag ends shortly after
-  kDriveOn,  ///< the ego drives as recorded, the attacker its trajectory to the end
+  kDriveOn,  ///< the ego moves as recorded, the attacker by its whole trajectory
 };
 
-/// "stop", "end", "drive_on".
+/// Returns "stop", "end" or "drive_on".
 const char* toString(AfterContact after);
 
-/// What a replay, which has no end to set, takes: kStop or kDriveOn. Throws std::invalid_argument
-/// for another word, naming both.
+/// Parses the value for a live replay, whose end cannot be set: kStop or kDriveOn. Throws
+/// std::invalid_argument for any other word, with both in the message.
 AfterContact liveAfterContact(const std::string& word);
 
-/// What is put into a bag.
+/// The attack to insert into a bag.
 struct BagAttack {
   collision_forge::Attack attack;
-  collision_forge::CollisionReport tested_report;  ///< against the recorded ego
+  collision_forge::CollisionReport tested_report;  ///< outcome against the recorded ego
   collision_forge::AttackRequest request;
   AfterContact after_contact = AfterContact::kStop;
 };
 
-/// What the recording in a bag and its vehicles are like.
+/// Properties of the recording in a bag and of its vehicles.
 struct RecordingContext {
-  const Track& ego;      ///< the recorded one
-  double center_offset;  ///< as of EgoVehicle
+  const Track& ego;      ///< recorded track
+  double center_offset;  ///< m, as in EgoVehicle
   const DriveLimitOptions& limits;
   const AttackedBagOptions& options;
 };
 
-/// Throws BagError, naming the topic, for a bag that has an attack already.
+/// Throws BagError with the topic if the bag at `path` already has an attack.
 void requireNoAttack(const std::string& path);
 
-/// Copies the bag at `in`, in which there is no attack, to `out`. In /agents and
-/// /annotation_markers the attacker's recorded future is replaced (one that was added is there from
-/// the first state of its past on); from now on they have frames in between, sent by
-/// names::kInBetween, and one at the contact. Attack, request and the paths of attacker and
-/// recorded ego are added, latched, at the trajectory's start, the report against the recording at
-/// the contact (without one at the trajectory's end), and markers of map, ego and attack. The
-/// markers of the map come every second. /agent_objects comes with every frame of agents, in place
-/// of one that is there. After the contact with the recorded ego, if there is one, the bag goes on
-/// as `after_contact` says; where it rewrites /tf and odom, they have one more message at the
-/// contact. Every other message is copied byte for byte with its connection. Agents, transforms and
-/// odometry with values that are not finite are left out (ros/injection/finite_parts.h); the
-/// function returns a line for each topic with such values. `on_progress` receives the share that
-/// is done. Throws BagError.
+/// Copies the bag at `in`, which must not contain an attack, to `out` and inserts `attack`:
+/// - /agents, /annotation_markers: the attacker replaces its recorded future (an added attacker is
+///   present from the first state of its past). After t0 there are additional frames, with caller
+///   id names::kInBetween, and one at the contact.
+/// - Attack, request and the paths of attacker and recorded ego: added, latched, at t0.
+/// - Report against the recording: added at the contact, or at the end of the trajectory.
+/// - Markers of map (every second), ego and attack: added.
+/// - /agent_objects: written with every frame of agents; replaces an existing topic.
+/// - /tf, odom: rewritten after the contact if `after_contact` is kStop, with one additional
+/// message
+///   at the contact.
+/// All other messages are copied byte by byte with their connections. Non-finite agents, transforms
+/// and odometry are dropped (ros/injection/finite_parts.h); returns one line per topic with such
+/// values. `on_progress` receives the completed share 0..1. Throws BagError.
 ///
-/// All times are header stamps; the record times of the bag may be of another clock. A new message
-/// is recorded when a frame of agents with its stamp would be (RecordClock). A copied message keeps
-/// its record time. Messages that do not show agents or the ego end with the frames of agents that
-/// are recorded at the same time.
+/// All times are header stamps; the record times may be of another clock. A new message gets the
+/// record time of a frame of agents with its stamp (RecordClock); a copied one keeps its own.
+/// Messages without agents or ego end at the record time of the last frame of agents.
 std::vector<std::string> injectIntoBag(
     const std::string& in, const std::string& out, const BagAttack& attack,
     const RecordingContext& recording,

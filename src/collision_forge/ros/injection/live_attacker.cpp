@@ -89,9 +89,9 @@ void LiveAttacker::goBackTo(double time) {
     driven_->policy = driven_->start;
     publish(driven_->first);
   } else if (driven_->policy) {
-    ROS_WARN_STREAM("the replay went back while "
+    ROS_WARN_STREAM("the replay stepped back during the attack by "
                     << printable(driven_->first.trajectory.attacker_id)
-                    << " was driving: it reacts no more");
+                    << ": the attacker stops replanning; request the attack again");
     driven_->policy.reset();
   }
 }

@@ -11,35 +11,36 @@
 
 namespace forge {
 
-/// Publishes attacks, and lets the newest one's attacker, if it sees and reacts, see the scene as
-/// it comes: where its trajectory changes or it decides something, the attack is published again.
-/// A scene from before the attack's now is of a replay that starts again: the attack is forgotten,
-/// or, if it is to be kept, set out anew. Thread-safe.
+/// Publishes attacks, and runs the adaptive attacker of the newest attack on each frame of the
+/// scene. Publishes the attack again when its trajectory changes or the attacker makes a decision.
+/// A frame before the attack's t0 means that the replay restarted: the attack is dropped, or, with
+/// `keeps_attack`, started again. Thread-safe; `publish` is called with a lock held and must not
+/// call back.
 class LiveAttacker {
  public:
   using Publish = std::function<void(const collision_forge::Attack&)>;
-  /// `kept_for`: s of frames that an attack may be older than the scene when it sets out.
+  /// `kept_for`: s of frames that are kept; an attack may be this much older than the newest frame.
   LiveAttacker(Publish publish, bool keeps_attack, double kept_for)
       : publish_(std::move(publish)), keeps_attack_(keeps_attack), kept_for_(kept_for) {}
 
-  /// Publishes a fixed attack. Nobody sees and reacts any more.
+  /// Publishes an attack with a fixed trajectory; ends an adaptive one.
   void setOut(const collision_forge::Attack& attack);
 
-  /// Publishes an attack of an attacker that sees and reacts, the task's; then that has seen what
-  /// came since the task's now. Returns what was published first.
+  /// Publishes an adaptive attack for `task`, then replays the frames received since the task's t0
+  /// to its attacker. Returns the attack as first published.
   collision_forge::Attack setOut(collision_forge::Attack attack, AttackerTask task,
                                  const AttackerSetup& setup);
 
-  /// Publishes an attack by nobody (isNone()), so that one from elsewhere, as of a played bag,
-  /// ends, too. Returns whether there was one of its own.
+  /// Publishes an empty attack (isNone()), which also ends an attack of another source, such as a
+  /// played bag. Returns true if this object had an attack.
   bool forget();
 
-  /// The newest frame of the scene; `clock`, s, is when it came. Where a replay goes back, but not
-  /// to before the attack's now, an attacker that sees and reacts does so no more.
+  /// Passes a new frame, received at `clock` (s), to the adaptive attacker. If the replay steps
+  /// back, but not to before the attack's t0, the attacker stops replanning.
   void see(const Frame& frame, double clock);
 
-  /// To be called now and then: where no frame has come since the call before, nor for `lost_after`
-  /// seconds of the clock, the attacker is told that it sees nobody.
+  /// Call periodically. If no frame arrived since the last call and for `lost_after` seconds of the
+  /// clock, the attacker gets an update step without observations.
   void watch(double clock);
 
  private:
@@ -48,7 +49,7 @@ class LiveAttacker {
     AttackerTask task;
     AttackerSetup setup;
     AdaptiveAttacker start;
-    std::optional<AdaptiveAttacker> policy;  // empty: a replay went back while it was driving
+    std::optional<AdaptiveAttacker> policy;  // empty: the replay stepped back during the attack
   };
 
   void publish(const collision_forge::Attack& attack);
@@ -57,14 +58,14 @@ class LiveAttacker {
   void goBackTo(double time);
   collision_forge::Attack attackNow() const;
 
-  std::mutex mutex_;  // of all that follows
+  std::mutex mutex_;  // guards all members below
   Publish publish_;
   bool keeps_attack_;
   double kept_for_;
-  std::optional<double> now_;  // of the attack that there is
-  std::deque<Frame> frames_;   // the newest: a request is answered later than its now
-  double came_ = 0.0;          // s, the clock when the newest came
-  bool is_watched_ = false;    // since the newest came
+  std::optional<double> now_;  // s, t0 of the current attack
+  std::deque<Frame> frames_;   // the newest: a request ends later than its t0
+  double came_ = 0.0;          // s, clock at which the newest was received
+  bool is_watched_ = false;    // watch() was called since the newest frame
   std::optional<Driven> driven_;
 };
 

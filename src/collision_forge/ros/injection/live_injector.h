@@ -15,38 +15,37 @@
 
 namespace forge {
 
-/// Publishes frames of agents with the newest attack in them.
+/// Publishes frames of agents with the attacker of the newest attack.
 ///
-/// Without an attack, and up to its now, recorded frames pass at once. After its now there are also
-/// frames in between, `frame_rate` (config/attacked_bag.yaml) a second from a recorded one on:
-/// everybody else as in frameAfter(). None is where the next recorded one is awaited, or half a
-/// step before it: until that has come, no more than the gap between the last two is filled.
+/// Without an attack, and up to its t0, recorded frames pass immediately. After t0 the injector
+/// also publishes intermediate frames at `frame_rate` (config/attacked_bag.yaml), with the other
+/// agents extrapolated by frameAfter(). It never extrapolates past the next expected recorded
+/// frame; if a frame is late, the output is late.
 ///
-/// A frame after the attack's now waits until the ego's pose is known at its time or later, so that
-/// a contact is never shown late: where /tf lags, so do the frames. The stamps are thus the same in
-/// whatever order /tf and agents come. They grow, but where a replay goes back: a recorded frame
-/// that is older than what was published is left out. Where time stands still, nothing is
-/// published.
+/// Frames after t0 wait for an ego pose at their time or later, so that a contact is never shown
+/// late. The stamps therefore do not depend on the order in which /tf and agents arrive. Stamps
+/// increase, except when the replay steps back; a recorded frame older than the newest published
+/// one is dropped. While time stands still, nothing is published.
 ///
-/// From the attacker's first contact with the ego on (ContactWatch), the attacker moves as of
-/// PostCrashMotion, unless it drives on. A replay that goes back to before the contact undoes it.
+/// After the first contact with the ego (ContactWatch), the attacker moves by PostCrashMotion if
+/// `after_contact` is kStop. A replay that steps back to before the contact undoes the contact.
 /// Not thread-safe.
 class LiveInjector {
  public:
   using Publish = std::function<void(const collision_forge::AgentArray&)>;
 
-  /// `after_contact`: kStop or kDriveOn; a replay has no end to set.
+  /// `after_contact`: kStop or kDriveOn. `publish` is called inside addFrame() and addEgo().
   LiveInjector(const Config& config, AfterContact after_contact, Publish publish);
 
-  /// In place of the one before; one that goes on (AttackerInjector::change()) keeps its contact.
-  /// By nobody: there is none any more. Throws MessageError and InputError, and changes nothing.
+  /// Replaces the attack; an update of the same attack (AttackerInjector::change()) keeps its
+  /// contact. An empty attack ends the injection. On MessageError and InputError nothing changes.
   void setAttack(const collision_forge::Attack& attack);
 
   void addFrame(const collision_forge::AgentArray::ConstPtr& recorded);
 
   /// Sets the size of the ego's box for all later poses, m.
   void setEgoSize(const BoxSize& size) { watch_.setEgoSize(size); }
-  /// Middle of the ego's box; times as of EgoPoses.
+  /// Adds a pose of the ego's box middle; times as in EgoPoses.
   void addEgo(const AgentState& ego);
 
  private:
@@ -66,15 +65,17 @@ class LiveInjector {
   DriveLimitOptions drivable_;
   Publish publish_;
 
-  std::optional<AttackerInjector> injector_;  // while there is an attack
-  double now_ = 0.0;                          // s, of the attack
+  std::optional<AttackerInjector> injector_;  // set during an attack
+  double now_ = 0.0;                          // s, t0 of the attack
   ContactWatch watch_;
 
-  std::deque<collision_forge::AgentArray::ConstPtr> waiting_;  // for the ego's poses
-  collision_forge::AgentArray::ConstPtr last_;                 // recorded frame that was published
+  std::deque<collision_forge::AgentArray::ConstPtr>
+      waiting_;                                 // frames that wait for the ego's pose
+  collision_forge::AgentArray::ConstPtr last_;  // newest published recorded frame
   collision_forge::AgentArray::ConstPtr before_last_;
-  ros::Time published_;    // stamp of the newest frame
-  double begun_at_ = 0.0;  // s; frames in between are later than the ego was when the attack came
+  ros::Time published_;  // stamp of the newest frame
+  double begun_at_ =
+      0.0;  // s, time of the ego when the attack arrived: minimum of intermediate frames
 };
 
 }  // namespace forge

@@ -12,12 +12,12 @@ namespace forge {
 /// another bag was replayed.
 class RecordClock {
  public:
-  /// Adds a message. One whose stamp or record time is not after the one before is ignored.
+  /// Adds a message. Ignored unless both times are later than those before.
   void add(const ros::Time& stamp, const ros::Time& recorded);
 
-  /// The record time of a message with this stamp. The offset between the clocks is interpolated
-  /// linearly between the two messages around it; before the first and after the last one it is
-  /// theirs. Without any message both clocks are equal.
+  /// Returns the record time for a stamp. The offset between the clocks is interpolated linearly
+  /// between the two neighbouring messages, and constant before the first and after the last one.
+  /// Without messages the clocks are equal.
   ros::Time recordedAt(const ros::Time& stamp) const;
 
   /// The inverse of recordedAt().

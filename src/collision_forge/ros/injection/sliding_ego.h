@@ -16,25 +16,28 @@ namespace forge {
 template <typename Message>
 struct EgoBetween {
   Message message;
-  double ratio;  ///< of the time between the two, in (0, 1)
+  double ratio;  ///< position in time between the two, in (0, 1)
 };
 
-/// Rewrites what tells the ego's motion in a recording, from its contact on. Height, roll and pitch
-/// stay those of the newest message up to then. Messages come in the order of time.
+/// Rewrites the ego's transforms and odometry after the contact to its post-crash motion. Height,
+/// roll and pitch are kept from the newest message before the contact. Messages must be passed in
+/// the order of time.
 class SlidingEgo {
  public:
-  /// Whether the transform is map -> base_link.
+  /// Returns true for the transform map -> base_link.
   static bool isEgo(const geometry_msgs::TransformStamped& transform);
 
-  /// `center_offset` as of EgoVehicle.
+  /// `center_offset`: m, as in EgoVehicle.
   SlidingEgo(const PostCrashMotion& crash, double center_offset);
 
-  /// The same with map -> base_link as after the contact; other transforms are left alone.
+  /// Returns `message` with map -> base_link rewritten after the contact; other transforms are
+  /// kept.
   tf2_msgs::TFMessage changed(tf2_msgs::TFMessage message);
   nav_msgs::Odometry changed(nav_msgs::Odometry message);
 
-  /// The ego at the contact, for the first message that comes after that, before it is changed().
-  /// Nothing where there was none before, or where one of the two has that stamp.
+  /// Returns an additional message at the contact if `next`, before it is passed to changed(), is
+  /// the first message after the contact. Returns nullopt without an earlier message, or if either
+  /// message has the stamp of the contact.
   std::optional<EgoBetween<tf2_msgs::TFMessage>> atContact(const tf2_msgs::TFMessage& next);
   std::optional<EgoBetween<nav_msgs::Odometry>> atContact(const nav_msgs::Odometry& next);
 
@@ -45,8 +48,8 @@ class SlidingEgo {
 
   PostCrashMotion crash_;
   double center_offset_;
-  std::optional<geometry_msgs::TransformStamped> last_transform_;  ///< up to then, as is the next
-  std::optional<nav_msgs::Odometry> last_odometry_;
+  std::optional<geometry_msgs::TransformStamped> last_transform_;  ///< newest up to the contact
+  std::optional<nav_msgs::Odometry> last_odometry_;                ///< newest up to the contact
 };
 
 }  // namespace forge

@@ -6,15 +6,15 @@
 #include "collision_forge/ros/markers/markers.h"
 #include "collision_forge/ros/markers/scene_update.h"
 
-/// What Foxglove and Lichtblick show in 3D. Frame and stamp are those of the message's header;
-/// everybody stands on the ground. What is not finite or has no extent is left out.
+/// 3D scenes for Foxglove and Lichtblick, with frame and stamp of the message's header. All boxes
+/// stand at height 0. Non-finite objects and objects without extent are skipped.
 namespace forge {
 
-/// Lanes and connectors as their centrelines, and the edges of the drivable area.
+/// Returns the centrelines of lanes and connectors, and the edges of the drivable area.
 SceneUpdate mapScene(const collision_forge::LaneMap& map);
 
-/// Boxes with labels: the ego, the agents of the frame, and the one of them that attacks. With an
-/// attack also its way, its contact and, in words, the countdown or what the report says.
+/// Returns labelled boxes of ego, attacker and other agents of the frame. With an attack also the
+/// attacker's path, the contact, and the countdown or the result of the report as text.
 SceneUpdate crashScene(const CrashView& view, const collision_forge::AgentArray& agents);
 
 }  // namespace forge

@@ -32,7 +32,7 @@ const collision_forge::CollisionReport* verdictBy(const ros::Time& now,
 }
 
 std::string countdownWords(const collision_forge::Attack& attack, const ros::Time& now) {
-  if (!attack.report.contact) return "no contact foreseen";
+  if (!attack.report.contact) return "no contact predicted";
   const double left = (attack.report.contact_time - now).toSec();
   return left > 0.0 ? formatted("contact in %.1f s", left)
                     : formatted("contact predicted %.1f s ago", -left);

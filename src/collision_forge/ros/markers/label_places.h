@@ -5,34 +5,34 @@
 
 #include "collision_forge/base/geometry/oriented_box.h"
 
-/// Where texts stand in a top view that looks along -z with y up: beside boxes. Metres.
+/// Placement of texts beside boxes in a top view that looks along -z with y up. Metres.
 namespace forge {
 
-/// Returns about what a text of letters of that height covers: length along x, width along y.
+/// Returns the approximate size of a text: length along x, width along y, m.
 BoxSize textSize(const std::string& text, double letter_height);
 
-// Rings of places around a box.
-inline constexpr int kNearRings = 3;  ///< of a text that names the box
-inline constexpr int kFarRings = 8;   ///< of a text that is alone, as a verdict: beside most roads
+// Numbers of rings of text places around a box.
+inline constexpr int kNearRings = 3;  ///< for a text that names the box
+inline constexpr int kFarRings =
+    8;  ///< for a single text, such as a verdict; reaches beyond most roads
 
-/// One of the eight places of a text around a box, or of the eight places farther off.
+/// One of eight places of a text around a box, on one of several rings.
 struct LabelSide {
   Vector2 direction{0.0, 1.0};  ///< -1, 0 or 1 along x and y
   int ring = 0;                 ///< 0: next to the box; each further ring is half a text farther
   std::size_t covered = 0;      ///< number of obstacles that the text covers there
 };
 
-/// Returns the nearest side of `box`, of that many rings, on which a text covers the fewest
-/// obstacles. The same arguments give the same side: for a text that keeps its place, pass
-/// obstacles that stand still.
+/// Returns the place around `box`, within `rings` rings, at which a text of size `text` covers the
+/// fewest obstacles; of several the nearest. Deterministic: static obstacles keep the text in
+/// place.
 LabelSide freestSide(const OrientedBox& box, const BoxSize& text,
                      const std::vector<OrientedBox>& obstacles, int rings = kNearRings);
 
-/// Returns what a box covers that moves with `velocity`, m/s, for `duration` seconds: a rectangle
-/// along the velocity.
+/// Returns the rectangle, along `velocity` (m/s), that a box covers in `duration` seconds.
 OrientedBox sweptBox(const OrientedBox& box, const Vector2& velocity, double duration);
 
-/// Returns the middle of a text on that side of `box`.
+/// Returns the middle of a text at the place `side` of `box`.
 Vector2 placeBeside(const OrientedBox& box, const BoxSize& text, const LabelSide& side);
 
 }  // namespace forge

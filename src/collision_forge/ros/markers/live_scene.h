@@ -14,33 +14,33 @@
 /// The moving picture of a scene and its attack: metres, radians, map frame.
 namespace forge {
 
-inline constexpr double kCrashView = 5.0;  // s that the view stays at a contact
+inline constexpr double kCrashView = 5.0;  // s for which the view stays at a contact
 
-/// What is shown at one instant.
+/// Input of one picture.
 struct LiveScene {
   const collision_forge::SceneSnapshot* scene = nullptr;      ///< the newest
-  ros::Time now;                                              ///< of the picture
-  const collision_forge::Attack* attack = nullptr;            ///< null where none is under way
-  const collision_forge::CollisionReport* verdict = nullptr;  ///< what became of it; null before
-  std::optional<Pose2> ego = {};  ///< as /tf has it; empty: predicted from the scene
-  /// What follows the contact; empty where `now` is before the contact.
+  ros::Time now;                                              ///< time of the picture
+  const collision_forge::Attack* attack = nullptr;            ///< null without a running attack
+  const collision_forge::CollisionReport* verdict = nullptr;  ///< outcome; null while unknown
+  std::optional<Pose2> ego = {};  ///< from /tf; empty: predicted from the scene
+  /// Motion after the contact; empty before the contact.
   std::optional<PostCrashMotion> crash = {};
-  std::vector<OrientedBox> words_obstacles = {};  ///< as of WordsPlace
+  std::vector<OrientedBox> words_obstacles = {};  ///< as in WordsPlace
 };
 
-/// Returns what the agents other than the attacker cover from now until the view leaves the
-/// contact, if they keep their velocities: what the words of the attack are not to cover.
+/// Returns the areas that the other agents cover from now until the view leaves the contact, at
+/// constant velocity. Texts of the attack should not cover them.
 std::vector<OrientedBox> coveredByOthers(const LiveScene& live);
 
-/// Everybody where they are between the frames, with their trails. Of an attack under way its
-/// attacker as it drives ("attacker"), as recorded ("recorded"), and in words the countdown or the
-/// verdict ("words"). From the contact on ego and attacker are where the crash has them, with a
-/// mark where they touched ("contact"), and the ego as recorded drives on ("recorded").
+/// Returns ego and agents, interpolated between frames, with trails. During an attack also the
+/// attacker as driven (namespace "attacker") and as recorded ("recorded"), and the countdown or
+/// verdict ("words"). After the contact ego and attacker move by `crash`, with a mark at the
+/// contact point ("contact"), and the recorded ego continues ("recorded").
 visualization_msgs::MarkerArray liveMarkers(const LiveScene& live);
 
-/// Returns the part of the map that the picture is to show. While an attack is under way it holds
-/// the ego, the attacker and the predicted contact; for kCrashView after a contact both vehicles
-/// up to where they stand; else the ego with its surroundings. Empty where no ego is in the scene.
+/// Returns the part of the map to show. During an attack it contains the ego, the attacker and the
+/// predicted contact; for kCrashView seconds after a contact both vehicles up to standstill; else
+/// the ego with its surroundings. Returns nullopt if the scene has no ego.
 std::optional<ShownArea> shownArea(const LiveScene& live);
 
 }  // namespace forge

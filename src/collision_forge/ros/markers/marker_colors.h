@@ -5,8 +5,8 @@
 #include <array>
 #include <cstdint>
 
-/// Every colour that RViz shows, for a white background. The ego, the attacker, the pattern and the
-/// contact look as in the figures (config/drawing.yaml).
+/// Colours of the markers in RViz, for a white background. Ego, attacker, pattern and contact have
+/// the colours of the figures (config/drawing.yaml).
 namespace forge::colors {
 
 struct MarkerColor {
@@ -23,15 +23,15 @@ inline constexpr MarkerColor kConnector{0.78F, 0.80F, 0.82F};
 
 inline constexpr MarkerColor kEgo{0.12F, 0.40F, 0.80F};
 inline constexpr MarkerColor kAttacker{0.84F, 0.15F, 0.16F};
-inline constexpr MarkerColor kAdded{0.93F, 0.45F, 0.45F};  ///< attacker that nobody recorded
+inline constexpr MarkerColor kAdded{0.93F, 0.45F, 0.45F};  ///< added attacker
 inline constexpr MarkerColor kPatternEgo{0.52F, 0.20F, 0.68F};
 inline constexpr MarkerColor kPatternAttacker{0.98F, 0.58F, 0.10F};
 inline constexpr MarkerColor kContact{1.00F, 0.87F, 0.12F};
-inline constexpr MarkerColor kRecordedEgo{0.33F, 0.34F, 0.38F};  ///< beside a planner's ego
+inline constexpr MarkerColor kRecordedEgo{0.33F, 0.34F, 0.38F};  ///< in planner tests
 inline constexpr MarkerColor kProposal{0.10F, 0.60F, 0.42F, 0.6F};
 
 inline constexpr MarkerColor kText{0.13F, 0.15F, 0.18F};
-inline constexpr MarkerColor kPlate{1.00F, 1.00F, 1.00F, 0.8F};  ///< under words
+inline constexpr MarkerColor kPlate{1.00F, 1.00F, 1.00F, 0.8F};  ///< under texts
 inline constexpr MarkerColor kNose{1.00F, 1.00F, 1.00F, 0.75F};  ///< the arrow head on a box
 
 /// In the order of the constants in Agent.msg.
@@ -49,7 +49,7 @@ inline constexpr std::array<MarkerColor, 11> kAgentClasses{{
     {0.60F, 0.60F, 0.60F},  // static object
 }};
 
-/// A class that does not exist looks like a static object.
+/// Returns the colour of a class; an unknown class gets the colour of static objects.
 inline MarkerColor agentColor(std::uint8_t agent_class) {
   return agent_class < kAgentClasses.size() ? kAgentClasses[agent_class] : kAgentClasses.back();
 }

@@ -6,9 +6,10 @@
 
 namespace forge {
 
-/// Triangles that cover a polygon without its holes, three counter-clockwise corners each. Cuts it
-/// into trapezoids between the heights of its corners, so rings may be concave and of either
-/// orientation (even-odd rule); they must not cross. Empty for a polygon that is not finite.
+/// Triangulates a polygon with holes; returns three counter-clockwise corners per triangle. Cuts
+/// the polygon into trapezoids between the y values of its corners: rings may be concave and of
+/// either orientation (even-odd rule), but must not cross. Returns no triangles for a non-finite
+/// polygon.
 std::vector<Vector2> fillTriangles(const Polygon& polygon);
 
 }  // namespace forge

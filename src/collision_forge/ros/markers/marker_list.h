@@ -13,27 +13,26 @@
 
 namespace forge {
 
-/// A MarkerArray in the making. It starts with DELETEALL, so that what is not in it vanishes. What
-/// is not finite or has no extent is left out, for RViz refuses it. Heights are metres above
-/// ground.
+/// Builds a MarkerArray. It starts with DELETEALL, so that it replaces all earlier markers. Skips
+/// non-finite markers and markers without extent, which RViz rejects. Heights are m above ground.
 class MarkerList {
  public:
   explicit MarkerList(const std_msgs::Header& header);
 
-  /// A solid box that stands on the ground, with an arrow head on top that tells its heading.
+  /// Adds a solid box that stands on the ground, with an arrow head on top for its heading.
   void addBox(const std::string& name_space, const OrientedBox& box, double height,
               const colors::MarkerColor& color);
-  /// A box seen from above, flat.
+  /// Adds a flat box.
   void addSlab(const std::string& name_space, const OrientedBox& box, double z,
                const colors::MarkerColor& color);
   void addDisc(const std::string& name_space, const Vector2& center, double diameter, double z,
                const colors::MarkerColor& color);
   void addText(const std::string& name_space, const std::string& text, const Vector2& center,
                double letter_height, double z, const colors::MarkerColor& color);
-  /// Two points a line.
+  /// Adds lines, two points each. `width` in m.
   void addLines(const std::string& name_space, const std::vector<Vector2>& points, double width,
                 double z, const colors::MarkerColor& color);
-  /// Three points a triangle.
+  /// Adds triangles, three points each.
   void addTriangles(const std::string& name_space, const std::vector<Vector2>& points, double z,
                     const colors::MarkerColor& color);
 
@@ -52,7 +51,7 @@ class MarkerList {
   visualization_msgs::MarkerArray markers_;
 };
 
-/// Appends the lines between neighbours, two points each.
+/// Appends the segments of `polyline`, two points each.
 void appendPolyline(const std::vector<Vector2>& polyline, std::vector<Vector2>& lines);
 
 /// Appends the four sides of a box, two points each.

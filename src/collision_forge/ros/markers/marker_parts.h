@@ -12,10 +12,10 @@
 #include "collision_forge/base/scene/attack.h"
 #include "collision_forge/ros/markers/marker_list.h"
 
-/// What pictures of an attack and of a planner's test share.
+/// Shared parts of the pictures of attacks and planner tests.
 namespace forge {
 
-// Heights above ground, m: what should be seen from above lies higher.
+// Heights above ground, m; higher markers hide lower ones in a top view.
 inline constexpr double kGhostHeight = 0.2;
 inline constexpr double kContactBoxHeight = 0.25;
 inline constexpr double kPathHeight = 4.5;  // above every bus
@@ -23,9 +23,9 @@ inline constexpr double kOutlineHeight = 4.6;
 inline constexpr double kContactHeight = 4.8;
 inline constexpr double kPlateHeight = 4.9;
 inline constexpr double kTextHeight = 5.0;
-inline constexpr double kVehicleHeight = 1.5;  // of a box whose height is unknown
+inline constexpr double kVehicleHeight = 1.5;  // of a box with unknown height
 
-inline constexpr double kWordsLetterHeight = 1.5;  // m, of outcomes in words, at letterScale() 1
+inline constexpr double kWordsLetterHeight = 1.5;  // m, of texts, at letterScale() 1
 
 inline constexpr double kPathWidth = 0.3;        // m, of lines
 inline constexpr double kContactDiameter = 1.0;  // m
@@ -33,46 +33,45 @@ inline constexpr float kContactAlpha = 0.45F;    // of the vehicles at contact
 
 BoxSize sizeOf(const geometry_msgs::Vector3& size);
 
-/// Agent constants.
+/// Returns true if agents of this class (Agent constants) can attack.
 bool canAttackClass(std::uint8_t agent_class);
 
-/// Adds the short form of an agent's id ("ids") beside `shown`, the agent's box in the picture. The
-/// side is the one where the text covers none of the obstacles beside `framed`, the agent's box in
-/// the newest frame, so that the text changes its side at a frame only. No text is added where
-/// every side covers an obstacle. The text's own box joins the obstacles. `scale` is that of
-/// letterScale().
+/// Adds the short form of an agent's id (namespace "ids") beside `shown`, the agent's box in the
+/// picture. The side is chosen beside `framed`, the box in the newest frame, so that it changes
+/// only with a new frame. Adds no text if it would cover an obstacle on every side; else appends
+/// the text's box to `obstacles`. `scale`: letterScale().
 void addId(const std::string& id, const OrientedBox& framed, const OrientedBox& shown, double scale,
            std::vector<OrientedBox>& obstacles, MarkerList& markers);
 
-/// Adds words on a pale plate, which keeps them legible over everything.
+/// Adds a text on a pale plate, so that it is legible on any background.
 void addWords(const std::string& name_space, const std::string& words, const Vector2& middle,
               double letter_height, MarkerList& markers);
 
-/// Where the words of an attack stand: beside `box`, on the side that covers least of the ways of
-/// both vehicles to the contact and of `obstacles`.
+/// Place of the text of an attack: beside `box`, on the side that covers the least of `obstacles`
+/// and of both vehicles' paths to the contact.
 struct WordsPlace {
   OrientedBox box;
   std::vector<OrientedBox> obstacles;
 };
 
-/// Returns what the words of an attack fill.
+/// Returns the box around the text of an attack.
 OrientedBox wordsBox(const collision_forge::Attack& attack, const WordsPlace& place, double scale);
 
-/// Adds the words of an attack, its countdown or its verdict ("words"), and above or below
-/// `attacker`, on the other side, the short form of its id ("ids"). The sides depend on the attack
-/// and the place alone: the texts keep their places while everybody moves. The id is left out while
-/// it would lie on the words.
+/// Adds the text of an attack, its countdown or verdict (namespace "words"), and on the opposite
+/// side, above or below the box `attacker`, the short form of its id ("ids"). The sides depend only
+/// on `attack` and `place`, so that texts do not jump. The id is omitted while it overlaps the
+/// text.
 void addAttackWords(const collision_forge::Attack& attack, const WordsPlace& place,
                     const OrientedBox& attacker, const std::string& words, double scale,
                     MarkerList& markers);
 
-/// A vehicle's way up to `end` (s, the points' clock) with a ghost of it every half second, in the
+/// Adds a vehicle's path up to `end` (s, clock of the points) with a ghost every 0.5 s, in the
 /// namespaces NAME_path, NAME_ghosts and NAME_ghost_outlines.
 void addWay(const std::string& name, const std::vector<TrajectoryPoint>& points, double end,
             const BoxSize& size, const colors::MarkerColor& color, MarkerList& markers);
 
-/// Both vehicles at contact, on the road under the boxes of vehicles, and a disc where they touch;
-/// returns where.
+/// Adds both vehicles at contact, below the boxes of moving vehicles, and a disc at the contact
+/// point. Returns the contact point.
 Vector2 addContact(const OrientedBox& ego, const OrientedBox& other,
                    const colors::MarkerColor& other_color, MarkerList& markers);
 

@@ -13,49 +13,49 @@
 
 #include "collision_forge/base/geometry/oriented_box.h"
 
-/// Messages as RViz shows them. Frame and stamp are those of the message's header; every array
-/// starts with DELETEALL and so replaces the one before. Colours: ros/markers/marker_colors.h.
+/// Markers for RViz, with frame and stamp of the message's header. Each array starts with DELETEALL
+/// and so replaces the one before. Colours: ros/markers/marker_colors.h.
 namespace forge {
 
-/// Drivable area, and the centrelines of lanes and connectors with arrow heads along them.
+/// Returns the drivable area, and the centrelines of lanes and connectors with arrow heads.
 visualization_msgs::MarkerArray mapMarkers(const collision_forge::LaneMap& map);
 
-/// The first patterns as pairs of outlines, the ego's and the attacker's box at impact, the fainter
-/// the less promising. The outlines lie on the road, under the boxes of vehicles. Attackers have
-/// their size in `scene`; patterns of an attacker that is not there are left out.
+/// Returns the outlines of ego and attacker at impact for the first patterns; later ones are
+/// fainter. The outlines lie below the boxes of vehicles. The attacker's size comes from `scene`;
+/// patterns of an attacker that is not in `scene` are skipped.
 visualization_msgs::MarkerArray patternMarkers(const collision_forge::PredictedPatterns& predicted,
                                                const collision_forge::SceneSnapshot& scene);
 
-/// What an attack is to be: the attacker's way to the contact with a ghost every half second, the
-/// pattern's two boxes, and both vehicles at the contact. Of an attacker that was added also its
-/// past ("added_past"). Of an attacker that sees and reacts what it drove until `now` is a broad
-/// line ("driven"), and the way and the ghosts are those of its plan.
+/// Returns the planned attack: the attacker's path to the contact with a ghost every 0.5 s, both
+/// boxes of the pattern, and both vehicles at contact. For an added attacker also its past
+/// (namespace "added_past"). For an adaptive attacker, the motion until `now` is a broad line
+/// ("driven"), and path and ghosts show its current plan.
 visualization_msgs::MarkerArray attackMarkers(const collision_forge::Attack& attack,
                                               const ros::Time& now = ros::Time());
 
-/// What is left of it once there is a verdict: the attacker's way, to the contact if there was one.
+/// Returns the markers after the verdict: the attacker's path, up to the contact if there was one.
 visualization_msgs::MarkerArray pastAttackMarkers(const collision_forge::Attack& attack,
                                                   const collision_forge::CollisionReport& verdict);
 
 /// One instant of a crash.
 struct CrashView {
   std_msgs::Header header;
-  std::optional<OrientedBox> ego;                    ///< empty where nobody knows
-  const collision_forge::Attack* attack = nullptr;   ///< null before it was made, as the next
-  const collision_forge::Agent* attacker = nullptr;  ///< as it stands then
-  std::vector<OrientedBox> words_obstacles = {};     ///< as of WordsPlace
+  std::optional<OrientedBox> ego;                    ///< empty if unknown
+  const collision_forge::Attack* attack = nullptr;   ///< null before t0, like the next
+  const collision_forge::Agent* attacker = nullptr;  ///< at that time
+  std::vector<OrientedBox> words_obstacles = {};     ///< as in WordsPlace
 };
 
-/// The boxes of ego and attacker as they stand, attackMarkers(), and in words the countdown or,
-/// from the contact on, what the attack's report says.
+/// Returns the boxes of ego and attacker, attackMarkers(), and as text the countdown or, from the
+/// contact on, the result of the attack's report.
 visualization_msgs::MarkerArray crashMarkers(const CrashView& view);
 
-/// A box for everybody, the attacker's, if there is one, red, and beside it the start of the id of
-/// what can attack.
+/// Returns a box for each agent, red for the attacker, and the short id beside each agent that can
+/// attack.
 visualization_msgs::MarkerArray annotationMarkers(const collision_forge::AgentArray& agents,
                                                   const std::string& attacker_id = "");
 
-/// Takes away what was shown.
+/// Returns an array that deletes all earlier markers.
 visualization_msgs::MarkerArray noMarkers(const std_msgs::Header& header);
 
 }  // namespace forge

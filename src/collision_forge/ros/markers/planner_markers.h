@@ -11,40 +11,39 @@
 
 namespace forge {
 
-/// The ways of a planner's test, which stand still: the ego as the planner drove it beside the
-/// recorded one and the attacker, up to the end of the test, and the proposals of the planner's
-/// last call. Starts with DELETEALL. Colours: ros/markers/marker_colors.h.
+/// Returns the static markers of a planner test: the paths of the planner's ego, the recorded ego
+/// and the attacker up to the end of the test, and the proposals of the planner's last call. Starts
+/// with DELETEALL. Colours: ros/markers/marker_colors.h.
 visualization_msgs::MarkerArray plannerMarkers(const PlannerTrial& trial,
                                                const CrashScenario& scenario);
 
-/// A planner's test in motion.
+/// A planner test with the data for its animation.
 struct ShownRollout {
   PlannerTrial trial;
   CrashScenario scenario;
   std::string planner;
-  std::optional<PlannerCrash> crash = {};  ///< crashOf() the trial's outcome
-  LabelSide words_side = {};               ///< of the place where the ego comes to a stand
+  std::optional<PlannerCrash> crash = {};  ///< crashOf() the outcome; empty without a contact
+  LabelSide words_side = {};               ///< place of the text beside the ego at standstill
 
   double now() const { return scenario.snapshot.now; }
-  /// The end of the rollout: the contact, where there is one.
+  /// Returns the end of the rollout, s: the contact if there is one.
   double end() const { return trial.outcome.driven.back().time; }
-  /// When the ego stands after the contact; the end of the rollout without a contact.
+  /// Returns the time, s, at which the ego stands after the contact; end() without a contact.
   double standTime() const { return crash ? crash->motion.standTime() : end(); }
 };
 
-/// `limits` bound the braking of crashed vehicles. The words leave free the ways of everybody.
+/// `limits` bound the post-crash deceleration. The text is placed beside the paths of all vehicles.
 ShownRollout shownRollout(const PlannerTrial& trial, const CrashScenario& scenario,
                           const std::string& planner, const DriveLimitOptions& limits);
 
-/// One instant of the rollout: the boxes of the ego as the planner drove it, of the attacker and of
-/// all other agents, and in words the time since the test's now. From the end of the rollout on the
-/// words are the outcome. After a contact the ego and the vehicle that it touches move as the crash
-/// has it, and all others as recorded; who reacted to the ego stands. From standTime() on all
-/// stand. `time` is in seconds on the scenario's clock. Starts with DELETEALL.
+/// Returns the picture at `time`, s on the scenario's clock: the boxes of the planner's ego, the
+/// attacker and the other agents, and as text the time since t0 or, from end() on, the outcome.
+/// After a contact the ego and the touched vehicle move by their post-crash motion, and other
+/// agents as recorded; reactive agents stand. From standTime() on all stand. Starts with DELETEALL.
 visualization_msgs::MarkerArray rolloutMarkers(const ShownRollout& shown, double time);
 
-/// Returns the part of the map that holds the ego and the attacker at `time`, and where the ego
-/// comes to a stand.
+/// Returns the part of the map that contains the ego and the attacker at `time`, and the ego at
+/// standstill.
 ShownArea rolloutArea(const ShownRollout& shown, double time);
 
 }  // namespace forge

@@ -7,9 +7,8 @@
 
 namespace forge {
 
-/// A latched topic of markers whose newest message can be published again. RViz drops all markers
-/// where time jumps back and where its button Reset is pressed, and a latched message reaches a
-/// subscriber once. Not thread-safe.
+/// A latched marker topic whose newest message can be repeated. RViz deletes all markers when time
+/// jumps back or Reset is pressed, and receives a latched message only once. Not thread-safe.
 class RepeatedMarkers {
  public:
   static constexpr double kInterval = 1.0;  ///< s of the wall clock between two repeat()

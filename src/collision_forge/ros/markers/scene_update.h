@@ -11,18 +11,18 @@
 
 #include "collision_forge/ros/markers/marker_colors.h"
 
-/// The message foxglove_msgs/SceneUpdate, which Foxglove and Lichtblick show in 3D, as far as it is
-/// used here. Debian has no package of it.
+/// The part of foxglove_msgs/SceneUpdate, 3D scenes in Foxglove and Lichtblick, that this package
+/// writes. Debian does not package this message.
 namespace forge {
 
 inline constexpr char kSceneUpdateType[] = "foxglove_msgs/SceneUpdate";
 inline constexpr char kSceneUpdateMd5[] = "59bc58a3679e8fc3874b14b39276e03a";
-/// As in a connection's header: with all types that it is made of.
+/// Returns the definition text with all nested types, as in a connection's header.
 const std::string& sceneUpdateDefinition();
 
 /// CubePrimitive and SpherePrimitive, which have the same fields.
 struct SolidPrimitive {
-  geometry_msgs::Pose pose;     ///< of its middle
+  geometry_msgs::Pose pose;     ///< middle of the solid
   geometry_msgs::Vector3 size;  ///< m
   colors::MarkerColor color;
 };
@@ -30,11 +30,11 @@ struct SolidPrimitive {
 /// A LinePrimitive of the type LINE_LIST.
 struct LinePrimitive {
   double thickness = 0.0;                    ///< m
-  std::vector<geometry_msgs::Point> points;  ///< two a line
+  std::vector<geometry_msgs::Point> points;  ///< two per line
   colors::MarkerColor color;
 };
 
-/// A text that turns to the viewer.
+/// A text that always faces the viewer.
 struct TextPrimitive {
   geometry_msgs::Point middle;
   double letter_height = 0.0;  ///< m
@@ -42,24 +42,24 @@ struct TextPrimitive {
   std::string text;
 };
 
-/// Replaces the entity of the same id on its topic, and stays until it is deleted.
+/// Objects with a common id; replaces the entity with the same id, and stays until deleted.
 struct SceneEntity {
   std::string id;
-  std::vector<std::pair<std::string, std::string>> metadata;  ///< shown where it is selected
+  std::vector<std::pair<std::string, std::string>> metadata;  ///< shown when the entity is selected
   std::vector<SolidPrimitive> cubes;
   std::vector<SolidPrimitive> spheres;
   std::vector<LinePrimitive> lines;
   std::vector<TextPrimitive> texts;
 };
 
-/// All that its topic shows: the entities before are deleted.
+/// The complete content of its topic: earlier entities are deleted.
 struct SceneUpdate {
   ros::Time stamp;
   std::string frame_id;
   std::vector<SceneEntity> entities;
 };
 
-/// In ROS 1 bytes.
+/// Serialises the message in ROS 1 format.
 std::string toRosBytes(const SceneUpdate& update);
 
 }  // namespace forge

@@ -19,12 +19,12 @@ struct ShownArea {
   Vector2 size() const { return highest - lowest; }
 };
 
-/// Returns the rectangle that holds all boxes with a margin, and that is at least
+/// Returns the rectangle that contains all boxes with a margin, and is at least
 /// `shortest_width` metres wide (along x) and in proportion high. `boxes` must not be empty.
 ShownArea areaAround(const std::vector<OrientedBox>& boxes, double shortest_width);
 
-/// Returns the factor for letter heights by which a text has the same size on the screen in every
-/// area. An area that is kUsualWidth wide has factor 1.
+/// Returns the factor for letter heights that keeps texts at the same size on the screen. It is 1
+/// for an area of width kUsualWidth.
 double letterScale(const ShownArea& area);
 
 /// Returns the four corners, counterclockwise from `lowest`.

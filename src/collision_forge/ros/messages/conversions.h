@@ -32,28 +32,26 @@
 #include "collision_forge/base/scene/scene.h"
 #include "collision_forge/base/scene/scene_history.h"
 
-/// Between the core's types and the messages. Poses are planar: z, roll and pitch are dropped.
+/// Converts between the core's types and messages. Poses are planar: z, roll and pitch are dropped.
 namespace forge {
 
-/// A message that says something impossible; names the field and the value.
+/// Thrown for an invalid message; the text has field and value.
 struct MessageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws MessageError where a message of that topic is in another frame than `map`; one without a
-/// frame is taken to be in it.
+/// Throws MessageError if the frame of a message of `topic` is neither `map` nor empty.
 void requireMapFrame(const std_msgs::Header& header, const char* topic);
 
-/// The stamp of a time in seconds, whose toSec() is that time again. A double does not tell the
-/// nanoseconds of today's times: of the stamps with the same toSec() that of a whole microsecond is
-/// taken, which gives the stamps of nuScenes back as they were.
+/// Returns a stamp with toSec() == `time`. A double cannot resolve nanoseconds at Unix times, so
+/// the stamp is rounded to a whole microsecond, which restores the stamps of nuScenes.
 ros::Time stampOf(double time);
 
 Pose2 fromMessage(const geometry_msgs::Pose& message);
 Pose2 fromMessage(const geometry_msgs::Pose2D& message);
 Pose2 fromMessage(const geometry_msgs::Transform& message);
 geometry_msgs::Pose toPoseMessage(const Pose2& pose);
-/// Moves and turns a pose there; height, roll and pitch stay.
+/// Sets x, y and yaw of `pose`; height, roll and pitch are kept.
 void setPlanar(const Pose2& planar, geometry_msgs::Pose& pose);
 geometry_msgs::Pose2D toPose2dMessage(const Pose2& pose);
 
@@ -66,7 +64,7 @@ collision_forge::TrajectoryPoint toMessage(const TrajectoryPoint& point);
 LaneMap fromMessage(const collision_forge::LaneMap& message);
 collision_forge::LaneMap toMessage(const LaneMap& map, const ros::Time& stamp);
 
-/// One track with one state an agent. Throws MessageError for an agent class that does not exist.
+/// Returns one track with one state per agent. Throws MessageError for an unknown agent class.
 std::vector<Track> fromMessage(const collision_forge::AgentArray& message);
 
 AgentState fromMessage(const collision_forge::TrackState& message);
@@ -78,55 +76,54 @@ collision_forge::AgentTrack toMessage(const Track& track);
 Future fromMessage(const collision_forge::Future& message);
 collision_forge::Future toMessage(const Future& future);
 
-/// The snapshot in an encoded scene, without a map.
+/// Returns the snapshot, without a map.
 Snapshot fromMessage(const collision_forge::SceneSnapshot& message);
 collision_forge::SceneSnapshot toMessage(const Snapshot& snapshot);
 collision_forge::EncodedScene toMessage(const Snapshot& snapshot, const SceneEncoding& encoding);
 
-/// The request, or why there is none: UNKNOWN_TYPE or INVALID_INPUT. An empty mode is history. What
-/// counts as the crash is `crash`, unless the message says otherwise; an adaptive attacker sets out
-/// however little its first plan promises.
+/// Returns the request, or UNKNOWN_TYPE or INVALID_INPUT with a reason. An empty mode is history;
+/// empty fields of the crash definition come from `crash`. Adaptive requests have no minimum
+/// confidence, because only the first plan is known.
 std::variant<CollisionRequest, Status> fromMessage(const collision_forge::CollisionRequest& message,
                                                    const CrashDefinition& crash);
-/// With every word that it has by default.
+/// Fills in every field, defaults included.
 collision_forge::CollisionRequest toMessage(const CollisionRequest& request);
-/// What generate_collision is asked, but for the method. Mode history of an adaptive attacker is
-/// mode adaptive.
+/// Returns the request of generate_collision without its method. Mode history with `adaptive` set
+/// becomes mode adaptive.
 collision_forge::CollisionRequest requestIn(
     const collision_forge::GenerateCollision::Request& message);
 
 CollisionPattern fromMessage(const collision_forge::CollisionPattern& message);
 collision_forge::CollisionPattern toMessage(const CollisionPattern& pattern, double now);
 
-/// Throws MessageError for a way that is none.
+/// Throws MessageError for an invalid path.
 ReferencePath fromMessage(const collision_forge::AttackerWay& message);
 collision_forge::AttackerWay toMessage(const ReferencePath& way, const std::string& attacker_id);
 
-/// What is published in place of an attack that is over and done with.
+/// Returns true for the empty attack, which is published when an attack has ended.
 inline bool isNone(const collision_forge::Attack& attack) {
   return attack.trajectory.attacker_id.empty();
 }
 
-/// Throws MessageError for an agent class that does not exist, a size that is not positive, points
-/// or past states that are not finite, times that do not grow, and a past that does not fit
-/// `added`.
+/// Throws MessageError for an unknown agent class, a size <= 0, non-finite points or past states,
+/// times that do not increase, and a past that contradicts `added`.
 AttackerTrajectory fromMessage(const collision_forge::AttackerTrajectory& message);
 collision_forge::AttackerTrajectory toMessage(const AttackerTrajectory& trajectory);
 
 collision_forge::CollisionReport toMessage(const CollisionReport& report,
                                            const std::string& attacker_id, double now);
 
-/// Throws MessageError for a word that is no side of a box or no manoeuvre. `verified` and
-/// `believable` of the message are ignored: they follow from the other fields.
+/// Throws MessageError for an unknown side or manoeuvre. Ignores `verified` and `believable`, which
+/// follow from the other fields.
 CollisionReport fromMessage(const collision_forge::CollisionReport& message);
 
-/// An answer with kOk and without alternatives. Throws as fromMessage() of pattern, trajectory and
-/// report.
+/// Returns a result with kOk and without alternatives. Throws like fromMessage() of pattern,
+/// trajectory and report.
 Attack fromMessage(const collision_forge::Attack& message);
-/// An answer with kOk. `now`: of the snapshot.
+/// `answer` must have the status kOk. `now`: t0, s.
 collision_forge::Attack toMessage(const Attack& answer, const std::string& method, double now);
 
-/// Says in an attack that its attacker sees and reacts, and what it decided last.
+/// Marks an attack as adaptive and sets its phase and last decision. `plans` must not be empty.
 void setPlans(const std::vector<AttackerPlan>& plans, collision_forge::Attack& message);
 
 }  // namespace forge

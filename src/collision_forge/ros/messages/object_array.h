@@ -11,31 +11,31 @@
 #include <string>
 #include <vector>
 
-/// The message derived_object_msgs/ObjectArray, which other tools read, as far as it is used here.
-/// Debian has no package of it: a publisher and a bag carry its definition with them.
+/// The part of derived_object_msgs/ObjectArray that this package writes for other tools. Debian
+/// does not package this message, so its definition is included here.
 namespace forge {
 
-extern const char kObjectArrayDefinition[];  ///< with all types that it is made of
+extern const char kObjectArrayDefinition[];  ///< with all nested types
 
-/// derived_object_msgs/Object: detected and tracked, a box. Without a polygon and an acceleration,
-/// and the age of its class is 0: nobody knows them.
+/// derived_object_msgs/Object: a tracked box. Polygon and acceleration are empty and the age of the
+/// class is 0, because they are unknown.
 struct DerivedObject {
   std::uint32_t id = 0;
-  geometry_msgs::Pose pose;         ///< of the middle of its box
+  geometry_msgs::Pose pose;         ///< middle of the box
   geometry_msgs::Vector3 velocity;  ///< m/s, frame of the header
   geometry_msgs::Vector3 size;      ///< m: x length, y width, z height
-  std::uint8_t classification = 0;  ///< a constant of the message, 0: unknown
+  std::uint8_t classification = 0;  ///< constant of the message, 0: unknown
 };
 
 struct ObjectArray {
-  std_msgs::Header header;  ///< of every object, too
+  std_msgs::Header header;  ///< also written as header of each object
   std::vector<DerivedObject> objects;
 };
 
-/// The number in an agent's id, if that is nothing but one of 32 bits; else the CRC-32 of the id.
+/// Returns the id as a number if it is a decimal of 32 bits, else the CRC-32 of the id.
 std::uint32_t objectId(const std::string& agent_id);
 
-/// A frame of agents, in their order.
+/// Converts a frame of agents; the order is kept.
 ObjectArray toObjects(const collision_forge::AgentArray& agents);
 
 }  // namespace forge

@@ -15,11 +15,11 @@
 
 namespace forge {
 
-/// Which transforms of /tf move the ego: those of the nearest frame from base_link upwards that
-/// /tf_static does not fix to the one above it.
+/// Detects the transforms of /tf that move the ego: their child is the first frame from base_link
+/// upwards that /tf_static does not fix to its parent.
 class EgoMovers {
  public:
-  /// Of /tf_static.
+  /// Adds transforms of /tf_static.
   void addFixed(const tf2_msgs::TFMessage& message) {
     for (const geometry_msgs::TransformStamped& transform : message.transforms) {
       parents_[transform.child_frame_id] = transform.header.frame_id;
@@ -30,24 +30,24 @@ class EgoMovers {
     }
   }
 
-  /// For a transform of /tf.
+  /// Returns true if `transform`, of /tf, moves the ego.
   bool has(const geometry_msgs::TransformStamped& transform) const {
     return transform.child_frame_id == moving_;
   }
 
  private:
-  std::map<std::string, std::string> parents_;  // that /tf_static has
+  std::map<std::string, std::string> parents_;  // by child frame, from /tf_static
   std::string moving_ = names::kBaseFrame;
 };
 
-/// Messages with a header in their order, each with the ego's pose at its time, which it waits for:
-/// both come over connections of their own. Not thread-safe.
+/// Pairs messages (with a header) with the ego's pose at their stamp, in their order. Messages wait
+/// until the transform arrives. Not thread-safe.
 ///
-/// tf2_ros has a listener and a filter for this, which lose frames where a replay starts again: the
-/// listener tells that by /clock, which comes over a third connection, and what it takes for new
-/// then hides what follows; the filter drops what comes before its transform. Here the stamps tell
-/// it. The filter also loses a frame whose transform comes from another thread while it is put
-/// aside (seen: 1 in 10,000).
+/// Replaces the listener and the message filter of tf2_ros, which lose frames when a replay
+/// restarts: the listener detects the restart by /clock, which arrives on a third connection, and
+/// the filter drops frames that arrive before their transform. This class detects a restart by the
+/// stamps. The filter also loses a frame if its transform arrives in another thread while the frame
+/// is queued (measured: 1 in 10,000).
 template <typename Message>
 class PosedFrames {
  public:
@@ -55,12 +55,12 @@ class PosedFrames {
 
   struct PosedFrame {
     Pointer message;
-    geometry_msgs::Transform pose;  ///< of the ego's base in the map
-    std::size_t dropped = 0;        ///< frames before it that no transform came for
+    geometry_msgs::Transform pose;  ///< base_link in the map frame
+    std::size_t dropped = 0;        ///< number of dropped frames before it, without a transform
   };
 
-  /// Poses of the ego that go back by more than kRestart are a replay that starts again: what was
-  /// known is forgotten.
+  /// Adds transforms of /tf or /tf_static. A pose of the ego that is older than the newest by more
+  /// than kRestart means that the replay restarted: all earlier transforms are dropped.
   void addTransforms(const tf2_msgs::TFMessage& message, bool is_static) {
     if (is_static) movers_.addFixed(message);
     for (const geometry_msgs::TransformStamped& transform : message.transforms) {
@@ -73,13 +73,13 @@ class PosedFrames {
     }
   }
 
-  /// For a transform of /tf, by what /tf_static has told up to now.
+  /// Returns true if `transform`, of /tf, moves the ego, given the received /tf_static.
   bool movesEgo(const geometry_msgs::TransformStamped& transform) const {
     return movers_.has(transform);
   }
 
-  /// A frame from before one that waits, by more than kRestart, is of a replay that starts again,
-  /// too: that one is dropped.
+  /// Queues a frame. If it is older than the newest queued frame by more than kRestart, the replay
+  /// restarted: all queued frames are dropped first.
   void addFrame(const Pointer& message) {
     const ros::Time stamp = message->header.stamp + ros::Duration(kRestart);
     if (!waiting_.empty() && stamp < waiting_.back()->header.stamp) waiting_.clear();
@@ -87,7 +87,7 @@ class PosedFrames {
     if (waiting_.size() > kQueue) waiting_.pop_front();
   }
 
-  /// The oldest frame whose transform is known, once; those before it are dropped.
+  /// Removes and returns the oldest frame with a known transform; drops the frames before it.
   std::optional<PosedFrame> next() {
     for (std::size_t i = 0; i < waiting_.size(); ++i) {
       const ros::Time stamp = waiting_[i]->header.stamp;
@@ -101,7 +101,7 @@ class PosedFrames {
   }
 
  private:
-  static constexpr double kCache = 600.0;      // s of transforms that may come before their frames
+  static constexpr double kCache = 600.0;      // s of transforms that are kept for later frames
   static constexpr std::size_t kQueue = 1000;  // frames that may wait
 
   EgoMovers movers_;

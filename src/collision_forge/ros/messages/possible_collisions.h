@@ -13,22 +13,21 @@
 
 namespace forge {
 
-/// The request for each of these types and times: by type, then time. No types: all five, or that
-/// of its manoeuvre; no ttas: those given as usual. kInvalidInput where the request names a type or
-/// a time itself, kUnknownType for a type that there is not, and what the conversion of the request
-/// declines. `crash` is what counts as the crash where the request does not say.
+/// Returns one request per type and time (s from t0), ordered by type, then time. Empty `types`:
+/// all five, or the type of the request's manoeuvre; empty `ttas`: `usual_ttas`. Returns
+/// kInvalidInput if `request` has a type or a time, kUnknownType for an unknown type, else the
+/// status of the failed conversion. `crash` has the defaults of the crash definition.
 std::variant<std::vector<CollisionRequest>, Status> requestsForEach(
     collision_forge::CollisionRequest request, const std::vector<std::string>& types,
     std::vector<double> ttas, const std::vector<double>& usual_ttas, const CrashDefinition& crash);
 
-/// Attack, alternatives and summary are filled in with kOk alone. `method` made the attacks, `now`
-/// is the moment's, s.
+/// Fills in attack, alternatives and summary only for kOk. `method`: name of the method; `now`: t0,
+/// s.
 collision_forge::CollisionAnswer toMessage(const CollisionRequest& request, const Attack& answer,
                                            const std::string& method, double now);
 
-/// The attacks of these answers in short, those of each answer as sure as they are. What the scene
-/// does not allow is left out; an answer that says something against the request itself is
-/// returned.
+/// Summarises the attacks of `answers` into `collisions`, for each answer by descending confidence.
+/// Skips failures that depend on the scene; returns the first failure that the request causes.
 Status listPossible(const std::vector<collision_forge::CollisionAnswer>& answers,
                     std::vector<collision_forge::PossibleCollision>& collisions);
 

@@ -4,14 +4,13 @@
 
 #include <string>
 
-/// A report and an attack as one line for people: "crash as asked, 3.99 s from now, ...".
-/// Degrees, percent and seconds from the header's stamp.
+/// One-line texts for people, in degrees, percent and seconds from the header's stamp (t0).
 namespace forge {
 
-/// What verification found, a condition that is broken included.
+/// Returns the result of verification, including a violated condition.
 std::string lineOf(const collision_forge::CollisionReport& report);
 
-/// Who crashes into the ego how, with the words of lineOf().
+/// Returns attacker and manoeuvre, followed by lineOf() the report.
 std::string summaryOf(const collision_forge::Attack& attack);
 
 }  // namespace forge

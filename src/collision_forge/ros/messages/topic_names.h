@@ -21,7 +21,8 @@ inline constexpr char kEncodedScene[] = "encoded_scene";            // EncodedSc
 inline constexpr char kPredictedPatterns[] = "predicted_patterns";  // PredictedPatterns, latched
 inline constexpr char kAttack[] = "attack";                         // Attack, latched
 inline constexpr char kAttackMethods[] = "attack_methods";          // AttackMethods, latched
-inline constexpr char kTestedReport[] = "tested_report";  // CollisionReport, latched: as it came
+inline constexpr char kTestedReport[] =
+    "tested_report";  // CollisionReport, latched: actual outcome
 inline constexpr char kInjectedAgents[] = "injected_agents";  // AgentArray
 inline constexpr char kInjectedObjects[] =
     "injected_objects";                               // derived_object_msgs/ObjectArray: the same
@@ -73,7 +74,7 @@ inline constexpr char kMapFrame[] = "map";
 inline constexpr char kBaseFrame[] = "base_link";
 inline constexpr char kTestedEgoFrame[] = "tested_ego";  // the ego's box where its test begins
 
-// Who sends the frames of agents between recorded ones in a bag with an attack.
+// Caller id of the frames between recorded ones in a bag with an attack.
 inline constexpr char kInBetween[] = "/collision_forge_in_between";
 
 }  // namespace forge::names

@@ -16,31 +16,32 @@
 
 namespace forge {
 
-/// Answers requests about moments of the scene by generateCollision(), as `forge inject` does. The
-/// stages of the default method are the services predict_pattern and realize_trajectory, all other
-/// methods run here. The private parameter `recording` names the bag on replay. A moment of that
-/// bag is taken from the bag, with its past and future. Replay mode needs it; in the other modes,
-/// too, a request is rejection if the recording ends before the contact. If the bag has an attack
-/// already, every request is rejection. Thread-safe.
+/// Generates attacks for scenes with generateCollision(), like `forge inject`. The default method
+/// calls the services predict_pattern and realize_trajectory; all other methods run in-process.
+/// The private parameter `recording` names the replayed bag: a moment of that bag is read from the
+/// bag, with its past and future. Replay mode needs it. In every mode, a request is rejected if the
+/// recording ends before the contact or already contains an attack. Thread-safe.
 class AttackFinder {
  public:
-  /// `config` must outlive it. Throws what the loading of methods and weights throws.
+  /// `config` must outlive the object. Propagates the exceptions of loading methods and weights.
   AttackFinder(ros::NodeHandle& node, const ros::NodeHandle& private_node, const Config& config);
 
   const MethodRegistry& methods() const { return methods_; }
   const std::string& defaultMethod() const { return default_method_; }
   const PredictionModels& foresight() const { return foresight_; }
 
-  /// The moment of a scene, or why there is none. Throws MessageError and InputError.
+  /// Returns the moment of `scene`, or the reason of rejection. Throws MessageError and InputError
+  /// for an unusable scene.
   std::variant<Moment, Status> momentOf(const collision_forge::SceneSnapshot& scene) const;
 
-  /// An empty `method` is the default one, whose predictions `on_prediction` gets. Throws
-  /// MessageError and InputError for what the services answer.
+  /// Returns the attack for `request`, or a status with the reason of rejection. An empty `method`
+  /// selects the default; only then `on_prediction` is called, with each prediction. Throws
+  /// MessageError and InputError for an unusable response of a service.
   Attack answer(
       const Moment& moment, const CollisionRequest& request, const std::string& method,
       const PatternPredictorService::OnPrediction& on_prediction = [](const auto&) {}) const;
 
-  /// The bag on replay has an attack of its own.
+  /// Returns true if the replayed bag already contains an attack.
   bool isRecordingAttacked() const { return !attack_in_recording_.empty(); }
 
  private:
@@ -57,7 +58,7 @@ class AttackFinder {
   PredictionModels foresight_;
   std::string default_method_;
   std::optional<IndexedScene> recording_;
-  std::string attack_in_recording_;  // why a bag with an attack is no recording; empty: it has none
+  std::string attack_in_recording_;  // reason of rejection; empty: the bag has no attack
   LaneMapSubscriber map_;
   mutable ServiceCaller predict_;
   mutable ServiceCaller realize_;

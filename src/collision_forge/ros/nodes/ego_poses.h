@@ -13,16 +13,16 @@
 
 namespace forge {
 
-/// Tells where the middle of the ego's box is, as /tf comes: whenever that moves base_link, as soon
-/// as its place in the map is known, whatever frames lie between. Velocities are zero. Times grow
-/// but where a replay starts again, which they tell by going back by more than kRestart; what is
-/// late or not finite is left out.
+/// Subscribes to /tf and reports each new pose of the ego's box middle in the map frame, through
+/// any chain of frames to base_link. Velocities are zero. Times increase; a step back by more than
+/// kRestart means that the replay restarted. Late and non-finite transforms are dropped.
 class EgoPoses {
  public:
   /// Receives the state of the ego's box and its size: that of the topic `ego_vehicle`, or else of
   /// the configured vehicle.
   using Callback = std::function<void(const AgentState& ego, const BoxSize& size)>;
 
+  /// Calls `callback` in the thread that receives /tf.
   EgoPoses(ros::NodeHandle& node, const EgoVehicle& configured, Callback callback);
 
  private:

@@ -23,18 +23,18 @@
 
 namespace forge {
 
-/// Messages of a topic that may wait: a bag may be played as fast as it can be read.
+/// Queue size of subscriptions: a bag may be played as fast as it can be read.
 inline constexpr int kTopicQueue = 10000;
 
-/// The package's own config/, over which `overlay` is laid unless it is empty.
+/// Returns the package's config/ folder, overlaid with the folder `overlay` unless that is empty.
 ConfigFolder packageConfig(const std::string& overlay);
 
-/// The configuration of a node, whose private parameter `config_dir` names the overlay. Throws
+/// Loads the configuration of a node; its private parameter `config_dir` names the overlay. Throws
 /// ConfigError.
 Config loadNodeConfig(const ros::NodeHandle& private_node);
 
-/// What `load` returns. The nodelet loader does not tell what an exception of onInit() says: it is
-/// logged behind "no WHAT: " and goes on.
+/// Returns load(). Logs an exception as "no WHAT: ..." and rethrows it, because the nodelet loader
+/// drops the text of exceptions from onInit().
 template <typename Load>
 auto loadLogged(const char* what, Load load) {
   try {
@@ -45,17 +45,17 @@ auto loadLogged(const char* what, Load load) {
   }
 }
 
-/// Keeps the newest lane map, ready for queries. Thread-safe.
+/// Subscribes to lane_map and keeps an index of the newest map. Thread-safe.
 class LaneMapSubscriber {
  public:
-  /// Calls `on_map` when a usable map has come, in the thread that received it.
+  /// Calls `on_map` after each valid map, in the thread that received it.
   LaneMapSubscriber(
       ros::NodeHandle& node, const InputLimits& limits, std::function<void()> on_map = [] {});
 
-  /// Null until a usable map has come.
+  /// Returns the newest map; null before the first valid map.
   std::shared_ptr<const LaneIndex> lanes() const;
-  /// As lanes(), where a scene has come already: its map may come a moment later, and is waited for
-  /// up to kMapDelay if somebody publishes one. Not for the thread that receives the map.
+  /// Like lanes(), but waits up to kMapDelay for the first map if lane_map has a publisher. For use
+  /// after a scene was received. Must not be called in the thread that receives the map.
   std::shared_ptr<const LaneIndex> lanesOfScene() const;
 
  private:
@@ -71,24 +71,24 @@ class LaneMapSubscriber {
   ros::Subscriber subscriber_;
 };
 
-/// What is asked of a scene, in the core's terms.
+/// A scene and a request, converted and checked.
 struct CheckedRequest {
   std::shared_ptr<const LaneIndex> lanes;
   Snapshot snapshot;
   CollisionRequest request;
 };
 
-/// The messages converted and passed through checkSnapshot() and checkRequest(), or why that
-/// failed. Throws InputError.
+/// Converts both messages and checks them with checkSnapshot() and checkRequest(). Returns the
+/// status of the first failed check. Throws InputError.
 std::variant<CheckedRequest, Status> checkedRequest(
     const LaneMapSubscriber& map, const collision_forge::SceneSnapshot& scene,
     const collision_forge::CollisionRequest& request, const Config& config);
 
-/// What a service answers when its work ends with an exception: INVALID_INPUT for an InputError and
-/// a MessageError, and INTERNAL_ERROR, which is logged, for any other one.
+/// Returns the status for an exception in a service callback: kInvalidInput for InputError and
+/// MessageError; kInternalError, which is logged, for any other exception.
 Status statusOf(const std::exception& error);
 
-/// Answers a service with the code and message that `work` returns, or statusOf() its exception.
+/// Runs `work` and copies its Status, or statusOf() its exception, to `response`. Returns true.
 template <typename Response, typename Work>
 bool answerWith(Response& response, Work work) {
   Status status;
@@ -102,8 +102,8 @@ bool answerWith(Response& response, Work work) {
   return true;
 }
 
-/// A service with a thread of its own: callers are answered one after the other, and a callback may
-/// call other services without holding up what comes by topics.
+/// A service with its own thread. Runs one call at a time; a callback may block or call other
+/// services without delaying the topics of the node.
 class OwnThreadService {
  public:
   template <typename Owner, typename Request, typename Response>
@@ -125,8 +125,8 @@ class OwnThreadService {
   ros::ServiceServer server_;
 };
 
-/// Returns the private parameter `after_contact` of a node, kStop where it is not set. Throws as
-/// liveAfterContact(), naming the parameter.
+/// Returns the private parameter `after_contact` of a node, by default kStop. Throws like
+/// liveAfterContact(), with the parameter's name in the message.
 AfterContact nodeAfterContact(const ros::NodeHandle& private_node);
 
 }  // namespace forge

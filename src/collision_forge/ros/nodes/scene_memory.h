@@ -15,32 +15,32 @@
 
 namespace forge {
 
-/// The scenes that came last, for requests: of now, or of a stamp. Thread-safe.
+/// Keeps the scenes of the last LiveOptions::kept_for seconds for requests. Thread-safe.
 class SceneMemory {
  public:
   using Scene = boost::shared_ptr<const collision_forge::SceneSnapshot>;
 
   explicit SceneMemory(const LiveOptions& options) : options_(options) {}
 
-  /// `clock`: s, when it came. One from before the newest is of a replay that starts again: those
-  /// before it are forgotten.
+  /// Adds a scene received at `clock`, s. A stamp before the newest one means that the replay
+  /// restarted: all kept scenes are dropped first.
   void add(const Scene& scene, double clock);
 
-  /// The newest, at a time of that clock; kNoScene before the first, kStaleScene where none has
-  /// come for longer than max_scene_age.
+  /// Returns the newest scene; kNoScene before the first, kStaleScene if the newest was received
+  /// more than max_scene_age seconds before `clock`, s.
   std::variant<Scene, Status> newest(double clock) const;
 
-  /// The one at or before a stamp, which is taken as those of scenes are (stampOf()): agents may
-  /// have finer ones. One that is still to come is waited for, up to wait_for seconds
-  /// of the wall clock; then kStaleScene. kNoScene for one from before all that are kept.
+  /// Returns the newest scene at or before `asked`, rounded by stampOf() like the scenes' stamps.
+  /// Blocks up to wait_for wall-clock seconds until a scene with this or a later stamp arrives,
+  /// then returns kStaleScene. Returns kNoScene for a stamp before the oldest kept scene.
   std::variant<Scene, Status> at(const ros::Time& asked) const;
 
  private:
   LiveOptions options_;
-  mutable std::mutex mutex_;  // of all that follows
+  mutable std::mutex mutex_;  // guards all members below
   mutable std::condition_variable came_one_;
   std::deque<Scene> scenes_;  // oldest first
-  double came_ = 0.0;         // s, the clock when the newest came
+  double came_ = 0.0;         // s, clock at which the newest was received
 };
 
 }  // namespace forge

@@ -6,8 +6,7 @@
 
 namespace forge {
 
-/// A nodelet whose callbacks wait in a queue of its own. The queue goes after all that the nodelet
-/// has.
+/// A nodelet with its own callback queue, which outlives the members of derived classes.
 class QueuedNodelet : public nodelet::Nodelet {
  protected:
   void onInit() override {
@@ -19,12 +18,13 @@ class QueuedNodelet : public nodelet::Nodelet {
   ros::CallbackQueue callbacks_;
 
  private:
-  /// Subscribes, and offers services. The callbacks of `node` wait in the queue.
+  /// Subscribes to topics and advertises services. Called once, by onInit(); callbacks of `node`
+  /// run later, in one thread. An exception makes the loading of the nodelet fail.
   virtual void start(ros::NodeHandle node) = 0;
 };
 
-/// Serves the queue of a QueuedNodelet. No callback comes before start() has ended, and the nodelet
-/// goes only after the one that is at work: when ROS shuts down, roscpp does not wait for it.
+/// Runs the callbacks of a QueuedNodelet in one thread, from the end of start() on. The destructor
+/// waits for the running callback, which roscpp does not do at shutdown.
 template <typename Queued>
 class Served final : public Queued {
   void onInit() override {

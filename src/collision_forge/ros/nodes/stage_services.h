@@ -8,22 +8,22 @@
 #include "collision_forge/base/scene/input_limits.h"
 #include "collision_forge/ros/nodes/service_caller.h"
 
-/// The stages of the search in other nodes, of this package or of others, in any language.
+/// Search stages in other nodes, of this package or a user's, in any language.
 namespace forge {
 
-/// Asks the service predict_pattern.
+/// Predicts by the service predict_pattern. Thread-safe if `on_prediction` is.
 class PatternPredictorService : public PatternPredictor {
  public:
-  /// Called with each prediction, in the thread that asked for it.
+  /// Called with each prediction, in the thread of predict().
   using OnPrediction = std::function<void(const PatternPrediction&)>;
 
-  /// `caller` and `limits` must outlive it.
+  /// `caller` and `limits` must outlive the object.
   PatternPredictorService(ServiceCaller& caller, const InputLimits& limits,
                           OnPrediction on_prediction)
       : caller_(caller), limits_(limits), on_prediction_(std::move(on_prediction)) {}
 
-  /// The future is empty where the service declines without one. Declines with kNodeUnavailable
-  /// where the service does not answer. Throws MessageError and InputError for an unusable answer.
+  /// Returns patterns, future and status of the service; a failed service may return no future.
+  /// Status kNodeUnavailable: no response. Throws MessageError and InputError for an invalid one.
   PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
                             const CollisionRequest& request, const Future* recorded) const override;
 
@@ -33,18 +33,18 @@ class PatternPredictorService : public PatternPredictor {
   OnPrediction on_prediction_;
 };
 
-/// Asks the service realize_trajectory, and judges its attack (AttackJudge) as any other. The class
-/// takes the trajectory, the pattern, the effort and the place of the contact from the answer.
+/// Realises patterns by the service realize_trajectory and verifies the attack with AttackJudge.
+/// Uses trajectory, pattern, effort and ego pose at contact of the response.
 class TrajectoryRealizerService : public TrajectoryRealizer {
  public:
-  /// All must outlive it.
+  /// All arguments must outlive the object.
   TrajectoryRealizerService(ServiceCaller& caller, const InputLimits& limits,
                             const AttackOptions& options)
       : caller_(caller), limits_(limits), options_(options) {}
 
-  /// Declines with kNodeUnavailable where the service does not answer. Throws MessageError and
-  /// InputError for an unusable answer.
-  Attack realize(const RealizationTask& task) const override;
+  /// Returns a rejection with kNodeUnavailable if the service does not respond. Throws MessageError
+  /// and InputError for an invalid response.
+  Attack realize(const AttackTask& task) const override;
 
  private:
   ServiceCaller& caller_;

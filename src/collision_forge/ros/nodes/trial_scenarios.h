@@ -15,7 +15,7 @@
 
 namespace forge {
 
-/// Why no planner can be tested: a code of TestPlanner.srv, and a message that names field and
+/// Thrown when a planner test is impossible: a code of TestPlanner.srv and a message with field and
 /// value.
 struct TestRefusal : std::runtime_error {
   TestRefusal(std::uint8_t refusal_code, const std::string& message)
@@ -23,38 +23,38 @@ struct TestRefusal : std::runtime_error {
   std::uint8_t code;
 };
 
-/// Where the crashes that planner_tester is asked for come from; empty: not given.
+/// Sources of the crash scenarios of planner_tester; empty: not given.
 struct TrialSources {
   LogSource logs;         ///< for scenario files
-  std::string scenarios;  ///< scenario file whose lines are asked for by their number
-  std::string recording;  ///< bag, for trajectories
+  std::string scenarios;  ///< path of the scenario file for requests by line number
+  std::string recording;  ///< path of the bag for requests with a trajectory
 };
 
-/// Makes crash scenarios of what TestPlanner asks for. Not thread-safe.
+/// Builds the crash scenarios for requests of TestPlanner.srv. Not thread-safe.
 class TrialScenarios {
  public:
-  /// `config` must outlive it. Throws BagError for a recording that cannot be read; `warnings` as
-  /// readBag().
+  /// `config` must outlive the object. Throws BagError for an unreadable recording; `warnings` as
+  /// in readBag().
   TrialScenarios(TrialSources sources, const Config& config, std::vector<std::string>* warnings);
 
-  /// A line of a scenario file over its scene: `line` is its number, from 1 on, in the scenario
+  /// Returns the case for one line of a scenario file. `line` is its number from 1 in the scenario
   /// file, or the line itself. Throws TestRefusal.
   PlannerCase ofLine(const std::string& line);
 
-  /// A trajectory over the recording, at the frame where it starts; of the case the scenario alone
-  /// is known. Throws TestRefusal.
+  /// Returns the case for a trajectory over the recording; t0 is the frame at which it starts. Only
+  /// the scenario of the case is filled in. Throws TestRefusal.
   PlannerCase ofTrajectory(const AttackerTrajectory& trajectory, CollisionType type) const;
 
  private:
   std::string numberedLine(const std::string& number) const;
-  /// For a refusal: which line of the file has an attack that can be tested.
+  /// Returns a hint for error messages: the first line of the file with a testable attack.
   std::string firstAnswered() const;
   std::shared_ptr<const IndexedScene> sceneOf(const std::string& name);
 
   TrialSources sources_;
   const Config& config_;
   std::optional<IndexedScene> recording_;
-  std::set<std::string> wanted_;  // the scenes that source_ has
+  std::set<std::string> wanted_;  // names of the scenes in source_
   std::unique_ptr<SceneSource> source_;
 };
 

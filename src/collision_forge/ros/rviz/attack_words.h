@@ -10,20 +10,20 @@
 #include <cstdint>
 #include <string>
 
-/// An attack in the panel's rich text. Degrees, percent, seconds from now.
+/// Rich texts of the panel about an attack, in degrees, percent and seconds from t0.
 namespace forge {
 
-/// Who attacks how, and what verification found; empty for an attack by nobody.
+/// Returns attacker, manoeuvre and verification result; empty for an empty attack.
 QString attackText(const collision_forge::Attack& attack);
 
-/// Countdown or verdict; empty for an attack by nobody. Green as asked, red otherwise.
+/// Returns countdown or verdict; empty for an empty attack. Green: as requested, else red.
 QString crashText(const collision_forge::Attack& attack,
                   const collision_forge::CollisionReport* tested, const ros::Time& now);
 
-/// Whom a planner's ego touched, how hard and by whose fault, or that it touched nobody.
+/// Returns touched agent, impact speed and fault of a planner test, or that there was no contact.
 QString outcomeText(const collision_forge::PlannerOutcome& outcome);
 
-/// A status of GenerateCollision.srv other than OK.
+/// Returns the text for a status of GenerateCollision.srv other than OK.
 QString failureText(std::uint8_t code, const std::string& message);
 
 }  // namespace forge

@@ -12,9 +12,8 @@ class ViewController;
 
 namespace forge {
 
-/// Keeps the area of the topic `shown_area` in the picture, by place and scale of the current view.
-/// That must be a TopDownOrtho with the fixed frame as its target frame; other views are left
-/// alone.
+/// Moves and scales the current view so that it shows the area of the topic `shown_area`. Only for
+/// a TopDownOrtho view whose target frame is the fixed frame; other views are not changed.
 class FitViewDisplay : public rviz::Display {
   Q_OBJECT
 
@@ -31,7 +30,7 @@ class FitViewDisplay : public rviz::Display {
   bool canFit(rviz::ViewController& view) const;
 
   ros::Subscriber subscriber_;
-  geometry_msgs::PolygonStampedConstPtr area_;  ///< null: none has come
+  geometry_msgs::PolygonStampedConstPtr area_;  ///< null: none received
   FollowingView following_;
 };
 

@@ -113,7 +113,7 @@ void GeneratePanel::createWidgets() {
   form_ = new RequestForm;
   generate_ = button("generate", "Generate");
   list_ = button("list", "What is possible?");
-  list_->setToolTip("Pauses the player and lists the collisions that can be asked for there");
+  list_->setToolTip("Pauses the player and lists the feasible collisions at that time");
   planner_ = new QComboBox;
   planner_->setObjectName("planner");
   for (const std::string& name : testablePlanners()) planner_->addItem(name.c_str());
@@ -122,7 +122,7 @@ void GeneratePanel::createWidgets() {
   test_->setEnabled(false);
   table_ = new PossibleTable;
   table_->setObjectName("possible");
-  table_->setToolTip("Choose a row to ask for it");
+  table_->setToolTip("Select a row to request it");
   table_->setMinimumHeight(kTableLines * table_->fontMetrics().lineSpacing());
   status_ = label("status", kStatusLines);
   say("Choose what to ask for, then Generate.");

@@ -72,10 +72,10 @@ void PlayerButtons::createLayout() {
   step_->setToolTip("To the next frame of agents");
   back_ = new QPushButton("Back to now");
   back_->setObjectName("back_to_now");
-  back_->setToolTip("To the instant at which the newest attack was asked for");
+  back_->setToolTip("To t0 of the newest attack");
   slider_ = new QSlider(Qt::Horizontal);
   slider_->setObjectName("position");
-  slider_->setToolTip("To another instant of the bag");
+  slider_->setToolTip("To another time of the bag");
   auto* style = new SliderStyle;
   style->setParent(slider_);
   slider_->setStyle(style);

@@ -19,21 +19,21 @@ class QSlider;
 
 namespace forge {
 
-/// Pause, step and back to now for the node `player`, and where it is in its bag: a slider that can
-/// be moved, and a clock. Without a player they are disabled.
+/// Controls of the node `player`: pause, step, back to now, a slider for the position in the bag,
+/// and a clock. Disabled without a player.
 class PlayerButtons : public QWidget {
   Q_OBJECT
 
  public:
   explicit PlayerButtons(QWidget* parent = nullptr);
 
-  /// Where there is a player that plays.
+  /// Pauses the player, if there is one and it plays.
   void pause();
 
  Q_SIGNALS:
-  /// The player was told to play on, to step, to go back or to go to another instant.
+  /// Emitted when the player is started, stepped or moved to another time.
   void moved();
-  /// Why it did not do that.
+  /// Emitted with the reason when the player does not do so.
   void failed(const QString& problem);
 
  private:
@@ -52,7 +52,7 @@ class PlayerButtons : public QWidget {
   QPushButton* pause_ = nullptr;
   QPushButton* step_ = nullptr;
   QPushButton* back_ = nullptr;
-  QSlider* slider_ = nullptr;  ///< in kSliderStep
+  QSlider* slider_ = nullptr;  ///< in units of kSliderStep
   QLabel* clock_ = nullptr;
   QLabel* said_ = nullptr;
   bool is_paused_ = false;

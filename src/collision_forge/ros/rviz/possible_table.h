@@ -8,7 +8,7 @@
 
 namespace forge {
 
-/// Collisions that can be asked for, one a row.
+/// Table of feasible collisions, one per row.
 class PossibleTable : public QTableWidget {
   Q_OBJECT
 
@@ -17,11 +17,11 @@ class PossibleTable : public QTableWidget {
 
   void setCollisions(std::vector<collision_forge::PossibleCollision> collisions);
   const std::vector<collision_forge::PossibleCollision>& collisions() const { return collisions_; }
-  /// Marks a row as if it was chosen, without chosen().
+  /// Selects a row without emitting chosen().
   void mark(int row);
 
  Q_SIGNALS:
-  /// By a click or by the keyboard.
+  /// Emitted when the user selects a row.
   void chosen(const collision_forge::PossibleCollision& collision);
 
  private:

@@ -91,7 +91,7 @@ void RequestForm::createFields() {
   type_->setObjectName("type");
   type_->addItem(kAny);
   for (const CollisionType type : kCollisionTypes) type_->addItem(toString(type));
-  type_->setToolTip("any: the collision that is surest at that time to accident");
+  type_->setToolTip("any: the collision with the highest confidence at that time to attack");
   tta_ = new QDoubleSpinBox;
   tta_->setRange(kShortestTta, kLongestTta);
   tta_->setSingleStep(0.5);
@@ -111,7 +111,7 @@ void RequestForm::createFields() {
        {AttackerChoice::kAny, AttackerChoice::kExisting, AttackerChoice::kNew}) {
     choice_->addItem(toString(choice));
   }
-  choice_->setToolTip("Whether the attacker was recorded (existing) or is added (new)");
+  choice_->setToolTip("existing: a recorded vehicle; new: an added vehicle");
   believable_ = new QCheckBox("believable");
   believable_->setChecked(true);
   adaptive_ = new QCheckBox("sees and reacts");
@@ -122,7 +122,7 @@ void RequestForm::createFields() {
   method_->addItem(kDefaultMethod);
   alternatives_ = new QSpinBox;
   alternatives_->setRange(1, kMostAlternatives);
-  alternatives_->setToolTip("Attacks asked for; the table below lists them");
+  alternatives_->setToolTip("Number of attacks; the table below lists them");
   seed_ = new QSpinBox;
   seed_->setObjectName("seed");
   seed_->setRange(0, std::numeric_limits<int>::max());

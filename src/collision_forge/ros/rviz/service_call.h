@@ -17,16 +17,16 @@ namespace forge {
 template <typename Service>
 class ServiceCall {
  public:
-  /// Empty when nobody answered.
+  /// The response; empty if the call failed.
   using Answer = std::optional<typename Service::Response>;
 
-  /// `then` is called with each answer, in the thread of the GUI.
+  /// `then` is called with each response, in the GUI thread.
   explicit ServiceCall(std::function<void(const Answer&)> then) {
     QObject::connect(&watcher_, &QFutureWatcherBase::finished,
                      [this, then = std::move(then)] { then(watcher_.result()); });
   }
 
-  /// Does nothing while a call is under way.
+  /// Calls the service `name`. Does nothing while another call runs.
   void start(const std::string& name, typename Service::Request request) {
     if (watcher_.isRunning()) return;
     watcher_.setFuture(QtConcurrent::run(&caller_, [name, request]() mutable -> Answer {
@@ -38,7 +38,7 @@ class ServiceCall {
 
  private:
   QFutureWatcher<Answer> watcher_;
-  QThreadPool caller_;  ///< last: it waits for the call in flight, then this may be unloaded
+  QThreadPool caller_;  ///< last member: its destructor waits for the running call
 };
 
 }  // namespace forge
