@@ -36,8 +36,8 @@ tf2_msgs::TFMessage messageAt(double time) {
   return message;
 }
 
-TEST(SlidingEgo, MovesBaseLinkAloneAndOnlyAfterTheContact) {
-  SlidingEgo ego(sideways({7.0, 1.0, 0.0}), 1.5);
+TEST(PostCrashEgo, MovesBaseLinkAloneAndOnlyAfterTheContact) {
+  PostCrashEgo ego(sideways({7.0, 1.0, 0.0}), 1.5);
   EXPECT_EQ(ego.changed(messageAt(9.9)), messageAt(9.9));
   EXPECT_EQ(ego.changed(messageAt(10.0)), messageAt(10.0));
   const auto later = ego.changed(messageAt(10.5));
@@ -49,9 +49,9 @@ TEST(SlidingEgo, MovesBaseLinkAloneAndOnlyAfterTheContact) {
   EXPECT_NEAR(ego.changed(messageAt(20.0)).transforms[0].transform.translation.y, 3.0, 1e-9);
 }
 
-TEST(SlidingEgo, KeepsRollAndPitchAndTurnsToTheHeadingAtTheContact) {
+TEST(PostCrashEgo, KeepsRollAndPitchAndTurnsToTheHeadingAtTheContact) {
   constexpr double kRoll = 0.2;
-  SlidingEgo ego(sideways({0.0, 0.0, M_PI / 2}), 0.0);
+  PostCrashEgo ego(sideways({0.0, 0.0, M_PI / 2}), 0.0);
   auto rolled = messageAt(9.9);
   rolled.transforms[0].transform.rotation.x = std::sin(kRoll / 2.0);
   rolled.transforms[0].transform.rotation.w = std::cos(kRoll / 2.0);
@@ -64,8 +64,8 @@ TEST(SlidingEgo, KeepsRollAndPitchAndTurnsToTheHeadingAtTheContact) {
   EXPECT_NEAR(rotation.z, std::sqrt(0.5) * std::cos(kRoll / 2.0), 1e-9);
 }
 
-TEST(SlidingEgo, OdometryHasTheVelocityInBaseLink) {
-  SlidingEgo ego(sideways({0.0, 0.0, M_PI / 2}), 0.0);
+TEST(PostCrashEgo, OdometryHasTheVelocityInBaseLink) {
+  PostCrashEgo ego(sideways({0.0, 0.0, M_PI / 2}), 0.0);
   nav_msgs::Odometry message;
   message.header.stamp = ros::Time(10.5);
   message.pose.pose.orientation.w = 1.0;
@@ -78,8 +78,8 @@ TEST(SlidingEgo, OdometryHasTheVelocityInBaseLink) {
   EXPECT_DOUBLE_EQ(changed.pose.pose.position.y, 1.5);
 }
 
-TEST(SlidingEgo, IsThereAtTheContactOnceBetweenTwoMessages) {
-  SlidingEgo ego(sideways({7.0, 1.0, M_PI / 2}), 1.5);
+TEST(PostCrashEgo, IsThereAtTheContactOnceBetweenTwoMessages) {
+  PostCrashEgo ego(sideways({7.0, 1.0, M_PI / 2}), 1.5);
   EXPECT_FALSE(ego.atContact(messageAt(10.3))) << "nothing before tells of its height";
   ego.changed(messageAt(9.9));
   EXPECT_FALSE(ego.atContact(messageAt(9.95)));

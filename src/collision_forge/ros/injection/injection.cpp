@@ -291,7 +291,7 @@ class Injection {
   }
   static std::optional<ros::Time> headerStamp(const tf2_msgs::TFMessage& message) {
     const auto ego =
-        std::find_if(message.transforms.begin(), message.transforms.end(), SlidingEgo::isEgo);
+        std::find_if(message.transforms.begin(), message.transforms.end(), PostCrashEgo::isEgo);
     if (ego == message.transforms.end()) return std::nullopt;
     return ego->header.stamp;
   }
@@ -410,7 +410,7 @@ class Injection {
   ros::Time end_ = ros::TIME_MAX;               ///< greatest header stamp in the new bag
   RecordClock clock_;                           ///< of the frames of agents
   std::optional<PostCrashMotion> crash_;        ///< with AfterContact::kStop and a contact
-  std::optional<SlidingEgo> ego_;               ///< the same
+  std::optional<PostCrashEgo> ego_;             ///< the same
   std::map<std::string, ros::Time> ego_times_;  ///< by topic: when its last message was recorded
   AttackedFrames frames_;
   AttackedFrames::const_iterator next_frame_;  ///< that is not yet shown

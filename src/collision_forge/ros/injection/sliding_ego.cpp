@@ -20,30 +20,30 @@ geometry_msgs::Pose poseOf(const geometry_msgs::Transform& transform) {
 
 }  // namespace
 
-bool SlidingEgo::isEgo(const geometry_msgs::TransformStamped& transform) {
+bool PostCrashEgo::isEgo(const geometry_msgs::TransformStamped& transform) {
   return transform.header.frame_id == names::kMapFrame &&
          transform.child_frame_id == names::kBaseFrame;
 }
 
-SlidingEgo::SlidingEgo(const PostCrashMotion& crash, double center_offset)
+PostCrashEgo::PostCrashEgo(const PostCrashMotion& crash, double center_offset)
     : crash_(crash), center_offset_(center_offset) {}
 
 /// Nothing where the contact is not between the two stamps.
-std::optional<double> SlidingEgo::ratioOfContact(const ros::Time& before,
-                                                 const ros::Time& after) const {
+std::optional<double> PostCrashEgo::ratioOfContact(const ros::Time& before,
+                                                   const ros::Time& after) const {
   const ros::Time contact = stampOf(crash_.contactTime());
   if (contact <= before || contact >= after) return std::nullopt;
   return (contact - before).toSec() / (after - before).toSec();
 }
 
-geometry_msgs::Pose SlidingEgo::poseAt(double time, const geometry_msgs::Pose& like) const {
+geometry_msgs::Pose PostCrashEgo::poseAt(double time, const geometry_msgs::Pose& like) const {
   geometry_msgs::Pose pose = like;
   setPlanar(compose(crash_.egoAt(time).pose, {-center_offset_, 0.0, 0.0}), pose);
   return pose;
 }
 
-geometry_msgs::Transform SlidingEgo::transformAt(double time,
-                                                 const geometry_msgs::Transform& like) const {
+geometry_msgs::Transform PostCrashEgo::transformAt(double time,
+                                                   const geometry_msgs::Transform& like) const {
   const geometry_msgs::Pose pose = poseAt(time, poseOf(like));
   geometry_msgs::Transform transform;
   transform.translation.x = pose.position.x;
@@ -53,7 +53,7 @@ geometry_msgs::Transform SlidingEgo::transformAt(double time,
   return transform;
 }
 
-std::optional<EgoBetween<tf2_msgs::TFMessage>> SlidingEgo::atContact(
+std::optional<EgoBetween<tf2_msgs::TFMessage>> PostCrashEgo::atContact(
     const tf2_msgs::TFMessage& next) {
   const auto ego = std::find_if(next.transforms.begin(), next.transforms.end(), isEgo);
   if (ego == next.transforms.end() || !last_transform_) return std::nullopt;
@@ -66,7 +66,7 @@ std::optional<EgoBetween<tf2_msgs::TFMessage>> SlidingEgo::atContact(
   return {{message, *ratio}};
 }
 
-tf2_msgs::TFMessage SlidingEgo::changed(tf2_msgs::TFMessage message) {
+tf2_msgs::TFMessage PostCrashEgo::changed(tf2_msgs::TFMessage message) {
   for (auto& transform : message.transforms) {
     if (!isEgo(transform)) continue;
     const double time = transform.header.stamp.toSec();
@@ -79,7 +79,7 @@ tf2_msgs::TFMessage SlidingEgo::changed(tf2_msgs::TFMessage message) {
   return message;
 }
 
-std::optional<EgoBetween<nav_msgs::Odometry>> SlidingEgo::atContact(
+std::optional<EgoBetween<nav_msgs::Odometry>> PostCrashEgo::atContact(
     const nav_msgs::Odometry& next) {
   if (!last_odometry_) return std::nullopt;
   const auto ratio = ratioOfContact(last_odometry_->header.stamp, next.header.stamp);
@@ -92,7 +92,7 @@ std::optional<EgoBetween<nav_msgs::Odometry>> SlidingEgo::atContact(
   return {{*last_odometry_, *ratio}};
 }
 
-nav_msgs::Odometry SlidingEgo::changed(nav_msgs::Odometry message) {
+nav_msgs::Odometry PostCrashEgo::changed(nav_msgs::Odometry message) {
   const double time = message.header.stamp.toSec();
   if (time <= crash_.contactTime()) {
     last_odometry_ = message;

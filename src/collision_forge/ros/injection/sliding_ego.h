@@ -22,13 +22,13 @@ struct EgoBetween {
 /// Rewrites the ego's transforms and odometry after the contact to its post-crash motion. Height,
 /// roll and pitch are kept from the newest message before the contact. Messages must be passed in
 /// the order of time.
-class SlidingEgo {
+class PostCrashEgo {
  public:
   /// Returns true for the transform map -> base_link.
   static bool isEgo(const geometry_msgs::TransformStamped& transform);
 
   /// `center_offset`: m, as in EgoVehicle.
-  SlidingEgo(const PostCrashMotion& crash, double center_offset);
+  PostCrashEgo(const PostCrashMotion& crash, double center_offset);
 
   /// Returns `message` with map -> base_link rewritten after the contact; other transforms are
   /// kept.

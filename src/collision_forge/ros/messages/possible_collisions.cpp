@@ -47,7 +47,7 @@ collision_forge::PossibleCollision inShort(const collision_forge::CollisionAnswe
 
 /// The commonest reason why these answers decline, with the message of the first of them; empty
 /// without answers.
-std::string whyNothing(const std::vector<collision_forge::CollisionAnswer>& answers) {
+std::string commonestReason(const std::vector<collision_forge::CollisionAnswer>& answers) {
   std::map<std::uint8_t, std::size_t> counts;
   for (const auto& answer : answers) ++counts[answer.code];
   const auto is_commonest = [&](const auto& answer) {
@@ -118,7 +118,7 @@ Status listPossible(const std::vector<collision_forge::CollisionAnswer>& answers
     std::stable_sort(collisions.begin() + first, collisions.end(),
                      [](const auto& a, const auto& b) { return a.confidence > b.confidence; });
   }
-  return {StatusCode::kOk, collisions.empty() ? whyNothing(answers) : ""};
+  return {StatusCode::kOk, collisions.empty() ? commonestReason(answers) : ""};
 }
 
 }  // namespace forge

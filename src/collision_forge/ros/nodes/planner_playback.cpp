@@ -28,7 +28,7 @@ PlannerPlayback::PlannerPlayback(ros::NodeHandle node, const DriveLimitOptions& 
       scenes_(node.advertise<visualization_msgs::MarkerArray>(names::kPlannerSceneMarkers, 1)),
       areas_(node.advertise<geometry_msgs::PolygonStamped>(names::kShownArea, 1)),
       is_shown_(node.advertise<std_msgs::Bool>(names::kPlannerTestShown, 1, true)) {
-  publishWhetherShown();
+  publishShownState();
   timer_ =
       node.createWallTimer(ros::WallDuration(1.0 / kPictureRate), &PlannerPlayback::show, this);
   repeat_timer_ = node.createWallTimer(ros::WallDuration(RepeatedMarkers::kInterval),
@@ -43,7 +43,7 @@ void PlannerPlayback::play(const PlannerTrial& trial, const CrashScenario& scena
   clock_ = ros::Time::now();
   was_still_ = false;
   ways_.publish(plannerMarkers(trial, scenario));
-  publishWhetherShown();
+  publishShownState();
 }
 
 void PlannerPlayback::stop() {
@@ -87,10 +87,10 @@ void PlannerPlayback::clear() {
   shown_.reset();
   ways_.publish(noMarkers(mapHeader()));
   scenes_.publish(noMarkers(mapHeader()));
-  publishWhetherShown();
+  publishShownState();
 }
 
-void PlannerPlayback::publishWhetherShown() {
+void PlannerPlayback::publishShownState() {
   std_msgs::Bool message;
   message.data = shown_.has_value();
   is_shown_.publish(message);

@@ -29,7 +29,7 @@ class PlannerPlayback {
   void repeat(const ros::WallTimerEvent& event);
   bool isReplaceable(double since, double duration);
   void clear();
-  void publishWhetherShown();
+  void publishShownState();
 
   DriveLimitOptions drivable_;
   RepeatedMarkers ways_;

@@ -13,8 +13,8 @@ namespace forge {
 namespace {
 
 constexpr double kDegrees = 180.0 / M_PI;
-constexpr char kAsAsked[] = "#1a7f37";
-constexpr char kNotAsAsked[] = "#c62828";
+constexpr char kVerifiedColor[] = "#1a7f37";
+constexpr char kViolatedColor[] = "#c62828";
 
 QString escaped(const std::string& text) {
   return QString::fromStdString(text).toHtmlEscaped().replace("\n", "<br>");
@@ -65,7 +65,7 @@ QString crashText(const collision_forge::Attack& attack,
   const QString words = escaped(crashWords(attack, verdict, now));
   if (!verdict) return words;
   return QString("<font color=%1>Measured: %2</font>")
-      .arg(verdict->verified ? kAsAsked : kNotAsAsked, words);
+      .arg(verdict->verified ? kVerifiedColor : kViolatedColor, words);
 }
 
 QString outcomeText(const collision_forge::PlannerOutcome& outcome) {

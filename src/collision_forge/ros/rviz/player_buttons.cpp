@@ -59,9 +59,9 @@ PlayerButtons::PlayerButtons(QWidget* parent)
                   node_.subscribe(names::kPlayerLength, 1, &PlayerButtons::showLength, this)};
   paused_subscriber_ = node_.subscribe(names::kPlayerPaused, 1, &PlayerButtons::showState, this);
   auto* timer = new QTimer(this);
-  connect(timer, &QTimer::timeout, this, &PlayerButtons::showWhetherThere);
+  connect(timer, &QTimer::timeout, this, &PlayerButtons::showPresence);
   timer->start(kLookPeriod);
-  showWhetherThere();
+  showPresence();
 }
 
 void PlayerButtons::createLayout() {
@@ -148,7 +148,7 @@ void PlayerButtons::showState(const std_msgs::Bool& is_paused) {
   said_->setText(is_paused_ ? "Paused." : "Plays.");
 }
 
-void PlayerButtons::showWhetherThere() {
+void PlayerButtons::showPresence() {
   const bool is_there = isThere();
   for (QWidget* widget : std::initializer_list<QWidget*>{pause_, step_, back_, slider_, clock_}) {
     widget->setEnabled(is_there);

@@ -46,7 +46,7 @@ class PlayerButtons : public QWidget {
   void showClock();
   void showLength(const std_msgs::Float64& length);
   void showState(const std_msgs::Bool& is_paused);
-  void showWhetherThere();
+  void showPresence();
   bool isThere() const { return paused_subscriber_.getNumPublishers() > 0; }
 
   QPushButton* pause_ = nullptr;
