@@ -70,6 +70,24 @@ class ConversionTest(road.RoadTest):
         self.assertEqual(agents, frames)
         self.assertEqual({after - before for before, after in zip(odometry, odometry[1:])}, {100000})
 
+    def test_a_bag_of_the_suite_becomes_a_scenarionet_file(self):
+        logs, back = self.path('from_bag'), self.path('back')
+        result = road.run('convert', '--source', self.bag('scene-0001'), '--to', 'scenarionet', '--rows', 'recorded',
+                          '--out', logs)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        result = road.run('convert', '--source', logs, '--out', back)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(self.stamps_in(back / 'scene-0001.bag'), self.stamps_in(self.bag('scene-0001')))
+
+    def test_a_bag_of_another_stack_is_not_called_one_of_the_suite(self):
+        foreign = self.path('foreign.bag')
+        with rosbag.Bag(str(foreign), 'w'):
+            pass
+        result = road.run('convert', '--source', foreign, '--out', self.path('nothing'))
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn('no message on /lane_map; convert a bag of another stack with forge convert --topics',
+                      result.stderr)
+
     def test_a_scene_that_cannot_be_read_costs_itself_alone(self):
         logs, listed = self.path('logs'), self.path('listed.jsonl')
         result = road.convert(logs, '--scene', 'scene-0001', 'scene-0002', '--to', 'scenarionet')

@@ -19,6 +19,7 @@
 #include "collision_forge/planner_test/settings/config.h"
 #include "collision_forge/ros/bags/bag_writer.h"
 #include "collision_forge/ros/bags/foreign_logs.h"
+#include "collision_forge/ros/bags/log_sources.h"
 
 namespace forge {
 namespace {
@@ -57,6 +58,17 @@ LaneMap mapAround(const NuScenesRecording& recording, const LaneMap& map, double
   return cropped(map, points, radius);
 }
 
+void writeScenarioNetFile(const Arguments& arguments, const Scene& scene, const Config& config,
+                          PickleWorkers& workers) {
+  writeText(resultPath(arguments, scene.name),
+            workers.write(scenarioNetOf(scene, arguments.rows, config.exports)));
+}
+
+/// A bag of this suite has no LoggedScene, and its map is cut out already.
+bool isFromOwnBag(const Arguments& arguments) {
+  return arguments.to_scenario_net && arguments.logs.format == &bagFormat();
+}
+
 void convertScene(const Arguments& arguments, const LoggedScene& logged, const Config& config,
                   PickleWorkers& workers) {
   const std::string& name = logged.recording.name;
@@ -67,8 +79,7 @@ void convertScene(const Arguments& arguments, const LoggedScene& logged, const C
   }
   const Scene scene = toScene(logged.recording, config.ego_vehicle,
                               std::make_shared<const LaneMap>(std::move(map)));
-  writeText(resultPath(arguments, name),
-            workers.write(scenarioNetOf(scene, arguments.rows, config.exports)));
+  writeScenarioNetFile(arguments, scene, config, workers);
 }
 
 std::unique_ptr<SceneReader> openLogs(const Arguments& arguments, const Config& config) {
@@ -103,7 +114,11 @@ int convert(const Arguments& arguments) {
     const std::string& scene = scenes[index];
     if (isConverted(arguments, scene)) return "";
     try {
-      convertScene(arguments, logs->recording(scene), config, workers);
+      if (isFromOwnBag(arguments)) {
+        writeScenarioNetFile(arguments, logs->read(scene).scene, config, workers);
+      } else {
+        convertScene(arguments, logs->recording(scene), config, workers);
+      }
       return "";
     } catch (const std::exception& error) {
       return scene + ": " + error.what();

@@ -87,9 +87,9 @@ RequestListOptions listOptions(const Arguments& arguments, const Config& config)
 /// requests that the road geometry allows.
 void addRequestsOf(const IndexedScene& recording, const RequestListOptions& options,
                    const CollisionRequest& asked, bool allowed_only, const Config& config,
-                   std::vector<SceneRequest>& requests, RoadCounts& counts) {
+                   std::vector<SceneRequest>& requests, RoadCounts& counts, RequestTally& tally) {
   for (SceneRequest& listed : listRequests(recording.scene, options, config.attack.prediction,
-                                           config.crash.time_tolerance, asked)) {
+                                           config.crash.time_tolerance, asked, &tally)) {
     const bool allowed = roadAllowsRequest(listed, recording, config);
     RoadCount& count = counts[listed.request.type];
     ++count.all;
@@ -125,6 +125,14 @@ CollisionRequest sharedFields(const Arguments& arguments, const Config& config,
   throw std::invalid_argument(status.message);
 }
 
+std::string whyNoRequest(const RequestTally& tally, const RequestListOptions& options) {
+  const std::size_t rest = tally.instants - tally.slow - tally.late;
+  return "no request: " + counted(tally.instants, "instant") + ", " + std::to_string(tally.slow) +
+         " with an ego below " + numberText(options.min_ego_speed) + " m/s (--min-ego-speed), " +
+         std::to_string(tally.late) + " too close to the end of the recording for every --tta, " +
+         std::to_string(rest) + " without a vehicle or a history for the request";
+}
+
 int makeRequests(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const OutputLock lock = OutputLock::ofFile(arguments.out);
@@ -134,17 +142,17 @@ int makeRequests(const Arguments& arguments) {
   const std::vector<std::string> names = scenes.names();
   std::vector<SceneRequest> requests;
   RoadCounts counts;
+  RequestTally tally;
   ProgressLine progress("scenes");
   std::size_t done = 0;
   const std::vector<std::string> unreadable = scenes.forEach([&](const IndexedScene& scene) {
-    addRequestsOf(scene, options, asked, arguments.allowed_only, config, requests, counts);
+    addRequestsOf(scene, options, asked, arguments.allowed_only, config, requests, counts, tally);
     progress.show(++done, names.size());
   });
   if (unreadable.size() == names.size()) return exitAfterUnreadable(unreadable);
   if (requests.empty()) {
     throw std::runtime_error(counts.empty()
-                                 ? "these scenes and options yield no request (ego too slow, or "
-                                   "recordings too short for the TTA)"
+                                 ? whyNoRequest(tally, options)
                                  : "the road geometry of these scenes allows no request with these "
                                    "options; omit --allowed-only to list them");
   }

@@ -85,6 +85,23 @@ TEST(ListRequests, SkipASlowEgo) {
   EXPECT_EQ(nowsOf(tenSeconds(), options).size(), 3u);
 }
 
+TEST(ListRequests, CountInstantsWithoutARequestByReason) {
+  RequestListOptions options = everyTwoSeconds();
+  RequestTally tally;
+  const auto list = [&] {
+    return listRequests(tenSeconds(), options, shippedOptions().prediction,
+                        shippedCrash().time_tolerance, {}, &tally);
+  };
+  EXPECT_EQ(list().size(), 3u);
+  EXPECT_EQ(tally.instants, 6u);
+  EXPECT_EQ(tally.slow, 1u) << "one frame of history shows no motion";
+  EXPECT_EQ(tally.late, 2u);
+  options.min_ego_speed = 20.0;
+  EXPECT_TRUE(list().empty());
+  EXPECT_EQ(tally.instants, 12u) << "adds to the counts";
+  EXPECT_EQ(tally.slow, 7u);
+}
+
 TEST(ListRequests, CoverEveryTtaAndTypeInOrder) {
   RequestListOptions options = everyTwoSeconds();
   options.ttas = {2.0, 3.0};

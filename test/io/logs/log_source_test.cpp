@@ -17,12 +17,21 @@ using testing::HasSubstr;
 
 const LogSource kEmbedded{COLLISION_FORGE_SOURCE_DIR "/data/embedded", ""};
 
+TEST(LogSource, ARos2BagIsNamed) {
+  const TemporaryFolder folder;
+  folder.write("drive_0.db3", "");
+  for (const std::string& path : {folder.path(), folder.path() + "/drive_0.db3"}) {
+    EXPECT_THAT(errorOf([&] { versionOf({path, ""}); }), HasSubstr("is a ROS 2 bag"));
+  }
+}
+
 TEST(LogSource, SeveralVersionsAreNamed) {
   const TemporaryFolder folder;
   EXPECT_THAT(errorOf([&] {
                 versionOf({folder.path(), ""});
               }),
-              HasSubstr("no subfolder has tables"));
+              HasSubstr("is neither a nuScenes root (no subfolder has scene.json), nor a folder of "
+                        "ScenarioNet files"));
   folder.write("v1.0-mini/scene.json", "[]");
   EXPECT_EQ(versionOf({folder.path(), ""}), "v1.0-mini");
   folder.write("v1.0-trainval/scene.json", "[]");

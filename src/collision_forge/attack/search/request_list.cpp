@@ -44,15 +44,22 @@ double speedOf(const Track& ego) { return ego.states.empty() ? 0.0 : estimateMot
 
 std::vector<SceneRequest> listRequests(const Scene& scene, const RequestListOptions& list,
                                        const PredictionOptions& options, double time_tolerance,
-                                       const CollisionRequest& asked) {
+                                       const CollisionRequest& asked, RequestTally* tally) {
   if (!(list.stride > 0.0)) {
     throw std::invalid_argument("stride = " + numberText(list.stride) + " s is not positive");
   }
   std::vector<SceneRequest> requests;
+  RequestTally unused;
+  RequestTally& counts = tally ? *tally : unused;
   for (const double now : framesEvery(list.stride, scene.frame_times)) {
+    ++counts.instants;
     const Snapshot snapshot = snapshotAt(scene, now, options.history_frames);
-    if (speedOf(snapshot.ego) < list.min_ego_speed) continue;
+    const bool is_slow = speedOf(snapshot.ego) < list.min_ego_speed;
+    counts.slow += is_slow;
+    if (is_slow) continue;
     const double end = std::min(scene.frame_times.back(), scene.ego.states.back().time);
+    counts.late += std::all_of(list.ttas.begin(), list.ttas.end(),
+                               [&](double tta) { return now + tta + time_tolerance > end; });
     const auto attackers = attackersOf(snapshot, list.attackers);
     for (const double tta : list.ttas) {
       if (now + tta + time_tolerance > end) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -9,13 +10,22 @@
 
 namespace forge {
 
+/// Counts of the instants that listRequests() considered.
+struct RequestTally {
+  std::size_t instants = 0;  ///< every RequestListOptions::stride
+  std::size_t slow = 0;      ///< with an ego below RequestListOptions::min_ego_speed
+  std::size_t late = 0;      ///< too close to the end of the recording for every TTA
+};
+
 /// Returns the requests that a recording allows: at the frame nearest to every `list.stride` s from
 /// its first frame, for every TTA, type and attacker of `list`; other fields as in `asked`. Omits
 /// requests whose contact could lie after the recording (TTA plus `time_tolerance`, s), with an ego
 /// slower than list.min_ego_speed, or that checkRequest() rejects. Order: time, TTA, type, attacker
-/// as in the scene. Throws std::invalid_argument if the stride is not positive.
+/// as in the scene. Adds to `tally`, if given. Throws std::invalid_argument if the stride is not
+/// positive.
 std::vector<SceneRequest> listRequests(const Scene& scene, const RequestListOptions& list,
                                        const PredictionOptions& options, double time_tolerance,
-                                       const CollisionRequest& asked = {});
+                                       const CollisionRequest& asked = {},
+                                       RequestTally* tally = nullptr);
 
 }  // namespace forge

@@ -29,6 +29,18 @@ std::vector<std::string> versionsIn(const std::string& path) {
   return found;
 }
 
+/// Returns true for a file of a ROS 2 bag or a folder that holds one.
+bool isRos2Bag(const fs::path& path) {
+  const auto isFile = [](const fs::path& file) {
+    return file.extension() == ".db3" || file.extension() == ".mcap";
+  };
+  if (isFile(path)) return true;
+  std::error_code ignored;
+  const fs::directory_iterator entries(path, ignored);
+  return std::any_of(begin(entries), end(entries),
+                     [&](const auto& entry) { return isFile(entry.path()); });
+}
+
 bool isNuScenesRoot(const std::string& path) { return fs::is_directory(fs::path(path) / "maps"); }
 
 std::vector<std::string> namesIn(const LogSource& source) {
@@ -83,7 +95,13 @@ std::string versionOf(const LogSource& source) {
   const std::vector<std::string> found = versionsIn(source.path);
   if (found.size() == 1) return found.front();
   if (found.empty()) {
-    throw NuScenesError(source.path + ": no subfolder has tables (" + kScenes + ")");
+    if (isRos2Bag(source.path)) {
+      throw NuScenesError(source.path +
+                          ": is a ROS 2 bag; convert it to a ROS 1 bag first, for instance with "
+                          "rosbags-convert");
+    }
+    throw NuScenesError(source.path + ": is neither a nuScenes root (no subfolder has " + kScenes +
+                        "), nor a folder of ScenarioNet files (sd_*.pkl), nor a bag (.bag)");
   }
   std::string names;
   for (const std::string& name : found) names += (names.empty() ? "" : ", ") + name;

@@ -133,12 +133,16 @@ class SceneBuilder {
 };
 
 void requireTopics(const std::string& path, const Scene& scene) {
-  if (!scene.map) throw BagError(path + ": no message on " + bagTopic(names::kLaneMap));
-  if (scene.frame_times.empty())
-    throw BagError(path + ": no message on " + bagTopic(names::kAgents));
+  const auto fail = [&](const std::string& missing) {
+    throw BagError(path + ": no " + missing +
+                   "; convert a bag of another stack with forge convert --topics "
+                   "(docs/foreign_bags.md)");
+  };
+  if (!scene.map) fail("message on " + bagTopic(names::kLaneMap));
+  if (scene.frame_times.empty()) fail("message on " + bagTopic(names::kAgents));
   if (scene.ego.states.empty()) {
-    throw BagError(path + ": no transform " + names::kMapFrame + " -> " + names::kBaseFrame +
-                   " on " + names::kTf);
+    fail(std::string("transform ") + names::kMapFrame + " -> " + names::kBaseFrame + " on " +
+         names::kTf);
   }
 }
 

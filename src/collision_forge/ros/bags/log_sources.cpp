@@ -58,7 +58,9 @@ class BagLogs : public SceneReader {
   }
 
   LoggedScene recording(const std::string& name) override {
-    throw std::runtime_error(name + ": is a bag of this suite already");
+    read(name);
+    throw std::runtime_error(name +
+                             ": is a bag of this suite; only --to scenarionet can convert it");
   }
 
  private:
