@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "attack/search/test_scenes.h"
+#include "collision_forge/attack/forecast/ego_sampling.h"
 #include "collision_forge/attack/forecast/speed_forecaster.h"
 
 namespace forge {

@@ -30,7 +30,7 @@ TEST(PredictFuture, CoversTheHorizonFromNowInEvenSteps) {
   EXPECT_EQ(track.states.front().time, kNow);
   EXPECT_GE(track.states.back().time, kNow + 6.0 - 1e-9);
   for (std::size_t i = 1; i < track.states.size(); ++i) {
-    EXPECT_NEAR(track.states[i].time - track.states[i - 1].time, kOptions.step, 1e-9);
+    EXPECT_NEAR(track.states[i].time - track.states[i - 1].time, kPredictionStep, 1e-9);
   }
 }
 

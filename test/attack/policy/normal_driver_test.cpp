@@ -22,8 +22,7 @@ class DriveOnTest : public testing::Test {
     Future future;
     future.ego = straightTrack(kEgoId, kEgoSize, {0.0, 150.0, 0.0}, 0.0, kNow, kNow, kNow + 10.0);
     future.agents = others;
-    const auto points = driveOn({vehicle_, state_, kNow, kSteps, future, lanes},
-                                shippedAdaptive().drive_on, attack_);
+    const auto points = driveOn({vehicle_, state_, kNow, kSteps, future, lanes}, attack_);
     EXPECT_EQ(points.size(), kSteps);
     EXPECT_EQ(points.front().time, kNow);
     const auto broken =

@@ -189,16 +189,16 @@ TEST(DriveLimits, PickUpsAreVansAndLongTrucksPullTrailers) {
 
 TEST(DriveLimits, StateOfARecordedMotion) {
   const DriveLimits limits = carLimits();
-  const DriveState state = driveStateOf({{1.0, 2.0, 0.0}, 10.0, -1.0, 0.1}, limits);
+  const DriveState state = driveStateOf(Motion{{1.0, 2.0, 0.0}, 10.0, -1.0, 0.1}, limits);
   EXPECT_NEAR(state.axle.x, 1.0 - limits.axle_to_middle, 1e-12);
   EXPECT_EQ(state.speed, 10.0);
   EXPECT_EQ(state.acceleration, -1.0);
   EXPECT_NEAR(state.steering, std::atan(limits.wheelbase * 0.01), 1e-12);
-  const DriveState wild = driveStateOf({{}, 20.0, -30.0, 2.0}, limits);
+  const DriveState wild = driveStateOf(Motion{{}, 20.0, -30.0, 2.0}, limits);
   EXPECT_EQ(wild.acceleration, -limits.max_braking);
   EXPECT_NEAR(std::tan(wild.steering) * 400.0 / limits.wheelbase, limits.max_lateral_acceleration,
               1e-9);
-  const DriveState standing = driveStateOf({{}, 0.3, 1.0, 0.5}, limits);
+  const DriveState standing = driveStateOf(Motion{{}, 0.3, 1.0, 0.5}, limits);
   EXPECT_EQ(standing.speed, 0.0);
   EXPECT_EQ(standing.steering, 0.0);
 }

@@ -5,6 +5,7 @@
 
 #include "collision_forge/attack/forecast/ego_paths.h"
 #include "collision_forge/attack/forecast/ego_sampling.h"
+#include "collision_forge/attack/forecast/kinematic_prediction.h"
 
 namespace forge {
 
@@ -39,7 +40,7 @@ std::vector<Track> KinematicEgoFutures::sample(const Snapshot& snapshot, const L
         tracks.push_back(drive(snapshot.ego, ego, distance, way, horizon, kPredictionStep));
       } else {
         const SampledPath line = freePath(ego, turns[j], horizon);
-        const ReturnToPath way(line, ego, 0.0, options_);
+        const ReturnToPath way(line, ego, 0.0);
         tracks.push_back(drive(snapshot.ego, ego, distance, way, horizon, kPredictionStep));
       }
     }

@@ -123,7 +123,7 @@ AnchorFeatures wayAnchors(const EgoWays& ways, double tta, const PatternFeatureO
     const EgoPath& path = ways.paths[way];
     const auto group = static_cast<Eigen::Index>(way);
     fillWay(path, ways.ahead[way], ways.ego, features.groups.row(group));
-    const ReturnToPath line(path.line, ways.ego, 0.0, futures);
+    const ReturnToPath line(path.line, ways.ego, 0.0);
     for (int i = 0; i <= options.way_anchors; ++i) {
       const int step = i - 1 - middle;
       const double driven =

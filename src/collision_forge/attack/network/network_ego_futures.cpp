@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "collision_forge/attack/forecast/ego_sampling.h"
+#include "collision_forge/attack/forecast/kinematic_prediction.h"
 #include "collision_forge/attack/network/predicted_scene.h"
 
 namespace forge {
@@ -206,7 +207,7 @@ std::vector<Track> NetworkEgoFutures::sample(const Snapshot& snapshot, const Lan
     for (std::size_t j = 0; j < profiles.size(); ++j) {
       const DrivenDistance distance = stretched.distance(profiles[j]);
       const SampledPath line = path.on_lanes ? path.line : freePath(ego, turns[j], horizon);
-      const ReturnToPath way(line, ego, path.on_lanes ? offsets[j] : 0.0, options_);
+      const ReturnToPath way(line, ego, path.on_lanes ? offsets[j] : 0.0);
       tracks.push_back(drive(snapshot.ego, ego, distance, way, horizon, kPredictionStep));
     }
   }

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "collision_forge/attack/forecast/kinematic_prediction.h"
 #include "collision_forge/attack/policy/normal_driver.h"
 #include "collision_forge/attack/search/manoeuvre_search.h"
 #include "collision_forge/attack/search/pattern_predictor.h"
@@ -21,9 +22,9 @@ namespace {
 constexpr int kWays = 3;  // the path of the present plan first
 constexpr int kRounds = 2;
 constexpr int kPerturbations = 12;
-constexpr double kMinGain = 0.05;  // of the search's objective: a new plan must be better by this
-constexpr double kMinHope = 0.02;  // closeness (0 to 1) of a plan that hits no future; with less
-                                   // the attack is aborted
+constexpr double kMinGain = 0.05;    // of the search's objective: a new plan must be better by this
+constexpr double kMinHope = 0.02;    // closeness (0 to 1) of a plan that hits no future; with less
+                                     // the attack is aborted
 constexpr double kOwnSpacing = 1.0;  // m between the points of its own way
 constexpr double kOwnBeyond = 40.0;  // m that its own way goes straight on
 
@@ -149,12 +150,11 @@ Future AdaptiveAttacker::outlook() const {
 }
 
 Future AdaptiveAttacker::foresee(const Snapshot& snapshot) const {
-  const PredictionOptions& prediction = setup_.attack.prediction;
   const double end = task_.plan.points.back().time - snapshot.now;
   // The plan may end less than a step from now.
   const double central = std::min(std::max(impact_ - snapshot.now, kPredictionStep), end);
   return foreseenFuture(snapshot, *task_.lanes, *setup_.ego_futures, end, central,
-                        setup_.adaptive.ego_samples, task_.request.seed, prediction);
+                        setup_.adaptive.ego_samples, task_.request.seed);
 }
 
 /// The snapshot with the attacker as it will be at a point of its plan, which is now.

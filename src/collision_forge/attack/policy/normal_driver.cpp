@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "collision_forge/attack/forecast/kinematic_prediction.h"
 #include "collision_forge/attack/search/route_driver.h"
 #include "collision_forge/attack/search/track_driver.h"
 #include "collision_forge/attack/verify/verification.h"
@@ -19,8 +20,7 @@ constexpr double kWayBeyond = 20.0;    // m of way beyond what can be driven
 constexpr double kShortestWay = 10.0;  // m
 
 /// Along the nearest lane and on; straight on where none is near.
-ReferencePath wayOf(const Pose2& pose, double reach, const LaneIndex& lanes,
-                    const AttackOptions& attack) {
+ReferencePath wayOf(const Pose2& pose, double reach, const LaneIndex& lanes) {
   const auto matches = lanes.lanesNear(pose, kMaxDeparture, kOnLaneHeading);
   if (!matches.empty()) {
     const LaneMatch& match = matches.front();
@@ -68,7 +68,7 @@ std::vector<TrajectoryPoint> driveOn(const DriveOnInput& input, const AttackOpti
   const Pose2 middle = compose(input.state.axle, {limits.axle_to_middle, 0.0, 0.0});
   const double duration = static_cast<double>(input.steps - 1) * step;
   const double reach = std::max(kShortestWay, input.state.speed * duration) + kWayBeyond;
-  const RouteDriver along(wayOf(middle, reach, input.lanes, attack), input.state, driver.limits());
+  const RouteDriver along(wayOf(middle, reach, input.lanes), input.state, driver.limits());
   const std::vector<const Track*> others = othersOf(input, {middle, input.vehicle.size});
   RoutePlan plan;
   plan.arrival = std::max(duration, step);

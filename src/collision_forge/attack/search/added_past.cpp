@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_forge/attack/forecast/kinematic_prediction.h"
 #include "collision_forge/attack/search/route_driver.h"
 #include "collision_forge/attack/verify/believability.h"
 #include "collision_forge/attack/verify/drive_check.h"

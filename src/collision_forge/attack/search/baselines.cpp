@@ -33,8 +33,8 @@ Pose2 nominalOffset(CollisionType type, bool from_left, const NominalOptions& op
 }
 
 /// The ego's pose at the time asked for.
-Pose2 egoAtImpact(const Snapshot& snapshot, const Future* recorded, const CollisionRequest& request,
-                  const AttackOptions& options) {
+Pose2 egoAtImpact(const Snapshot& snapshot, const Future* recorded,
+                  const CollisionRequest& request) {
   if (recorded) {
     const auto state = stateAt(recorded->ego, snapshot.now + request.tta);
     if (!state) throw std::invalid_argument("the ego's recording ends before the impact");
@@ -82,7 +82,7 @@ AttackerTrajectory nominalAttacker(const std::string& attacker_id, const Snapsho
                                    const AttackOptions& options) {
   const Track& attacker = trackOf(snapshot, attacker_id);
   const Motion motion = estimateMotion(attacker);
-  const Pose2 ego = egoAtImpact(snapshot, recorded, request, options);
+  const Pose2 ego = egoAtImpact(snapshot, recorded, request);
   const bool from_left = relativeTo(ego, motion.pose).y > 0.0;
   return drivenTo(compose(ego, nominalOffset(request.type, from_left, options.nominal)),
                   {motion.speed, 0.0}, request.tta, attacker, motion, snapshot.now, options.search);

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <limits>
 
+#include "collision_forge/attack/forecast/kinematic_prediction.h"
 #include "collision_forge/attack/search/placement.h"
 #include "collision_forge/attack/verify/believability.h"
 #include "collision_forge/attack/verify/verification.h"

@@ -79,7 +79,7 @@ const Track& mostCentral(const std::vector<Track>& tracks, double time) {
 
 Future foreseenFuture(const Snapshot& snapshot, const LaneIndex& lanes,
                       const EgoFutureSampler& ego_futures, double horizon, double central,
-                      int samples, std::uint64_t seed, const PredictionOptions& options) {
+                      int samples, std::uint64_t seed) {
   Future future = predictFuture(snapshot, lanes, horizon);
   future.ego_samples = ego_futures.sample(snapshot, lanes, horizon, samples, seed);
   if (!future.ego_samples.empty()) {
@@ -102,7 +102,7 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
   prediction.future =
       recorded ? *recorded
                : foreseenFuture(snapshot, lanes, *ego_futures_, request.tta + options_.tail,
-                                request.tta, options_.ego_samples, request.seed, options_);
+                                request.tta, options_.ego_samples, request.seed);
   const auto ego = stateAt(prediction.future.ego, snapshot.now + request.tta);
   if (!ego) {
     prediction.status = {StatusCode::kBeyondRecording,

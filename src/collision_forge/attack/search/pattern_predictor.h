@@ -35,7 +35,7 @@ class PatternPredictor {
 /// predictFuture() says. The same arguments give the same future.
 Future foreseenFuture(const Snapshot& snapshot, const LaneIndex& lanes,
                       const EgoFutureSampler& ego_futures, double horizon, double central,
-                      int samples, std::uint64_t seed, const PredictionOptions& options);
+                      int samples, std::uint64_t seed);
 
 /// No learning: the ego moves as the sampler says, all others as predictFuture() says (or everybody
 /// as recorded), and each candidate attacker is placed at the ego's pose at impact with the type's

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "collision_forge/attack/forecast/motion_estimate.h"
 #include "collision_forge/base/scene/request_words.h"
 #include "collision_forge/base/scene/short_id.h"
 
@@ -28,7 +29,7 @@ bool hasMotion(const Track& track) {
   return states.size() >= 2 && states.back().time - states[states.size() - 2].time <= kMaxGap;
 }
 
-Status checkEgo(const Snapshot& snapshot, const PredictionOptions& options) {
+Status checkEgo(const Snapshot& snapshot) {
   const Track& ego = snapshot.ego;
   if (!(ego.size.length > 0.0 && ego.size.width > 0.0)) {
     return refuse(StatusCode::kInvalidInput, "the ego's size is ", ego.size.length, " x ",
@@ -156,7 +157,7 @@ Status checkRequest(const CollisionRequest& request, const Snapshot& snapshot,
   }
   const Status controls = checkControls(request);
   if (controls.code != StatusCode::kOk) return controls;
-  const Status ego = checkEgo(snapshot, options);
+  const Status ego = checkEgo(snapshot);
   if (ego.code != StatusCode::kOk) return ego;
   if (request.attacker) return checkAttacker(*request.attacker, request.attacker_class, snapshot);
   return {};

@@ -38,9 +38,7 @@ std::vector<std::optional<std::string>> attackersOf(const Snapshot& snapshot, At
   return ids;
 }
 
-double speedOf(const Track& ego, const PredictionOptions& options) {
-  return ego.states.empty() ? 0.0 : estimateMotion(ego).speed;
-}
+double speedOf(const Track& ego) { return ego.states.empty() ? 0.0 : estimateMotion(ego).speed; }
 
 }  // namespace
 
@@ -53,7 +51,7 @@ std::vector<SceneRequest> listRequests(const Scene& scene, const RequestListOpti
   std::vector<SceneRequest> requests;
   for (const double now : framesEvery(list.stride, scene.frame_times)) {
     const Snapshot snapshot = snapshotAt(scene, now, options.history_frames);
-    if (speedOf(snapshot.ego, options) < list.min_ego_speed) continue;
+    if (speedOf(snapshot.ego) < list.min_ego_speed) continue;
     const double end = std::min(scene.frame_times.back(), scene.ego.states.back().time);
     const auto attackers = attackersOf(snapshot, list.attackers);
     for (const double tta : list.ttas) {

@@ -12,8 +12,7 @@ namespace forge {
 namespace {
 
 /// How the ego was seen to move: a point a frame that has enough of it.
-std::vector<TrajectoryPoint> motionsOf(const Track& ego, const std::vector<double>& frame_times,
-                                       const PredictionOptions& options) {
+std::vector<TrajectoryPoint> motionsOf(const Track& ego, const std::vector<double>& frame_times) {
   std::vector<TrajectoryPoint> points;
   Track past = ego;
   past.states.clear();
@@ -68,8 +67,8 @@ std::vector<PlannerSample> plannerSamples(const Scene& scene,
   DrivingTask task{lanes, routeOf(scene.ego, *lanes, planners.planning.route), options.ego_vehicle,
                    planners.car.wheelbase};
   PlannerInputs inputs(task, planners.route_centerline);
-  const std::vector<TrajectoryPoint> motions = motionsOf(
-      atFrames(scene.ego, scene.frame_times), scene.frame_times, options.attack.prediction);
+  const std::vector<TrajectoryPoint> motions =
+      motionsOf(atFrames(scene.ego, scene.frame_times), scene.frame_times);
   const double min_future = options.planner_training.min_future;
   std::vector<PlannerSample> samples;
   for (std::size_t i = 0; i < motions.size(); ++i) {

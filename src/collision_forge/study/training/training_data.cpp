@@ -41,8 +41,7 @@ std::vector<double> drawTtas(const Track& ego, double now, double longest, int c
 }
 
 TimedSample timedSample(const EgoWays& ways, const LaneIndex& lanes, const Track& ego, double now,
-                        double tta, const LearningOptions& options,
-                        const PatternFeatureOptions& features) {
+                        double tta, const PatternFeatureOptions& features) {
   const Pose2 there = stateAt(ego, now + tta)->pose;
   return {tta, anchorFeatures(ways, lanes, tta, features), relativeTo(ways.ego.state.pose, there)};
 }
@@ -63,7 +62,7 @@ std::optional<TrainingSample> momentSample(const Scene& scene, double now, const
   const EgoWays ways = egoWays(observed, lanes, options.training.max_tta, features.max_ways);
   sample.ego_speed = ways.ego.past_speeds[0];
   for (const double tta : ttas) {
-    sample.times.push_back(timedSample(ways, lanes, scene.ego, now, tta, options, features));
+    sample.times.push_back(timedSample(ways, lanes, scene.ego, now, tta, features));
   }
   return sample;
 }
@@ -191,11 +190,10 @@ std::optional<TrainingSample> clipSample(const std::string& path, const LaneInde
   for (int i = 0; i < others; ++i) {
     const std::size_t frames = clip.times.size() - 1 - kCollideNowFrame;
     const std::size_t frame = kCollideNowFrame + 1 + engine() % frames;
-    sample.times.push_back(timedSample(ways, lanes, scene.ego, clip.now(),
-                                       clip.times[frame] - clip.now(), options, features));
+    sample.times.push_back(
+        timedSample(ways, lanes, scene.ego, clip.now(), clip.times[frame] - clip.now(), features));
   }
-  sample.times.push_back(
-      timedSample(ways, lanes, scene.ego, clip.now(), clip.tta(), options, features));
+  sample.times.push_back(timedSample(ways, lanes, scene.ego, clip.now(), clip.tta(), features));
   sample.attack = attackOf(clip, scene, observed, ways, options);
   return sample;
 }
