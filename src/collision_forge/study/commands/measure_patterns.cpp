@@ -137,8 +137,7 @@ void measureClip(const CollideClip& clip, const LaneIndex& lanes, const PatternN
   result.sampled = errorOfMean(sampler, snapshot, lanes, clip.times.back(), place);
   judgeCandidates(scene, clip, snapshot, config, expected, truth, result);
   totals.clips.push_back(result);
-  totals.timing.add(scene, network, lanes, clip.tta(), clip.type, result.candidates,
-                    config.attack.ego_futures);
+  totals.timing.add(scene, network, lanes, clip.tta(), clip.type, result.candidates);
 }
 
 void printRow(const std::string& name, const std::vector<ClipResult>& clips) {

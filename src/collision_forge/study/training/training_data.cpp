@@ -63,7 +63,7 @@ std::optional<TrainingSample> momentSample(const Scene& scene, double now, const
   const EgoPathSet ways = egoPathSet(observed, lanes, options.training.max_tta, features.max_ways);
   sample.ego_speed = ways.ego.past_speeds[0];
   for (const double tta : ttas) {
-    sample.times.push_back(timedSample(ways, lanes, scene.ego, now, tta, options, features));
+    sample.times.push_back(timedSample(ways, lanes, scene.ego, now, tta, features));
   }
   return sample;
 }
@@ -191,11 +191,10 @@ std::optional<TrainingSample> clipSample(const std::string& path, const LaneInde
   for (int i = 0; i < others; ++i) {
     const std::size_t frames = clip.times.size() - 1 - kCollideNowFrame;
     const std::size_t frame = kCollideNowFrame + 1 + engine() % frames;
-    sample.times.push_back(timedSample(ways, lanes, scene.ego, clip.now(),
-                                       clip.times[frame] - clip.now(), options, features));
+    sample.times.push_back(
+        timedSample(ways, lanes, scene.ego, clip.now(), clip.times[frame] - clip.now(), features));
   }
-  sample.times.push_back(
-      timedSample(ways, lanes, scene.ego, clip.now(), clip.tta(), options, features));
+  sample.times.push_back(timedSample(ways, lanes, scene.ego, clip.now(), clip.tta(), features));
   sample.attack = attackOf(clip, scene, observed, ways, options);
   return sample;
 }
