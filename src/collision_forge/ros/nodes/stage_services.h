@@ -44,7 +44,7 @@ class TrajectoryRealizerService : public TrajectoryRealizer {
 
   /// Returns a rejection with kNodeUnavailable if the service does not respond. Throws MessageError
   /// and InputError for an invalid response.
-  Attack realize(const AttackTask& task) const override;
+  Attack realize(const RealizationTask& task) const override;
 
  private:
   ServiceCaller& caller_;
