@@ -410,16 +410,32 @@ TEST_F(ForeignBagTest, AgentsThatCannotBeUsedAreLeftOut) {
   objects[1].pose.position.x = std::nan("");
   objects[2].pose.orientation.w = 0.0;
   objects[3].size.y = 0.0;
-  objects[4].velocity.x = std::numeric_limits<double>::infinity();
   objects[5].id = 0;
   write();
   const auto agents = read().frames.at(0).annotations;
-  ASSERT_EQ(agents.size(), 2U);
-  EXPECT_EQ(agents[1].instance, "6");
+  ASSERT_EQ(agents.size(), 3U);
+  EXPECT_EQ(agents[2].instance, "6");
   EXPECT_THAT(
       warnings_,
-      ElementsAre("4 agents that are not a number or have no size left out",
+      ElementsAre("3 agents that are not a number or have no size left out",
                   "1 agents without an id, or with that of another one or the ego left out"));
+}
+
+TEST_F(ForeignBagTest, AVelocityThatIsNotFiniteCostsNoAgent) {
+  for (auto& frame : objects_) {
+    for (auto& object : frame.objects) object.velocity.x = std::nan("");
+  }
+  write();
+  const auto agents = read().frames.at(0).annotations;
+  ASSERT_FALSE(agents.empty());
+  EXPECT_EQ(agents[0].velocity, Eigen::Vector3d(0.0, 0.0, 0.0));
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("velocities of agents that are not finite")));
+}
+
+TEST_F(ForeignBagTest, ClocksThatNeverMeetAreAnError) {
+  ego_ = {odometryAt(1000.0), odometryAt(1000.1)};
+  write();
+  EXPECT_THAT(complaint(), HasSubstr("and of the ego (1000.000 to 1000.100 s) do not overlap"));
 }
 
 TEST_F(ForeignBagTest, StampsThatGoBackOrAreNotSetAreLeftOut) {

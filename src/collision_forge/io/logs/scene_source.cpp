@@ -45,7 +45,8 @@ std::vector<std::string> SceneSource::forEach(
     try {
       scene = at(name);
     } catch (const std::exception& error) {
-      unreadable.push_back(name + ": " + error.what());
+      const std::string problem = error.what();
+      unreadable.push_back(problem.rfind(name, 0) == 0 ? problem : name + ": " + problem);
       continue;
     }
     work(*scene);

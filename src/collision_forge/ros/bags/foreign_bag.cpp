@@ -11,6 +11,7 @@
 #include <set>
 #include <utility>
 
+#include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/ros/bags/message_fields.h"
 #include "collision_forge/ros/bags/read_opened.h"
 #include "collision_forge/ros/messages/same_instant.h"
@@ -140,15 +141,36 @@ class RecordingBuilder {
     if (instance.getTopic() == mapping_.agents.fields.topic) addAgents(instance);
   }
 
-  NuScenesRecording finish(std::vector<std::string>* warnings) {
+  /// Adds to `left_out` what was left out, with counts.
+  NuScenesRecording finish(std::vector<std::string>& left_out) {
+    requireOneClock();
     if (!mapping_.agents.velocity) deriveVelocities(recording_);
     for (const auto& [what, count] : left_out_) {
-      if (warnings) warnings->push_back(std::to_string(count) + " " + what + " left out");
+      left_out.push_back(std::to_string(count) + " " + what + " left out");
     }
     return std::move(recording_);
   }
 
  private:
+  /// Throws BagError if the stamps of agents and ego do not overlap.
+  void requireOneClock() const {
+    const auto& poses = recording_.ego_poses;
+    const auto& frames = recording_.frames;
+    if (poses.empty() || frames.empty()) return;
+    if (frames.front().timestamp_us <= poses.back().timestamp_us &&
+        poses.front().timestamp_us <= frames.back().timestamp_us) {
+      return;
+    }
+    const auto range = [](std::int64_t first_us, std::int64_t last_us) {
+      return formatted("%.3f to %.3f s", 1e-6 * static_cast<double>(first_us),
+                       1e-6 * static_cast<double>(last_us));
+    };
+    throw BagError(
+        "stamps of agents (" + range(frames.front().timestamp_us, frames.back().timestamp_us) +
+        ") and of the ego (" + range(poses.front().timestamp_us, poses.back().timestamp_us) +
+        ") do not overlap: both must have one clock");
+  }
+
   bool isOfTransforms() const { return !mapping_.ego.child_frame_id.empty(); }
 
   void addEgo(const rosbag::MessageInstance& instance) {
@@ -208,9 +230,12 @@ class RecordingBuilder {
     std::set<std::string> ids = {kEgoId, ""};
     for (std::size_t row = 0; row < agent_values_.rows(mapping_.agents.id); ++row) {
       NuScenesAnnotation agent = agentAt(row);
+      if (!agent.velocity.allFinite()) {
+        agent.velocity.setZero();
+        ++left_out_["velocities of agents that are not finite"];
+      }
       if (!agent.translation.allFinite() || !agent.rotation.coeffs().allFinite() ||
-          !agent.velocity.allFinite() || !(agent.size.minCoeff() > 0.0) ||
-          !agent.size.allFinite()) {
+          !(agent.size.minCoeff() > 0.0) || !agent.size.allFinite()) {
         ++left_out_["agents that are not a number or have no size"];
       } else if (!ids.insert(agent.instance).second) {
         ++left_out_["agents without an id, or with that of another one or the ego"];
@@ -276,6 +301,7 @@ NuScenesRecording readForeignBag(const std::string& path, const TopicMapping& ma
                                  const EgoVehicle& ego, std::vector<std::string>* warnings) {
   const auto& ego_topic = mapping.ego.fields.topic;
   const auto& agents_topic = mapping.agents.fields.topic;
+  std::vector<std::string> left_out;
   NuScenesRecording recording = readOpened(path, [&](const rosbag::Bag& bag) {
     RecordingBuilder builder(mapping, ego);
     rosbag::View view(bag, rosbag::TopicQuery(std::vector<std::string>{ego_topic, agents_topic}));
@@ -296,10 +322,20 @@ NuScenesRecording readForeignBag(const std::string& path, const TopicMapping& ma
       throw BagError(path + ": no message on " + topic + " but on " + topicsOf(bag));
     }
     for (const rosbag::MessageInstance& instance : view) add(instance, instance.getTopic());
-    return builder.finish(warnings);
+    try {
+      return builder.finish(left_out);
+    } catch (const BagError& error) {
+      throw BagError(path + ": " + error.what());
+    }
   });
-  if (recording.ego_poses.empty()) throw BagError(path + ": no pose of the ego on " + ego_topic);
-  if (recording.frames.empty()) throw BagError(path + ": no frame of agents on " + agents_topic);
+  const auto fail = [&](const std::string& problem) {
+    std::string text = path + ": " + problem;
+    for (const std::string& what : left_out) text += "; " + what;
+    throw BagError(text);
+  };
+  if (recording.ego_poses.empty()) fail("no pose of the ego on " + ego_topic);
+  if (recording.frames.empty()) fail("no frame of agents on " + agents_topic);
+  if (warnings) warnings->insert(warnings->end(), left_out.begin(), left_out.end());
   recording.name = std::filesystem::path(path).stem().string();
   return recording;
 }
