@@ -9,9 +9,9 @@
 
 namespace forge {
 
-/// What an attack was asked for, of which instant, by which method and version. `configuration` is
-/// a fingerprintOfAll(), `alternative` the number of the attack as of attackOf(). The fields that
-/// describe a bag are left empty.
+/// Returns the message with the request, t0, method and version of an attack. `configuration` is a
+/// fingerprintOfAll(), `alternative` the attack's number as in attackOf(). The fields that describe
+/// a bag stay empty.
 collision_forge::AttackRequest attackRequest(const CollisionRequest& request,
                                              const collision_forge::Attack& attack,
                                              const std::string& configuration,

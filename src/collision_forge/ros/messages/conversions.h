@@ -30,28 +30,29 @@
 #include "collision_forge/base/scene/scene.h"
 #include "collision_forge/base/scene/scene_history.h"
 
-/// Between the core's types and the messages. Poses are planar: z, roll and pitch are dropped.
+/// Conversions between the core's types and the messages. Poses are planar: z, roll and pitch are
+/// dropped.
 namespace forge {
 
-/// A message that says something impossible; names the field and the value.
+/// Thrown for a message with an invalid value; names the field and the value.
 struct MessageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws MessageError where a message of that topic is in another frame than `map`; one without a
-/// frame is taken to be in it.
+/// Throws MessageError if the frame of a message of `topic` is not `map`. An empty frame counts as
+/// `map`.
 void requireMapFrame(const std_msgs::Header& header, const char* topic);
 
-/// The stamp of a time in seconds, whose toSec() is that time again. A double does not tell the
-/// nanoseconds of today's times: of the stamps with the same toSec() that of a whole microsecond is
-/// taken, which gives the stamps of nuScenes back as they were.
+/// Returns the stamp of `time`, s, with toSec() == time. A double cannot hold the nanoseconds of
+/// today's times: from the stamps with the same toSec(), returns the one at a whole microsecond,
+/// which restores the stamps of nuScenes.
 ros::Time stampOf(double time);
 
 Pose2 fromMessage(const geometry_msgs::Pose& message);
 Pose2 fromMessage(const geometry_msgs::Pose2D& message);
 Pose2 fromMessage(const geometry_msgs::Transform& message);
 geometry_msgs::Pose toPoseMessage(const Pose2& pose);
-/// Moves and turns a pose there; height, roll and pitch stay.
+/// Sets x, y and yaw of `pose`; keeps height, roll and pitch.
 void setPlanar(const Pose2& planar, geometry_msgs::Pose& pose);
 geometry_msgs::Pose2D toPose2dMessage(const Pose2& pose);
 
@@ -62,7 +63,7 @@ collision_forge::TrajectoryPoint toMessage(const TrajectoryPoint& point);
 LaneMap fromMessage(const collision_forge::LaneMap& message);
 collision_forge::LaneMap toMessage(const LaneMap& map, const ros::Time& stamp);
 
-/// One track with one state an agent. Throws MessageError for an agent class that does not exist.
+/// Returns a track with one state for each agent. Throws MessageError for an unknown agent class.
 std::vector<Track> fromMessage(const collision_forge::AgentArray& message);
 
 AgentState fromMessage(const collision_forge::TrackState& message);
@@ -74,36 +75,36 @@ collision_forge::AgentTrack toMessage(const Track& track);
 Future fromMessage(const collision_forge::Future& message);
 collision_forge::Future toMessage(const Future& future);
 
-/// The snapshot in an encoded scene, without a map.
+/// Returns the snapshot without a map.
 Snapshot fromMessage(const collision_forge::SceneSnapshot& message);
 collision_forge::SceneSnapshot toMessage(const Snapshot& snapshot);
 collision_forge::EncodedScene toMessage(const Snapshot& snapshot, const SceneEncoding& encoding);
 
-/// The request, or why there is none: UNKNOWN_TYPE or INVALID_INPUT. An empty mode is history. What
-/// counts as the crash is `crash`, unless the message says otherwise; an adaptive attacker sets out
-/// however little its first plan promises.
+/// Returns the request, or UNKNOWN_TYPE or INVALID_INPUT with a message. An empty mode is history.
+/// `crash` gives the crash definition where the message leaves it open. For an adaptive attacker
+/// the first plan needs no minimum confidence.
 std::variant<CollisionRequest, Status> fromMessage(const collision_forge::CollisionRequest& message,
                                                    const CrashDefinition& crash);
-/// With every word that it has by default.
+/// Fills in all words, defaults included.
 collision_forge::CollisionRequest toMessage(const CollisionRequest& request);
-/// What generate_collision is asked, but for the method. Mode history of an adaptive attacker is
-/// mode adaptive.
+/// Returns the CollisionRequest in a request of generate_collision, without the method. Mode
+/// history with `adaptive` becomes mode adaptive.
 collision_forge::CollisionRequest requestIn(
     const collision_forge::GenerateCollision::Request& message);
 
 CollisionPattern fromMessage(const collision_forge::CollisionPattern& message);
 collision_forge::CollisionPattern toMessage(const CollisionPattern& pattern, double now);
 
-/// Throws MessageError for a way that is none.
+/// Throws MessageError for an invalid path.
 ReferencePath fromMessage(const collision_forge::AttackerWay& message);
 collision_forge::AttackerWay toMessage(const ReferencePath& way, const std::string& attacker_id);
 
-/// What is published in place of an attack that is over and done with.
+/// Returns true for the empty attack that is published when the attack has ended.
 inline bool isNone(const collision_forge::Attack& attack) {
   return attack.trajectory.attacker_id.empty();
 }
 
-/// Throws MessageError for an agent class that does not exist, a size that is not positive, points
+/// Throws MessageError for an unknown agent class, a size that is not positive, points
 /// or past states that are not finite, times that do not grow, and a past that does not fit
 /// `added`.
 AttackerTrajectory fromMessage(const collision_forge::AttackerTrajectory& message);
@@ -116,13 +117,13 @@ collision_forge::CollisionReport toMessage(const CollisionReport& report,
 /// `believable` of the message are ignored: they follow from the other fields.
 CollisionReport fromMessage(const collision_forge::CollisionReport& message);
 
-/// An answer with kOk and without alternatives. Throws as fromMessage() of pattern, trajectory and
-/// report.
+/// Returns an attack with status kOk, without alternatives. Throws like fromMessage() of pattern,
+/// trajectory and report.
 Realization fromMessage(const collision_forge::Attack& message);
-/// An answer with kOk. `now`: of the snapshot.
+/// `answer` must have status kOk; `now` is t0 of the snapshot, s.
 collision_forge::Attack toMessage(const Realization& answer, const std::string& method, double now);
 
-/// Says in an attack that its attacker sees and reacts, and what it decided last.
+/// Marks `message` as adaptive and sets the attacker's phase, last decision and number of plans.
 void setPlans(const std::vector<AttackerPlan>& plans, collision_forge::Attack& message);
 
 }  // namespace forge

@@ -15,10 +15,10 @@
 /// Debian has no package of it: a publisher and a bag carry its definition with them.
 namespace forge {
 
-extern const char kObjectArrayDefinition[];  ///< with all types that it is made of
+extern const char kObjectArrayDefinition[];  ///< with all nested types
 
-/// derived_object_msgs/Object: detected and tracked, a box. Without a polygon and an acceleration,
-/// and the age of its class is 0: nobody knows them.
+/// derived_object_msgs/Object, a tracked box. Polygon, acceleration and age of the class are
+/// unknown: empty or 0.
 struct DerivedObject {
   std::uint32_t id = 0;
   geometry_msgs::Pose pose;         ///< of the middle of its box
@@ -28,14 +28,14 @@ struct DerivedObject {
 };
 
 struct ObjectArray {
-  std_msgs::Header header;  ///< of every object, too
+  std_msgs::Header header;  ///< also written for every object
   std::vector<DerivedObject> objects;
 };
 
-/// The number in an agent's id, if that is nothing but one of 32 bits; else the CRC-32 of the id.
+/// Returns the id as a number if it is an unsigned 32-bit number, else the CRC-32 of the id.
 std::uint32_t objectId(const std::string& agent_id);
 
-/// A frame of agents, in their order.
+/// Returns the agents of a frame as objects, in the same order.
 ObjectArray toObjects(const collision_forge::AgentArray& agents);
 
 }  // namespace forge

@@ -12,21 +12,21 @@
 #include "collision_forge/planner_test/trials/planner_trial.h"
 #include "collision_forge/ros/messages/conversions.h"
 
-/// conversions.h for tests of planners.
+/// Message conversions for planner tests.
 namespace forge {
 
-/// The planner that is a node of its own.
+/// Name of the planner that runs in a node of its own.
 inline constexpr char kExternalPlanner[] = "external";
 
-/// What `planner` of TestPlanner.srv may be: plannerNames() and kExternalPlanner.
+/// Returns the valid values of `planner` in TestPlanner.srv: plannerNames() and kExternalPlanner.
 std::vector<std::string> testablePlanners();
 
-/// What an external planner is told; `test` and `interval` as in the message.
+/// Returns the observation for an external planner; `test` and `interval` (s) as in the message.
 collision_forge::PlanningState toMessage(const Observation& observation, const DrivingTask& task,
                                          std::uint32_t test, double interval);
 
-/// The planned points as they are, numbers that are none among them. Throws MessageError for a
-/// frame that is not `map`, and for an orientation that was not filled in.
+/// Returns the planned points unchanged, non-finite numbers included. Throws MessageError if the
+/// frame is not `map` or an orientation is not filled in.
 std::vector<TrajectoryPoint> fromMessage(const collision_forge::PlannedTrajectory& message);
 
 collision_forge::PlannerOutcome toMessage(const PlannerTrial& trial, const std::string& planner,

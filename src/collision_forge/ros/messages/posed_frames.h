@@ -15,11 +15,11 @@
 
 namespace forge {
 
-/// Which transforms of /tf move the ego: those of the nearest frame from base_link upwards that
-/// /tf_static does not fix to the one above it.
+/// Finds the transforms of /tf that move the ego: transforms of the first frame from base_link
+/// upwards that /tf_static does not fix to its parent.
 class EgoMovers {
  public:
-  /// Of /tf_static.
+  /// Adds transforms of /tf_static.
   void addFixed(const tf2_msgs::TFMessage& message) {
     for (const geometry_msgs::TransformStamped& transform : message.transforms) {
       parents_[transform.child_frame_id] = transform.header.frame_id;
@@ -30,18 +30,18 @@ class EgoMovers {
     }
   }
 
-  /// For a transform of /tf.
+  /// Returns true if a transform of /tf moves the ego.
   bool has(const geometry_msgs::TransformStamped& transform) const {
     return transform.child_frame_id == moving_;
   }
 
  private:
-  std::map<std::string, std::string> parents_;  // that /tf_static has
+  std::map<std::string, std::string> parents_;  // by child, from /tf_static
   std::string moving_ = names::kBaseFrame;
 };
 
-/// Messages with a header in their order, each with the ego's pose at its time, which it waits for:
-/// both come over connections of their own. Not thread-safe.
+/// Pairs stamped messages with the ego's pose at their time, in their order. Messages wait for the
+/// pose, since both arrive over separate connections. Not thread-safe.
 ///
 /// tf2_ros has a listener and a filter for this, which lose frames where a replay starts again: the
 /// listener tells that by /clock, which comes over a third connection, and what it takes for new
@@ -56,11 +56,11 @@ class PosedFrames {
   struct PosedFrame {
     Pointer message;
     geometry_msgs::Transform pose;  ///< of the ego's base in the map
-    std::size_t dropped = 0;        ///< frames before it that no transform came for
+    std::size_t dropped = 0;        ///< frames before it without a transform
   };
 
-  /// Poses of the ego that go back by more than kRestart are a replay that starts again: what was
-  /// known is forgotten.
+  /// If the ego's poses go back by more than kRestart, the replay was restarted: clears the known
+  /// transforms.
   void addTransforms(const tf2_msgs::TFMessage& message, bool is_static) {
     if (is_static) movers_.addFixed(message);
     for (const geometry_msgs::TransformStamped& transform : message.transforms) {
@@ -73,13 +73,13 @@ class PosedFrames {
     }
   }
 
-  /// For a transform of /tf, by what /tf_static has told up to now.
+  /// Returns true if a transform of /tf moves the ego, given the /tf_static received so far.
   bool movesEgo(const geometry_msgs::TransformStamped& transform) const {
     return movers_.has(transform);
   }
 
-  /// A frame from before one that waits, by more than kRestart, is of a replay that starts again,
-  /// too: that one is dropped.
+  /// If the frame is older than the newest waiting one by more than kRestart, the replay was
+  /// restarted: drops all waiting frames.
   void addFrame(const Pointer& message) {
     const ros::Time stamp = message->header.stamp + ros::Duration(kRestart);
     if (!waiting_.empty() && stamp < waiting_.back()->header.stamp) waiting_.clear();
@@ -87,7 +87,7 @@ class PosedFrames {
     if (waiting_.size() > kQueue) waiting_.pop_front();
   }
 
-  /// The oldest frame whose transform is known, once; those before it are dropped.
+  /// Removes and returns the oldest frame with a known transform; drops the frames before it.
   std::optional<PosedFrame> next() {
     for (std::size_t i = 0; i < waiting_.size(); ++i) {
       const ros::Time stamp = waiting_[i]->header.stamp;

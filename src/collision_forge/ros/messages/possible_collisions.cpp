@@ -10,7 +10,7 @@
 namespace forge {
 namespace {
 
-/// The types with these names; without names that of the manoeuvre, without it all.
+/// Returns the named types; without names the manoeuvre's type, without a manoeuvre all types.
 std::variant<std::vector<CollisionType>, Status> typesNamed(const std::vector<std::string>& names,
                                                             const std::string& manoeuvre) {
   std::vector<CollisionType> types;
@@ -45,8 +45,7 @@ collision_forge::PossibleCollision inShort(const collision_forge::CollisionAnswe
   return collision;
 }
 
-/// The commonest reason why these answers decline, with the message of the first of them; empty
-/// without answers.
+/// Returns the commonest code with its first message; empty without answers.
 std::string whyNothing(const std::vector<collision_forge::CollisionAnswer>& answers) {
   std::map<std::uint8_t, std::size_t> counts;
   for (const auto& answer : answers) ++counts[answer.code];

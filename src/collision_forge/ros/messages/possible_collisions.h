@@ -13,23 +13,23 @@
 
 namespace forge {
 
-/// The request for each of these types and times: by type, then time. No types: all five, or that
-/// of its manoeuvre; no ttas: those given as usual. kInvalidInput where the request names a type or
-/// a time itself, kUnknownType for a type that there is not, and what the conversion of the request
-/// declines. `crash` is what counts as the crash where the request does not say.
+/// Returns a request for each combination of type and TTA (s), ordered by type, then TTA. Without
+/// types: the type of the request's manoeuvre, or all five; without `ttas`: `usual_ttas`. Returns
+/// kInvalidInput if the request itself has a type or TTA, kUnknownType for an unknown type, and
+/// errors of the request's conversion. `crash` gives defaults for the request's empty fields.
 std::variant<std::vector<CollisionRequest>, Status> requestsForEach(
     collision_forge::CollisionRequest request, const std::vector<std::string>& types,
     std::vector<double> ttas, const std::vector<double>& usual_ttas, const CrashDefinition& crash);
 
-/// Attack, alternatives and summary are filled in with kOk alone. `method` made the attacks, `now`
-/// is the moment's, s.
+/// Fills in attack, alternatives and summary only with kOk. `method` names the method that made the
+/// attacks, `now` is t0, s.
 collision_forge::CollisionAnswer toMessage(const CollisionRequest& request,
                                            const Realization& answer, const std::string& method,
                                            double now);
 
-/// The attacks of these answers in short, those of each answer as sure as they are. What the scene
-/// does not allow is left out; an answer that says something against the request itself is
-/// returned.
+/// Appends a summary of each attack to `collisions`, for each answer by falling confidence. Leaves
+/// out requests that the scene does not allow; returns the first error of a request itself. If
+/// nothing is feasible, the returned kOk has the commonest reason as message.
 Status listPossible(const std::vector<collision_forge::CollisionAnswer>& answers,
                     std::vector<collision_forge::PossibleCollision>& collisions);
 

@@ -8,10 +8,10 @@
 /// Degrees, percent and seconds from the header's stamp.
 namespace forge {
 
-/// What verification found, a condition that is broken included.
+/// Returns the result of the verification, with violated conditions.
 std::string lineOf(const collision_forge::CollisionReport& report);
 
-/// Who crashes into the ego how, with the words of lineOf().
+/// Returns type, attacker and confidence of the attack, then lineOf() its report.
 std::string summaryOf(const collision_forge::Attack& attack);
 
 }  // namespace forge

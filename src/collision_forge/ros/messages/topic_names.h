@@ -71,7 +71,7 @@ inline constexpr char kMapFrame[] = "map";
 inline constexpr char kBaseFrame[] = "base_link";
 inline constexpr char kTestedEgoFrame[] = "tested_ego";  // the ego's box where its test begins
 
-// Who sends the frames of agents between recorded ones in a bag with an attack.
+// Publisher name, in a bag with an attack, of the frames of agents between recorded ones.
 inline constexpr char kInBetween[] = "/collision_forge_in_between";
 
 }  // namespace forge::names
