@@ -4,11 +4,10 @@
 
 namespace forge {
 
-/// Walks through the records of a bag, those in its chunks and messages of types that are read too,
-/// and throws BagError, naming the path and the byte, for a length or a place that leads out of its
-/// record: rosbag and ROS believe them. Also throws BagError for a file that is no bag, and for a
-/// bag of another version than 2.0. Encrypted bags, bags without an index and paths without a file
-/// are left to rosbag, which throws for them.
+/// Checks all lengths and offsets in the records of a bag, also in chunks and in messages of the
+/// types that are read, since rosbag and ROS do not check them. Throws BagError with path and byte
+/// if one leads out of its record, for a file that is no bag, and for a version other than 2.0.
+/// Ignores encrypted bags, bags without an index and missing files: rosbag throws for them.
 void checkBag(const std::string& path);
 
 }  // namespace forge

@@ -4,7 +4,7 @@
 
 namespace forge {
 
-/// A bag that cannot be read or written; names the path, and the topic and time if it has them.
+/// Thrown if a bag cannot be read or written; names the path, and topic and time if known.
 struct BagError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -10,13 +10,13 @@
 
 namespace forge {
 
-/// The name in a bag of a topic of topic_names.h.
+/// Returns the name that a topic of topic_names.h has in a bag.
 inline std::string bagTopic(const char* name) { return std::string("/") + name; }
 
-/// A bag to be read. Different bags may be read from different threads.
+/// A bag opened for reading. Different bags may be read from different threads.
 class OpenedBag {
  public:
-  /// Throws as rosbag::Bag::open(), and BagError for one that is damaged (checkBag()).
+  /// Throws like rosbag::Bag::open(), and BagError for a damaged bag (checkBag()).
   explicit OpenedBag(const std::string& path);
   ~OpenedBag();
   OpenedBag(const OpenedBag&) = delete;
@@ -28,17 +28,17 @@ class OpenedBag {
   std::unique_ptr<rosbag::Bag> bag_;
 };
 
-/// An LZ4 bag that takes its name only when it is complete (AsideFile). Different bags may be
+/// Writes an LZ4 bag under a temporary name until it is complete (AsideFile). Different bags may be
 /// written from different threads.
 class NewBag {
  public:
-  /// Throws BagError, and std::runtime_error for a path that is there and no file.
+  /// Throws BagError, and std::runtime_error if the path exists and is no file.
   explicit NewBag(const std::string& path);
   ~NewBag();
   NewBag(const NewBag&) = delete;
   NewBag& operator=(const NewBag&) = delete;
 
-  /// The header is that of the connection. Throws BagError.
+  /// Writes a message; the header is the connection's. Throws BagError.
   template <typename Message>
   void write(const std::string& topic, const ros::Time& time, const Message& message,
              const boost::shared_ptr<ros::M_string>& header = {}) {
@@ -49,13 +49,13 @@ class NewBag {
     }
   }
 
-  /// As a latched publisher would have been recorded: rosbag play latches it again.
+  /// Writes a message as recorded from a latched publisher: rosbag play latches it again.
   template <typename Message>
   void writeLatched(const std::string& topic, const ros::Time& time, const Message& message) {
     write(topic, time, message, latchedHeader<Message>());
   }
 
-  /// Closes and renames. Throws BagError, and std::runtime_error where it cannot be renamed.
+  /// Closes and renames. Throws BagError, and std::runtime_error if the renaming fails.
   void commit();
 
  private:

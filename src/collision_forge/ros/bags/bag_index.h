@@ -4,8 +4,8 @@
 
 namespace forge {
 
-/// True where the index of a bag, one that rosbag opens, tells of messages at time 0, which means
-/// that they have none. rosbag itself leaves these out.
+/// Returns true if the index of a bag lists messages at time 0 (no time), which rosbag leaves out.
+/// `path` must be a bag that rosbag can open.
 bool hasMessageAtZero(const std::string& path);
 
 }  // namespace forge

@@ -12,25 +12,25 @@
 namespace forge {
 
 /// Reads /tf (map -> base_link), /agents and /lane_map of a bag into a scene named after the file;
-/// as the nodes see it live: agents are sorted by id, and velocities derived. Of a
-/// bag with an attack the recorded frames of agents alone are taken, not those in between. Messages
+/// as in live use: agents are sorted by id, and velocities derived. Of a
+/// bag with an attack only the recorded frames of agents are read, no frames in between. Messages
 /// that cannot be used (a stamp that is not after the one before, an agent that is not a number or
 /// has no size) are left out, as checkScene() leaves out agents, and `warnings`, if given, gets a
-/// line a kind. Throws BagError naming path and topic for a bag that is truncated, no bag, or
+/// line for each kind. Throws BagError naming path and topic for a bag that is truncated, no bag or
 /// without one of the three, and InputError as checkScene().
 Scene readBag(const std::string& path, const DataOptions& options,
               std::vector<std::string>* warnings = nullptr);
 
-/// The same with agents in the order they appear, with the velocities that the bag has, derived
+/// Like readBag(), but with agents in the order they appear, with the bag's velocities, derived
 /// where it has none, and with times rounded to microseconds, as tables of nuScenes have them.
 Scene readBagAsWritten(const std::string& path, const DataOptions& options,
                        std::vector<std::string>* warnings = nullptr);
 
-/// The lanes of /lane_map; none without such a topic. Throws BagError as above, and InputError as
-/// checkMap().
+/// Returns the map of /lane_map, null without that topic. Throws BagError as above, and InputError
+/// as checkMap().
 std::shared_ptr<const LaneMap> readLaneMap(const std::string& path, const InputLimits& limits);
 
-/// The attack in a bag of forge inject: what was asked for, and the attack without alternatives.
+/// Returns request and attack (without alternatives) of a bag of forge inject.
 /// The scene is named after the file. Throws BagError as above, and for a bag without an attack,
 /// and InputError as checkTrajectory() and checkPattern().
 Scenario readAttack(const std::string& path, const DataOptions& options,

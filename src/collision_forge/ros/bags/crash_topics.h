@@ -21,7 +21,7 @@
 
 namespace forge {
 
-/// A topic of profile ros1 whose messages the suite makes; its channel is there from the first on.
+/// A topic of profile ros1 with generated messages; its channel is added with the first message.
 class MadeTopic {
  public:
   /// `name` of topic_names.h; the schema's encoding is set here.
@@ -37,20 +37,19 @@ class MadeTopic {
   std::optional<std::uint16_t> number_;  ///< of the channel
 };
 
-/// What an MCAP file has beside the messages of its bag, made of these as they come: the map and
-/// every frame of agents as scenes, with what is known of the attack by then, and how fast ego and
-/// attacker are. A frame is shown when the ego's place at its stamp is known, and not before. What
-/// is beyond the limits of input is not shown.
+/// Writes generated topics beside a bag's messages to an MCAP file: map and frames of agents as
+/// scenes, with the attack known by then, and the speeds of ego and attacker. Shows a frame once
+/// the ego's pose at its stamp is known. Leaves out messages beyond the limits of input.
 class CrashTopics {
  public:
   /// `agents`: the topic of the frames, as the bag names it.
   CrashTopics(McapWriter& writer, const EgoVehicle& ego, const InputLimits& limits,
               std::string agents);
 
-  /// A message of the bag, in the order of time.
+  /// Takes the next message of the bag, in order of time.
   void take(const rosbag::MessageInstance& instance);
 
-  /// What was not shown, a line a topic.
+  /// Returns a line for each topic with messages that were left out.
   std::vector<std::string> warnings() const;
 
  private:
@@ -66,7 +65,7 @@ class CrashTopics {
   };
 
   bool isShown(const collision_forge::Agent& agent) const;
-  /// Whether `check` does not throw; counts where it does.
+  /// Returns false and counts the message if `check` throws.
   template <typename Check>
   bool isWithinLimits(const char* topic, const Check& check);
   void takeMap(const collision_forge::LaneMap& map, const ros::Time& time);

@@ -8,10 +8,10 @@
 
 namespace forge {
 
-/// Reads ego and agents of a bag of others, by a mapping of its topics, as a recording named after
-/// the file, without a location. Categories are those that stand for the agents' classes, instances
-/// are the ids. Frames are as often as they come. What cannot be used is left out, and `warnings`,
-/// if given, gets a line a kind: messages whose stamp is not set or goes back, poses and agents
+/// Reads ego and agents of a bag of another source, with a mapping of topics, as a recording named
+/// after the file, without a location. Categories follow from the agents' classes, instances are
+/// the ids. Keeps the bag's frame rate. Leaves out unusable data, and adds a line for each kind to
+/// `warnings`, if given: messages whose stamp is not set or goes back, poses and agents
 /// that are not a number, agents without a size or an id, or with that of another one or the ego.
 /// Throws BagError naming path, topic and field for a bag that is truncated or no bag, and for
 /// one that is not as the mapping says: a topic or field that is not there or of another type,

@@ -8,7 +8,7 @@
 
 namespace forge {
 
-/// How bags of others are read.
+/// Options for reading bags of other sources.
 struct ForeignBags {
   TopicMapping mapping;
   /// A file of nuScenes' map expansion, whose name is the location; empty: every bag has its lanes
@@ -16,8 +16,8 @@ struct ForeignBags {
   std::string map;
 };
 
-/// A bag or a folder of bags, one a scene, by readForeignBag(). Throws BagError where there is no
-/// bag, std::runtime_error for a wanted scene that is not there. recording() throws as
+/// Opens a bag or a folder of bags, each a scene read by readForeignBag(). Throws BagError without
+/// a bag, std::runtime_error for a requested scene that does not exist. recording() throws as
 /// readForeignBag(), readLaneMap() and readNuScenesMapFile() do, BagError for a bag without lanes,
 /// and ConfigError for a location without a driving side.
 std::unique_ptr<SceneReader> openForeignBags(const std::string& bags, ForeignBags how,

@@ -4,8 +4,8 @@
 
 namespace forge {
 
-/// A layout for Foxglove and Lichtblick, as the text of its file: what CrashTopics show in 3D, and
-/// the speeds of ego and attacker over time.
+/// Returns the text of a layout file for Foxglove and Lichtblick: the scenes of CrashTopics in 3D,
+/// and the speeds of ego and attacker over time.
 std::string foxgloveLayout();
 
 }  // namespace forge

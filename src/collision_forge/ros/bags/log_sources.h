@@ -6,11 +6,12 @@
 
 namespace forge {
 
-/// Bags of forge convert: one, or a folder with some, each a scene named as its file.
+/// Returns the format for bags of forge convert: a bag or a folder; each bag is a scene named after
+/// its file.
 const LogFormat& bagFormat();
 
-/// The log source at a path, of whichever format it looks like: a bag or a folder of bags, a
-/// ScenarioNet folder, else a nuScenes root. `version` is of the last.
+/// Returns the log source at a path, with the format detected from its files: a bag or folder of
+/// bags, a ScenarioNet folder, else a nuScenes root. `version` is for nuScenes.
 LogSource logSourceAt(const std::string& path, const std::string& version);
 
 }  // namespace forge

@@ -11,7 +11,7 @@
 
 namespace forge {
 
-/// What MCAP's profile ros1 calls the bytes of messages and the text of their definitions.
+/// Name of the message encoding and of the schema encoding in MCAP's profile ros1.
 inline constexpr char kRos1Encoding[] = "ros1";
 inline constexpr char kRos1Definition[] = "ros1msg";
 
@@ -36,8 +36,8 @@ class McapWriter {
   /// `stream` is binary, at the begin of a file, and outlives this.
   McapWriter(std::ostream& stream, const std::string& profile, const std::string& library);
 
-  /// Returns the schema's number, from 1; that of an equal one, where there is one. Throws
-  /// std::length_error where there are 65,535 others.
+  /// Returns the schema's number, from 1; an equal schema's number if it exists. Throws
+  /// std::length_error beyond 65,535 schemas.
   std::uint16_t addSchema(McapSchema schema);
   /// Returns the channel's number, from 0. Throws as addSchema().
   std::uint16_t addChannel(McapChannel channel);
@@ -49,7 +49,7 @@ class McapWriter {
   void finish();
 
  private:
-  /// Where a message lies: its time, and its place in the uncompressed chunk.
+  /// Time, ns, and offset in the uncompressed chunk of each message.
   using MessagePlaces = std::vector<std::pair<std::uint64_t, std::uint64_t>>;
   using Times = std::pair<std::uint64_t, std::uint64_t>;  ///< of messages, the first and the last
 

@@ -7,7 +7,7 @@
 
 namespace forge {
 
-/// Types of fields that are no messages.
+/// Built-in types of fields.
 enum class BuiltinType {
   kBool,
   kInt8,
@@ -32,7 +32,7 @@ struct MessageField {
 
   std::string name;
   std::string type;                      ///< of an element, as it is written
-  const MessageType* message = nullptr;  ///< none: `builtin` says what it is
+  const MessageType* message = nullptr;  ///< null: see `builtin`
   BuiltinType builtin = BuiltinType::kBool;
   Shape shape = Shape::kSingle;
   std::size_t count = 1;  ///< elements of a fixed array

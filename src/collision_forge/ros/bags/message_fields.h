@@ -10,7 +10,7 @@
 
 namespace forge {
 
-/// What a field is wanted as.
+/// Type that a field is converted to.
 enum class FieldKind {
   kNumber,  ///< double, of any number or bool
   kTime,    ///< std::int64_t, nanoseconds, of a time
@@ -30,8 +30,8 @@ struct FieldPath {
 /// element, and any number where the path has a further `[]`.
 using FieldRows = std::vector<std::vector<FieldValue>>;
 
-/// Reads fields of ROS 1 messages of one type from their bytes, by nothing but the definition in
-/// the connection of a bag: nobody needs the package of the type.
+/// Reads fields of ROS 1 messages of one type from their bytes, with the definition in the
+/// connection of a bag; the package of the type is not needed.
 class MessageFields {
  public:
   /// Throws BagError as MessageDefinition does, and for a path that leads to no field of its kind.

@@ -10,7 +10,7 @@
 
 namespace forge {
 
-/// What `read` makes of the open bag; errors of rosbag and of messages as BagError.
+/// Returns `read` of the opened bag; rethrows errors of rosbag and of messages as BagError.
 template <typename Read>
 auto readOpened(const std::string& path, const Read& read) {
   try {

@@ -8,11 +8,11 @@
 
 #include "collision_forge/base/scene/track.h"
 
-/// Where a bag of others has the ego and the agents: a file like config/topics_autoware.yaml, in
-/// which every key is told.
+/// Topics and fields of ego and agents in a bag of another source: a file like
+/// config/topics_autoware.yaml, which explains every key.
 namespace forge {
 
-/// Where a number is: a path as FieldPath has it, or a number that stands for all messages.
+/// Source of a number: a FieldPath, or a constant for all messages.
 using NumberSource = std::variant<std::string, double>;
 
 struct PoseFields {
@@ -21,13 +21,13 @@ struct PoseFields {
   std::variant<std::array<NumberSource, 4>, NumberSource> orientation;
 };
 
-/// A topic and what belongs to every message of it.
+/// A topic and the fields that all its messages have.
 struct TopicFields {
   std::string topic;
   std::string type;           ///< with its package
   std::string stamp;          ///< path of a time
-  std::string frame_id;       ///< the frame that poses are to be in; empty: nobody asks
-  std::string frame_id_path;  ///< where a message says which they are in
+  std::string frame_id;       ///< required frame of poses; empty: any
+  std::string frame_id_path;  ///< path of the frame's name in a message
 };
 
 enum class EgoReference { kBaseLink, kBoxMiddle };

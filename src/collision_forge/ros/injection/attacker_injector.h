@@ -10,9 +10,9 @@
 
 namespace forge {
 
-/// Remembers what the trajectory does not say about an attacker (height, z), and puts it into
-/// frames of agents. One that was added is as high, and stands as high, as the nearest recorded
-/// vehicle of its class, or of another where there is none.
+/// Puts the attacker into frames of agents, with height and z from recorded frames, since the
+/// trajectory has neither. An added attacker gets height and z of the nearest recorded vehicle of
+/// its class, or of any class if there is none.
 class AttackerInjector {
  public:
   /// After the end of the trajectory the attacker brakes to a stand (slideFromEnd()). Throws
@@ -20,11 +20,11 @@ class AttackerInjector {
   AttackerInjector(collision_forge::AttackerTrajectory trajectory,
                    const DriveLimitOptions& options);
 
-  /// Drives on by another trajectory of the same vehicle from the same now, and keeps what it
-  /// remembers, also of a crash; false, and nothing is changed, where it is of another attack.
+  /// Replaces the trajectory by another one of the same vehicle and t0; keeps height, z and crash.
+  /// Returns false and changes nothing if the trajectory belongs to another attack.
   bool change(const collision_forge::AttackerTrajectory& trajectory);
 
-  /// From the contact on the attacker moves as `crash` has it; empty: it has no contact.
+  /// Sets the attacker's motion from the contact on; empty: no contact.
   void setCrash(const std::optional<PostCrashMotion>& crash) { crash_ = crash; }
 
   /// Takes height and z from a recorded frame, if the attacker is in it. inject() does so itself
@@ -33,7 +33,7 @@ class AttackerInjector {
 
   /// Frames up to the trajectory's start pass as they are; an attacker that was added is put into
   /// those of its past, too, as a new agent. Later, the attacker is where its trajectory or its
-  /// crash has it, whether it was recorded in that frame or not, and all others are as they were.
+  /// crash has it, recorded in that frame or not; other agents stay unchanged.
   collision_forge::AgentArray inject(collision_forge::AgentArray agents);
 
  private:

@@ -6,15 +6,15 @@
 
 namespace forge {
 
-// What of a message has numbers where numbers must be. Each returns how much was changed.
+// Remove non-finite values from messages. Each function returns the number of changes.
 
-/// Agents whose pose or size is not finite are left out, velocities that are not are none.
+/// Removes agents with a non-finite pose or size; sets non-finite velocities to 0.
 int keepFinite(collision_forge::AgentArray& message);
 
-/// Transforms that are not finite are left out.
+/// Removes non-finite transforms.
 int keepFinite(tf2_msgs::TFMessage& message);
 
-/// 1 where pose or twist is not finite: nothing of it is of use then.
+/// Returns 1 if pose or twist is not finite (the message is unusable), else 0.
 int keepFinite(const nav_msgs::Odometry& message);
 
 }  // namespace forge

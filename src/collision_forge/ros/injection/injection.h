@@ -15,7 +15,7 @@
 
 namespace forge {
 
-/// What an attacked bag shows after the contact with the recorded ego.
+/// Content of an attacked bag after the contact with the recorded ego.
 enum class AfterContact {
   kStop,  ///< both move as of PostCrashMotion; /tf and odom are rewritten; the bag ends when both
           ///< have stood for AttackedBagOptions::seconds_after_stand
@@ -26,11 +26,11 @@ enum class AfterContact {
 /// "stop", "end", "drive_on".
 const char* toString(AfterContact after);
 
-/// What a replay, which has no end to set, takes: kStop or kDriveOn. Throws std::invalid_argument
-/// for another word, naming both.
+/// Returns the value for a live replay, kStop or kDriveOn (a replay has no end to set). Throws
+/// std::invalid_argument naming both for another word.
 AfterContact liveAfterContact(const std::string& word);
 
-/// What is put into a bag.
+/// The attack to write into a bag.
 struct BagAttack {
   collision_forge::Attack attack;
   collision_forge::CollisionReport tested_report;  ///< against the recorded ego
@@ -38,7 +38,7 @@ struct BagAttack {
   AfterContact after_contact = AfterContact::kStop;
 };
 
-/// What the recording in a bag and its vehicles are like.
+/// Recorded ego and parameters that the injection needs.
 struct RecordingContext {
   const Track& ego;      ///< the recorded one
   double center_offset;  ///< as of EgoVehicle

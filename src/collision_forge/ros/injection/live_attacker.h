@@ -11,10 +11,10 @@
 
 namespace forge {
 
-/// Publishes attacks, and lets the newest one's attacker, if it sees and reacts, see the scene as
-/// it comes: where its trajectory changes or it decides something, the attack is published again.
-/// A scene from before the attack's now is of a replay that starts again: the attack is forgotten,
-/// or, if it is to be kept, set out anew. Thread-safe.
+/// Publishes attacks and updates the newest one's adaptive attacker with each frame of the scene:
+/// publishes the attack again when its trajectory changes or the attacker makes a decision. A frame
+/// from before the attack's t0 means that the replay restarted: the attack is dropped, or, with
+/// `keeps_attack`, started again. Thread-safe.
 class LiveAttacker {
  public:
   using Publish = std::function<void(const collision_forge::Attack&)>;
@@ -22,7 +22,7 @@ class LiveAttacker {
   LiveAttacker(Publish publish, bool keeps_attack, double kept_for)
       : publish_(std::move(publish)), keeps_attack_(keeps_attack), kept_for_(kept_for) {}
 
-  /// Publishes a fixed attack. Nobody sees and reacts any more.
+  /// Publishes a fixed attack and ends the previous adaptive one.
   void setOut(const collision_forge::Attack& attack);
 
   /// Publishes an attack of an attacker that sees and reacts, the task's; then that has seen what
@@ -30,16 +30,16 @@ class LiveAttacker {
   collision_forge::Attack setOut(collision_forge::Attack attack, AttackerTask task,
                                  const AttackerSetup& setup);
 
-  /// Publishes an attack by nobody (isNone()), so that one from elsewhere, as of a played bag,
-  /// ends, too. Returns whether there was one of its own.
+  /// Publishes an empty attack (isNone()), which also ends attacks from other sources such as a
+  /// played bag. Returns true if this object had an attack.
   bool forget();
 
   /// The newest frame of the scene; `clock`, s, is when it came. Where a replay goes back, but not
   /// to before the attack's now, an attacker that sees and reacts does so no more.
   void see(const Frame& frame, double clock);
 
-  /// To be called now and then: where no frame has come since the call before, nor for `lost_after`
-  /// seconds of the clock, the attacker is told that it sees nobody.
+  /// Call periodically. If no frame came since the previous call nor for `lost_after` s of the
+  /// clock, the attacker gets a frame without observations.
   void watch(double clock);
 
  private:

@@ -19,7 +19,7 @@ namespace forge {
 ///
 /// Without an attack, and up to its now, recorded frames pass at once. After its now there are also
 /// frames in between, `frame_rate` (config/attacked_bag.yaml) a second from a recorded one on:
-/// everybody else as in frameAfter(). None is where the next recorded one is awaited, or half a
+/// other agents as in frameAfter(). None is where the next recorded one is awaited, or half a
 /// step before it: until that has come, no more than the gap between the last two is filled.
 ///
 /// A frame after the attack's now waits until the ego's pose is known at its time or later, so that
@@ -29,8 +29,8 @@ namespace forge {
 /// published.
 ///
 /// From the attacker's first contact with the ego on (ContactWatch), the attacker moves as of
-/// PostCrashMotion, unless it drives on. A replay that goes back to before the contact undoes it.
-/// Not thread-safe.
+/// PostCrashMotion, unless `after_contact` is kDriveOn. A replay that goes back to before the
+/// contact undoes it. Not thread-safe.
 class LiveInjector {
  public:
   using Publish = std::function<void(const collision_forge::AgentArray&)>;
@@ -38,8 +38,9 @@ class LiveInjector {
   /// `after_contact`: kStop or kDriveOn; a replay has no end to set.
   LiveInjector(const Config& config, AfterContact after_contact, Publish publish);
 
-  /// In place of the one before; one that goes on (AttackerInjector::change()) keeps its contact.
-  /// By nobody: there is none any more. Throws MessageError and InputError, and changes nothing.
+  /// Replaces the attack; an update of the same attack (AttackerInjector::change()) keeps the
+  /// contact. An empty attack (isNone()) ends it. Throws MessageError and InputError, and changes
+  /// nothing.
   void setAttack(const collision_forge::Attack& attack);
 
   void addFrame(const collision_forge::AgentArray::ConstPtr& recorded);

@@ -19,17 +19,17 @@ struct EgoBetween {
   double ratio;  ///< of the time between the two, in (0, 1)
 };
 
-/// Rewrites what tells the ego's motion in a recording, from its contact on. Height, roll and pitch
-/// stay those of the newest message up to then. Messages come in the order of time.
+/// Rewrites the ego's transforms and odometry in a recording, from the contact on. Height, roll and
+/// pitch stay those of the newest message up to then. Messages come in the order of time.
 class SlidingEgo {
  public:
-  /// Whether the transform is map -> base_link.
+  /// Returns true if the transform is map -> base_link.
   static bool isEgo(const geometry_msgs::TransformStamped& transform);
 
   /// `center_offset` as of EgoVehicle.
   SlidingEgo(const PostCrashMotion& crash, double center_offset);
 
-  /// The same with map -> base_link as after the contact; other transforms are left alone.
+  /// Returns the message with the ego's post-crash pose; keeps other transforms.
   tf2_msgs::TFMessage changed(tf2_msgs::TFMessage message);
   nav_msgs::Odometry changed(nav_msgs::Odometry message);
 
