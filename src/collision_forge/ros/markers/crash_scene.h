@@ -6,15 +6,15 @@
 #include "collision_forge/ros/markers/markers.h"
 #include "collision_forge/ros/markers/scene_update.h"
 
-/// What Foxglove and Lichtblick show in 3D. Frame and stamp are those of the message's header;
-/// everybody stands on the ground. What is not finite or has no extent is left out.
+/// Scenes for the 3D panel of Foxglove and Lichtblick. Frame and stamp come from the message's
+/// header; all boxes stand on the ground. Leaves out shapes that are not finite or have no extent.
 namespace forge {
 
-/// Lanes and connectors as their centrelines, and the edges of the drivable area.
+/// Returns the centrelines of lanes and connectors, and the edges of the drivable area.
 SceneUpdate mapScene(const collision_forge::LaneMap& map);
 
-/// Boxes with labels: the ego, the agents of the frame, and the one of them that attacks. With an
-/// attack also its way, its contact and, in words, the countdown or what the report says.
+/// Returns labelled boxes of the ego and the agents, the attacker marked. With an attack also its
+/// path, its contact and a text: the countdown or the outcome in the report.
 SceneUpdate crashScene(const CrashView& view, const collision_forge::AgentArray& agents);
 
 }  // namespace forge

@@ -5,29 +5,28 @@
 
 #include <string>
 
-/// An attack in words, for people: before its contact, and what became of it.
+/// Texts about an attack for people: the countdown before its contact, and the outcome.
 namespace forge {
 
-/// The report if it is of the attack and tells what has come true by `now`; else null.
+/// Returns the report if it belongs to the attack and its outcome is known by `now`, else null.
 const collision_forge::CollisionReport* verdictBy(const ros::Time& now,
                                                   const collision_forge::Attack& attack,
                                                   const collision_forge::CollisionReport* tested);
 
-/// Of a contact that is not yet verified.
+/// Text for a contact that is not yet verified.
 inline constexpr const char* kContactWords = "contact; verification follows";
 
 /// "contact in 4.4 s" up to the predicted contact, then "contact predicted 0.2 s ago": where the
 /// ego does not drive as predicted, the contact comes later or never.
 std::string countdownWords(const collision_forge::Attack& attack, const ros::Time& now);
 
-/// As asked, not as asked and why, or no contact.
+/// Returns the outcome: as requested, not as requested with the reason, or no contact.
 std::string outcomeWords(const collision_forge::CollisionReport& tested);
 
-/// The same as two or three lines: the outcome; how hard; believable or why not.
+/// Returns two or three lines: the outcome; the impact; plausible, or the reason if not.
 std::string verdictWords(const collision_forge::CollisionReport& tested);
 
-/// The verdict where there is one, else the countdown, and of an attacker that sees and reacts what
-/// it does.
+/// Returns the verdict if there is one, else the countdown, and an adaptive attacker's phase.
 std::string crashWords(const collision_forge::Attack& attack,
                        const collision_forge::CollisionReport* verdict, const ros::Time& now);
 

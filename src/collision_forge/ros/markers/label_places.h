@@ -5,10 +5,10 @@
 
 #include "collision_forge/base/geometry/oriented_box.h"
 
-/// Where texts stand in a top view that looks along -z with y up: beside boxes. Metres.
+/// Positions of texts in a top view that looks along -z with y up: beside boxes. Metres.
 namespace forge {
 
-/// Returns about what a text of letters of that height covers: length along x, width along y.
+/// Returns the approximate size of a text, m: length along x, width along y.
 BoxSize textSize(const std::string& text, double letter_height);
 
 // Rings of places around a box.
@@ -28,8 +28,8 @@ struct LabelSide {
 LabelSide freestSide(const OrientedBox& box, const BoxSize& text,
                      const std::vector<OrientedBox>& obstacles, int rings = kNearRings);
 
-/// Returns what a box covers that moves with `velocity`, m/s, for `duration` seconds: a rectangle
-/// along the velocity.
+/// Returns the area covered by a box that moves with `velocity`, m/s, for `duration` seconds: a
+/// rectangle along the velocity.
 OrientedBox sweptBox(const OrientedBox& box, const Vector2& velocity, double duration);
 
 /// Returns the middle of a text on that side of `box`.

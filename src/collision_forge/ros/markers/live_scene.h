@@ -20,21 +20,22 @@ inline constexpr double kCrashView = 5.0;  // s that the view stays at a contact
 struct LiveScene {
   const collision_forge::SceneSnapshot* scene = nullptr;      ///< the newest
   ros::Time now;                                              ///< of the picture
-  const collision_forge::Attack* attack = nullptr;            ///< null where none is under way
-  const collision_forge::CollisionReport* verdict = nullptr;  ///< what became of it; null before
-  std::optional<Pose2> ego = {};  ///< as /tf has it; empty: predicted from the scene
-  /// What follows the contact; empty where `now` is before the contact.
+  const collision_forge::Attack* attack = nullptr;            ///< null if there is none
+  const collision_forge::CollisionReport* verdict = nullptr;  ///< its outcome; null before that
+  std::optional<Pose2> ego = {};  ///< from /tf; empty: predicted from the scene
+  /// Motion after the contact; empty before the contact.
   std::optional<PostCrashMotion> crash = {};
   std::vector<OrientedBox> words_obstacles = {};  ///< as of WordsPlace
 };
 
-/// Returns what the agents other than the attacker cover from now until the view leaves the
-/// contact, if they keep their velocities: what the words of the attack are not to cover.
+/// Returns the areas that other agents cover from now until the view leaves the contact, if they
+/// keep their velocities: obstacles for the text of the attack.
 std::vector<OrientedBox> coveredByOthers(const LiveScene& live);
 
-/// Everybody where they are between the frames, with their trails. Of an attack under way its
-/// attacker as it drives ("attacker"), as recorded ("recorded"), and in words the countdown or the
-/// verdict ("words"). From the contact on ego and attacker are where the crash has them, with a
+/// Returns all agents at `live.now`, with trails. With an attack also the attacker on its
+/// trajectory
+/// ("attacker"), as recorded ("recorded"), and the countdown or
+/// verdict as text ("words"). From the contact on ego and attacker move as in `crash`, with a
 /// mark where they touched ("contact"), and the ego as recorded drives on ("recorded").
 visualization_msgs::MarkerArray liveMarkers(const LiveScene& live);
 

@@ -13,14 +13,14 @@
 
 namespace forge {
 
-/// A MarkerArray in the making. It starts with DELETEALL, so that what is not in it vanishes. What
-/// is not finite or has no extent is left out, for RViz refuses it. Heights are metres above
+/// Builds a MarkerArray. It starts with DELETEALL, which removes all earlier markers. Leaves out
+/// shapes that are not finite or have no extent, since RViz refuses them. Heights are metres above
 /// ground.
 class MarkerList {
  public:
   explicit MarkerList(const std_msgs::Header& header);
 
-  /// A solid box that stands on the ground, with an arrow head on top that tells its heading.
+  /// A solid box that stands on the ground, with an arrow head on top that shows its heading.
   void addBox(const std::string& name_space, const OrientedBox& box, double height,
               const colors::MarkerColor& color);
   /// A box seen from above, flat.
@@ -30,10 +30,10 @@ class MarkerList {
                const colors::MarkerColor& color);
   void addText(const std::string& name_space, const std::string& text, const Vector2& center,
                double letter_height, double z, const colors::MarkerColor& color);
-  /// Two points a line.
+  /// Adds lines of two points each.
   void addLines(const std::string& name_space, const std::vector<Vector2>& points, double width,
                 double z, const colors::MarkerColor& color);
-  /// Three points a triangle.
+  /// Adds triangles of three points each.
   void addTriangles(const std::string& name_space, const std::vector<Vector2>& points, double z,
                     const colors::MarkerColor& color);
 

@@ -12,7 +12,7 @@
 #include "collision_forge/base/scene/attack.h"
 #include "collision_forge/ros/markers/marker_list.h"
 
-/// What pictures of an attack and of a planner's test share.
+/// Marker parts shared by the pictures of attacks and planner tests.
 namespace forge {
 
 // Heights above ground, m: what should be seen from above lies higher.
@@ -48,31 +48,31 @@ void addId(const std::string& id, const OrientedBox& framed, const OrientedBox& 
 void addWords(const std::string& name_space, const std::string& words, const Vector2& middle,
               double letter_height, MarkerList& markers);
 
-/// Where the words of an attack stand: beside `box`, on the side that covers least of the ways of
+/// Position of the text of an attack: beside `box`, on the side that covers least of the paths of
 /// both vehicles to the contact and of `obstacles`.
 struct WordsPlace {
   OrientedBox box;
   std::vector<OrientedBox> obstacles;
 };
 
-/// Returns what the words of an attack fill.
+/// Returns the box that the text of an attack fills.
 OrientedBox wordsBox(const collision_forge::Attack& attack, const WordsPlace& place, double scale);
 
 /// Adds the words of an attack, its countdown or its verdict ("words"), and above or below
 /// `attacker`, on the other side, the short form of its id ("ids"). The sides depend on the attack
-/// and the place alone: the texts keep their places while everybody moves. The id is left out while
-/// it would lie on the words.
+/// and the place alone: the texts keep their places while the vehicles move. The id is left out
+/// while it would lie on the words.
 void addAttackWords(const collision_forge::Attack& attack, const WordsPlace& place,
                     const OrientedBox& attacker, const std::string& words, double scale,
                     MarkerList& markers);
 
-/// A vehicle's way up to `end` (s, the points' clock) with a ghost of it every half second, in the
-/// namespaces NAME_path, NAME_ghosts and NAME_ghost_outlines.
+/// Adds a vehicle's path up to `end` (s, the points' clock) with a ghost of it every half second,
+/// in the namespaces NAME_path, NAME_ghosts and NAME_ghost_outlines.
 void addWay(const std::string& name, const std::vector<TrajectoryPoint>& points, double end,
             const BoxSize& size, const colors::MarkerColor& color, MarkerList& markers);
 
-/// Both vehicles at contact, on the road under the boxes of vehicles, and a disc where they touch;
-/// returns where.
+/// Adds both vehicles at contact, on the road under the boxes of vehicles, and a disc at the
+/// contact point, which is returned.
 Vector2 addContact(const OrientedBox& ego, const OrientedBox& other,
                    const colors::MarkerColor& other_color, MarkerList& markers);
 

@@ -13,7 +13,7 @@
 
 #include "collision_forge/base/geometry/oriented_box.h"
 
-/// Messages as RViz shows them. Frame and stamp are those of the message's header; every array
+/// Markers of messages for RViz. Frame and stamp are those of the message's header; every array
 /// starts with DELETEALL and so replaces the one before. Colours: ros/markers/marker_colors.h.
 namespace forge {
 
@@ -26,36 +26,37 @@ visualization_msgs::MarkerArray mapMarkers(const collision_forge::LaneMap& map);
 visualization_msgs::MarkerArray patternMarkers(const collision_forge::PredictedPatterns& predicted,
                                                const collision_forge::SceneSnapshot& scene);
 
-/// What an attack is to be: the attacker's way to the contact with a ghost every half second, the
-/// pattern's two boxes, and both vehicles at the contact. Of an attacker that was added also its
-/// past ("added_past"). Of an attacker that sees and reacts what it drove until `now` is a broad
-/// line ("driven"), and the way and the ghosts are those of its plan.
+/// Returns the markers of an attack: the attacker's path to the contact with a ghost every half
+/// second, the pattern's two boxes, and both vehicles at the contact. For an added attacker also
+/// its past ("added_past"). For an adaptive attacker a broad line shows the driven part until `now`
+/// ("driven"); path and ghosts show its current plan.
 visualization_msgs::MarkerArray attackMarkers(const collision_forge::Attack& attack,
                                               const ros::Time& now = ros::Time());
 
-/// What is left of it once there is a verdict: the attacker's way, to the contact if there was one.
+/// Returns the markers that stay after the verdict: the attacker's path, to the contact if there
+/// was one.
 visualization_msgs::MarkerArray pastAttackMarkers(const collision_forge::Attack& attack,
                                                   const collision_forge::CollisionReport& verdict);
 
 /// One instant of a crash.
 struct CrashView {
   std_msgs::Header header;
-  std::optional<OrientedBox> ego;                    ///< empty where nobody knows
-  const collision_forge::Attack* attack = nullptr;   ///< null before it was made, as the next
-  const collision_forge::Agent* attacker = nullptr;  ///< as it stands then
+  std::optional<OrientedBox> ego;                    ///< empty if unknown
+  const collision_forge::Attack* attack = nullptr;   ///< null before it was made, like `attacker`
+  const collision_forge::Agent* attacker = nullptr;  ///< its state at this instant
   std::vector<OrientedBox> words_obstacles = {};     ///< as of WordsPlace
 };
 
-/// The boxes of ego and attacker as they stand, attackMarkers(), and in words the countdown or,
-/// from the contact on, what the attack's report says.
+/// The boxes of ego and attacker as they stand, attackMarkers(), and a text: the countdown or,
+/// from the contact on, the outcome in the attack's report.
 visualization_msgs::MarkerArray crashMarkers(const CrashView& view);
 
-/// A box for everybody, the attacker's, if there is one, red, and beside it the start of the id of
-/// what can attack.
+/// Returns a box for each agent, the attacker's in red, with the start of the id beside agents of
+/// classes that can attack.
 visualization_msgs::MarkerArray annotationMarkers(const collision_forge::AgentArray& agents,
                                                   const std::string& attacker_id = "");
 
-/// Takes away what was shown.
+/// Returns an array that deletes all markers.
 visualization_msgs::MarkerArray noMarkers(const std_msgs::Header& header);
 
 }  // namespace forge

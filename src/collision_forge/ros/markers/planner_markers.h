@@ -11,7 +11,7 @@
 
 namespace forge {
 
-/// The ways of a planner's test, which stand still: the ego as the planner drove it beside the
+/// Returns the static paths of a planner test: the ego as the planner drove it beside the
 /// recorded one and the attacker, up to the end of the test, and the proposals of the planner's
 /// last call. Starts with DELETEALL. Colours: ros/markers/marker_colors.h.
 visualization_msgs::MarkerArray plannerMarkers(const PlannerTrial& trial,
@@ -32,14 +32,14 @@ struct ShownRollout {
   double standTime() const { return crash ? crash->motion.standTime() : end(); }
 };
 
-/// `limits` bound the braking of crashed vehicles. The words leave free the ways of everybody.
+/// `limits` bound the braking of crashed vehicles. The text keeps clear of all vehicles' paths.
 ShownRollout shownRollout(const PlannerTrial& trial, const CrashScenario& scenario,
                           const std::string& planner, const DriveLimitOptions& limits);
 
 /// One instant of the rollout: the boxes of the ego as the planner drove it, of the attacker and of
-/// all other agents, and in words the time since the test's now. From the end of the rollout on the
-/// words are the outcome. After a contact the ego and the vehicle that it touches move as the crash
-/// has it, and all others as recorded; who reacted to the ego stands. From standTime() on all
+/// all other agents, and as text the time since t0 of the test. From the end of the rollout on the
+/// words are the outcome. After a contact the ego and the vehicle that it touches move as in
+/// `shown.crash`; other agents move as recorded, and reactive ones stand. From standTime() on all
 /// stand. `time` is in seconds on the scenario's clock. Starts with DELETEALL.
 visualization_msgs::MarkerArray rolloutMarkers(const ShownRollout& shown, double time);
 

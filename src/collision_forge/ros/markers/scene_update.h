@@ -17,7 +17,7 @@ namespace forge {
 
 inline constexpr char kSceneUpdateType[] = "foxglove_msgs/SceneUpdate";
 inline constexpr char kSceneUpdateMd5[] = "59bc58a3679e8fc3874b14b39276e03a";
-/// As in a connection's header: with all types that it is made of.
+/// Returns the message definition with all nested types, as in a connection's header.
 const std::string& sceneUpdateDefinition();
 
 /// CubePrimitive and SpherePrimitive, which have the same fields.
@@ -45,21 +45,21 @@ struct TextPrimitive {
 /// Replaces the entity of the same id on its topic, and stays until it is deleted.
 struct SceneEntity {
   std::string id;
-  std::vector<std::pair<std::string, std::string>> metadata;  ///< shown where it is selected
+  std::vector<std::pair<std::string, std::string>> metadata;  ///< shown when it is selected
   std::vector<SolidPrimitive> cubes;
   std::vector<SolidPrimitive> spheres;
   std::vector<LinePrimitive> lines;
   std::vector<TextPrimitive> texts;
 };
 
-/// All that its topic shows: the entities before are deleted.
+/// The complete content of a topic: deletes all earlier entities.
 struct SceneUpdate {
   ros::Time stamp;
   std::string frame_id;
   std::vector<SceneEntity> entities;
 };
 
-/// In ROS 1 bytes.
+/// Returns the message as ROS 1 serialises it.
 std::string toRosBytes(const SceneUpdate& update);
 
 }  // namespace forge
