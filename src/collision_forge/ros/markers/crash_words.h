@@ -26,7 +26,8 @@ std::string outcomeWords(const collision_forge::CollisionReport& tested);
 /// Returns two or three lines: the outcome; the impact; plausible, or the reason if not.
 std::string verdictWords(const collision_forge::CollisionReport& tested);
 
-/// Returns the verdict if there is one, else the countdown, and an adaptive attacker's phase.
+/// Returns the verdict if there is one, else the countdown, and an adaptive attacker's phase and
+/// decision.
 std::string crashWords(const collision_forge::Attack& attack,
                        const collision_forge::CollisionReport* verdict, const ros::Time& now);
 
