@@ -10,7 +10,7 @@
 namespace forge {
 namespace {
 
-/// The types with these names; without names that of the manoeuvre, without it all.
+/// Returns the named types; without names the manoeuvre's type, without a manoeuvre all types.
 std::variant<std::vector<CollisionType>, Status> typesNamed(const std::vector<std::string>& names,
                                                             const std::string& manoeuvre) {
   std::vector<CollisionType> types;
