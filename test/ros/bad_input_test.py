@@ -104,7 +104,7 @@ class BadInputTest(MadeUpTest):
         publisher = rospy.Publisher('/attack', Attack, queue_size=1, latch=True)
         self.addCleanup(publisher.unregister)
         publisher.publish(answer.attack)
-        until(lambda: self.suite.output().count('attack left out: attacker behind: points[3] is not finite') >= 2,
+        until(lambda: self.suite.output().count('attack ignored: attacker behind: points[3] is not finite') >= 2,
               'the injector and the verifier to leave it out')
         self.assert_works()
 

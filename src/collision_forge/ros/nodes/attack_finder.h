@@ -16,31 +16,34 @@
 
 namespace forge {
 
-/// Answers requests about moments of the scene by generateCollision(), as `forge inject` does. The
-/// stages of the default method are the services predict_pattern and realize_trajectory, all other
-/// methods run here. The private parameter `recording` names the bag on replay. A moment of that
-/// bag is taken from the bag, with its past and future. Replay mode needs it; in the other modes,
-/// too, a request is declined if the recording ends before the contact. If the bag has an attack
-/// already, every request is declined. Thread-safe.
+/// Runs generateCollision() for a scene received by ROS, as `forge inject` does for a recording.
+/// The default method calls the services predict_pattern and realize_trajectory; all other methods
+/// run in this process. The private parameter `recording` names the bag on replay: if the scene is
+/// a frame of that bag, its past and future come from the bag. Mode replay requires the bag. In
+/// every mode a request is rejected if the bag ends before the contact, or if it already contains
+/// an attack. Thread-safe.
 class AttackFinder {
  public:
-  /// `config` must outlive it. Throws what the loading of methods and weights throws.
+  /// `config` must outlive the object. Throws the exceptions of loadMethods() and loadForesight().
+  /// A recording that cannot be read is logged and ignored.
   AttackFinder(ros::NodeHandle& node, const ros::NodeHandle& private_node, const Config& config);
 
   const MethodRegistry& methods() const { return methods_; }
   const std::string& defaultMethod() const { return default_method_; }
   const Foresight& foresight() const { return foresight_; }
 
-  /// The moment of a scene, or why there is none. Throws MessageError and InputError.
+  /// Returns the moment for `scene`, or kNoScene if no usable lane map has arrived. Throws
+  /// MessageError and InputError if the scene is invalid.
   std::variant<Moment, Status> momentOf(const collision_forge::SceneSnapshot& scene) const;
 
-  /// An empty `method` is the default one, whose predictions `on_prediction` gets. Throws
-  /// MessageError and InputError for what the services answer.
+  /// Returns the attack for `request`, or a rejection with its reason. An empty `method` selects
+  /// the default one; only that calls `on_prediction`, with each prediction, in the calling thread.
+  /// Throws MessageError and InputError if a service returns invalid data.
   Realization answer(
       const Moment& moment, const CollisionRequest& request, const std::string& method,
       const PatternPredictorService::OnPrediction& on_prediction = [](const auto&) {}) const;
 
-  /// The bag on replay has an attack of its own.
+  /// Returns true if the bag on replay already contains an attack.
   bool isRecordingAttacked() const { return !attack_in_recording_.empty(); }
 
  private:
@@ -57,7 +60,7 @@ class AttackFinder {
   Foresight foresight_;
   std::string default_method_;
   std::optional<IndexedScene> recording_;
-  std::string attack_in_recording_;  // why a bag with an attack is no recording; empty: it has none
+  std::string attack_in_recording_;  // reason for rejecting every request; empty: none
   LaneMapSubscriber map_;
   mutable ServiceCaller predict_;
   mutable ServiceCaller realize_;

@@ -14,24 +14,24 @@
 
 namespace forge {
 
-/// A planner in another node: publishes planning_state and waits for the planned_trajectory with
-/// the same test and stamp, in lock step; no time of the rollout passes meanwhile. Answers to
-/// another test are left out. The first state of a test is published again until it is answered, as
-/// the two nodes may only just be connecting. One object serves many rollouts, one after the other:
-/// initialize() begins a new test.
+/// Runs a planner in another node, in lock step: publishes planning_state and waits for a
+/// planned_trajectory with the same `test` and stamp. Simulation time stands still meanwhile.
+/// Ignores trajectories with another `test`. The first state of a test is repeated until a
+/// trajectory arrives, because the connection may not be established yet. One object serves
+/// consecutive rollouts; each initialize() starts a new test. Not thread-safe.
 class ExternalPlanner : public Planner {
  public:
   ExternalPlanner(ros::NodeHandle node, const ExternalOptions& options, const InputLimits& limits);
 
-  /// Of the tests that follow.
+  /// Sets the options for the following tests.
   void setOptions(const ExternalOptions& options) { options_ = options; }
 
-  /// Throws PlannerTimeout when nobody hears planning_state and publishes
-  /// planned_trajectory within the time-out.
+  /// Waits for a node that subscribes to planning_state and publishes planned_trajectory. Throws
+  /// PlannerTimeout if there is none within the time-out.
   void initialize(const DrivingTask& task) override;
-  /// Throws PlannerTimeout when no answer comes within the time-out, at once when whoever would
-  /// give it is gone; LatePlan for an answer to another tick; MessageError as fromMessage();
-  /// InputError as checkPlan().
+  /// Returns the trajectory planned for `observation`. Throws PlannerTimeout if none arrives within
+  /// the time-out, or immediately if the node disconnects; LatePlan if its stamp is not that tick;
+  /// MessageError as fromMessage(); InputError as checkPlan().
   std::vector<TrajectoryPoint> plan(const Observation& observation) override;
 
  private:
@@ -43,10 +43,10 @@ class ExternalPlanner : public Planner {
   InputLimits limits_;
   DrivingTask task_;
   std::uint32_t test_ = 0;
-  ros::Time first_;                                                 // tick of the test
-  ros::Time current_;                                               // tick of the test
+  ros::Time first_;                                                 // first tick of the test
+  ros::Time current_;                                               // current tick of the test
   std::deque<collision_forge::PlannedTrajectoryConstPtr> answers_;  // of this test
-  ros::CallbackQueue queue_;  // served by whoever waits in plan()
+  ros::CallbackQueue queue_;                                        // served inside plan()
   ros::Publisher publisher_;
   ros::Subscriber subscriber_;
 };

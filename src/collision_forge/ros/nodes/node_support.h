@@ -23,18 +23,18 @@
 
 namespace forge {
 
-/// Messages of a topic that may wait: a bag may be played as fast as it can be read.
+/// Queue length of input topics: a bag may be played as fast as it can be read.
 inline constexpr int kTopicQueue = 10000;
 
-/// The package's own config/, over which `overlay` is laid unless it is empty.
+/// Returns the package's config/ folder, overlaid with the folder `overlay` unless it is empty.
 ConfigFolder packageConfig(const std::string& overlay);
 
-/// The configuration of a node, whose private parameter `config_dir` names the overlay. Throws
+/// Reads the configuration of a node. Its private parameter `config_dir` names the overlay. Throws
 /// ConfigError.
 Config loadNodeConfig(const ros::NodeHandle& private_node);
 
-/// What `load` returns. The nodelet loader does not tell what an exception of onInit() says: it is
-/// logged behind "no WHAT: " and goes on.
+/// Returns load(). Logs an exception as "no WHAT: MESSAGE" and rethrows it, because the nodelet
+/// loader drops the message of an exception in onInit().
 template <typename Load>
 auto loadLogged(const char* what, Load load) {
   try {
@@ -48,14 +48,14 @@ auto loadLogged(const char* what, Load load) {
 /// Keeps the newest lane map, ready for queries. Thread-safe.
 class LaneMapSubscriber {
  public:
-  /// Calls `on_map` when a usable map has come, in the thread that received it.
+  /// Calls `on_map` for each usable map, in the thread of the subscriber callback.
   LaneMapSubscriber(
       ros::NodeHandle& node, const InputLimits& limits, std::function<void()> on_map = [] {});
 
-  /// Null until a usable map has come.
+  /// Returns the newest usable map; null before the first.
   std::shared_ptr<const LaneIndex> lanes() const;
-  /// As lanes(), where a scene has come already: its map may come a moment later, and is waited for
-  /// up to kMapDelay if somebody publishes one. Not for the thread that receives the map.
+  /// As lanes(), but waits up to kMapDelay for the first map if the topic has a publisher: a scene
+  /// can arrive before its map. Must not be called in the thread of the subscriber callback.
   std::shared_ptr<const LaneIndex> lanesOfScene() const;
 
  private:
@@ -71,24 +71,25 @@ class LaneMapSubscriber {
   ros::Subscriber subscriber_;
 };
 
-/// What is asked of a scene, in the core's terms.
+/// A scene and a request, converted from messages and checked.
 struct CheckedRequest {
   std::shared_ptr<const LaneIndex> lanes;
   Snapshot snapshot;
   CollisionRequest request;
 };
 
-/// The messages converted and passed through checkSnapshot() and checkRequest(), or why that
-/// failed. Throws InputError.
+/// Converts the messages and applies checkSnapshot() and checkRequest(). Returns the status of a
+/// failed check, kNoScene if there is no lane map. Throws MessageError and InputError.
 std::variant<CheckedRequest, Status> checkedRequest(
     const LaneMapSubscriber& map, const collision_forge::SceneSnapshot& scene,
     const collision_forge::CollisionRequest& request, const Config& config);
 
-/// What a service answers when its work ends with an exception: INVALID_INPUT for an InputError and
-/// a MessageError, and INTERNAL_ERROR, which is logged, for any other one.
+/// Maps an exception to a service status: INVALID_INPUT for InputError and MessageError;
+/// INTERNAL_ERROR, which is also logged, for any other.
 Status statusOf(const std::exception& error);
 
-/// Answers a service with the code and message that `work` returns, or statusOf() its exception.
+/// Fills `response` with the Status returned by `work`, or with statusOf() the exception it throws.
+/// Returns true, the result of a roscpp service callback.
 template <typename Response, typename Work>
 bool answerWith(Response& response, Work work) {
   Status status;
@@ -102,8 +103,8 @@ bool answerWith(Response& response, Work work) {
   return true;
 }
 
-/// A service with a thread of its own: callers are answered one after the other, and a callback may
-/// call other services without holding up what comes by topics.
+/// Serves a ROS service in its own thread. Calls are served one at a time. The callback may block
+/// or call other services without delaying the topic callbacks of the node.
 class OwnThreadService {
  public:
   template <typename Owner, typename Request, typename Response>
@@ -125,8 +126,8 @@ class OwnThreadService {
   ros::ServiceServer server_;
 };
 
-/// Returns the private parameter `after_contact` of a node, kStop where it is not set. Throws as
-/// liveAfterContact(), naming the parameter.
+/// Returns the private parameter `after_contact` of a node; default kStop. Throws
+/// std::invalid_argument, which names the parameter, for a value that liveAfterContact() rejects.
 AfterContact nodeAfterContact(const ros::NodeHandle& private_node);
 
 }  // namespace forge

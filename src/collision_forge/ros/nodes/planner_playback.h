@@ -11,17 +11,16 @@
 
 namespace forge {
 
-/// Shows the rollout of a planner's test in motion, in the time of the wall clock, again and again,
-/// on `planner_markers`, `planner_scene_markers` and `shown_area`. `planner_test_shown` is true
-/// while it does, so that others leave the picture to it. The rollout gives the picture back when
-/// stop() is called, and where a replay with `/clock` goes on after it stood still; over a replay
-/// that runs all the time the rollout plays once. Thread-safe.
+/// Animates the rollout of a planner test in a loop, in wall-clock time, on `planner_markers`,
+/// `planner_scene_markers` and `shown_area`. Publishes `planner_test_shown` = true meanwhile, so
+/// that other nodes do not draw the scene. The animation ends with stop(), or when a paused replay
+/// (`/clock`) resumes; if the replay is running all the time, it plays once. Thread-safe.
 class PlannerPlayback {
  public:
-  /// `drivable` limits the braking of crashed vehicles.
+  /// `drivable` limits the post-crash deceleration of vehicles.
   PlannerPlayback(ros::NodeHandle node, const DriveLimitOptions& drivable);
 
-  /// Shows a test in place of the one before.
+  /// Starts the animation of `trial`, replacing the previous one.
   void play(const PlannerTrial& trial, const CrashScenario& scenario, const std::string& planner);
   void stop();
 
@@ -39,10 +38,10 @@ class PlannerPlayback {
   ros::Publisher is_shown_;
   std::mutex mutex_;
   std::optional<ShownRollout> shown_;
-  ros::WallTime begin_;     ///< of this pass
-  ros::Time clock_;         ///< of the replay, at the last look
-  ros::WallTime moved_;     ///< when the replay's clock was last seen to move
-  bool was_still_ = false;  ///< the replay, since the test is shown
+  ros::WallTime begin_;     ///< start of this loop
+  ros::Time clock_;         ///< replay time at the last timer event
+  ros::WallTime moved_;     ///< wall time of the last change of clock_
+  bool was_still_ = false;  ///< the replay paused since play()
   ros::WallTimer timer_;
   ros::WallTimer repeat_timer_;
 };

@@ -15,32 +15,33 @@
 
 namespace forge {
 
-/// The scenes that came last, for requests: of now, or of a stamp. Thread-safe.
+/// Stores the most recent scenes; a request refers to the newest or to one with a given stamp.
+/// Thread-safe.
 class SceneMemory {
  public:
   using Scene = boost::shared_ptr<const collision_forge::SceneSnapshot>;
 
   explicit SceneMemory(const LiveOptions& options) : options_(options) {}
 
-  /// `clock`: s, when it came. One from before the newest is of a replay that starts again: those
-  /// before it are forgotten.
+  /// Stores `scene`, received at ROS time `clock` (s). A scene older than the newest means that the
+  /// replay restarted: all earlier scenes are dropped.
   void add(const Scene& scene, double clock);
 
-  /// The newest, at a time of that clock; kNoScene before the first, kStaleScene where none has
-  /// come for longer than max_scene_age.
+  /// Returns the newest scene. Returns kNoScene before the first scene, kStaleScene if the newest
+  /// was received more than max_scene_age before `clock` (ROS time, s).
   std::variant<Scene, Status> newest(double clock) const;
 
-  /// The one at or before a stamp, which is taken as those of scenes are (stampOf()): agents may
-  /// have finer ones. One that is still to come is waited for, up to wait_for seconds
-  /// of the wall clock; then kStaleScene. kNoScene for one from before all that are kept.
+  /// Returns the newest scene at or before the stamp `asked`, rounded as by stampOf(). Blocks up to
+  /// wait_for wall-clock seconds for a scene that has not arrived, then returns kStaleScene.
+  /// Returns kNoScene for a stamp before the oldest stored scene.
   std::variant<Scene, Status> at(const ros::Time& asked) const;
 
  private:
   LiveOptions options_;
-  mutable std::mutex mutex_;  // of all that follows
+  mutable std::mutex mutex_;  // guards all below
   mutable std::condition_variable came_one_;
   std::deque<Scene> scenes_;  // oldest first
-  double came_ = 0.0;         // s, the clock when the newest came
+  double came_ = 0.0;         // s, ROS time at which the newest was received
 };
 
 }  // namespace forge

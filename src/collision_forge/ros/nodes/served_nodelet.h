@@ -6,8 +6,8 @@
 
 namespace forge {
 
-/// A nodelet whose callbacks wait in a queue of its own. The queue goes after all that the nodelet
-/// has.
+/// Base class of the nodelets: their callbacks wait in a separate queue, which is destroyed after
+/// all members of the derived class.
 class QueuedNodelet : public nodelet::Nodelet {
  protected:
   void onInit() override {
@@ -19,12 +19,13 @@ class QueuedNodelet : public nodelet::Nodelet {
   ros::CallbackQueue callbacks_;
 
  private:
-  /// Subscribes, and offers services. The callbacks of `node` wait in the queue.
+  /// Subscribes, advertises topics and services. Called once by onInit(); callbacks of `node` are
+  /// queued until it returns. An exception ends the loading of the nodelet.
   virtual void start(ros::NodeHandle node) = 0;
 };
 
-/// Serves the queue of a QueuedNodelet. No callback comes before start() has ended, and the nodelet
-/// goes only after the one that is at work: when ROS shuts down, roscpp does not wait for it.
+/// Runs the callbacks of a QueuedNodelet in one thread, after start() has returned. The destructor
+/// waits for a running callback, which roscpp does not do at shutdown.
 template <typename Queued>
 class Served final : public Queued {
   void onInit() override {

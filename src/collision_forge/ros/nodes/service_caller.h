@@ -13,20 +13,20 @@
 
 namespace forge {
 
-/// Asks one service, from any thread, whose node answers the same when it is asked again. An answer
-/// has `code` and `message`.
+/// Calls one ROS service, whose response has `code` and `message`. The service must be idempotent,
+/// since a call may be repeated. Thread-safe.
 ///
-/// Connections are kept for later calls. Where one is closed after each call, roscpp's own thread
-/// may still be at work on its socket while the next connection gets the same number: that one then
-/// waits in vain, or is lost (seen: 1 call in 20,000).
+/// Connections are reused. If each call opened and closed one, roscpp's thread could still use the
+/// closed socket when the next connection gets the same file descriptor; that call then hangs or
+/// fails (observed: 1 call in 20,000).
 class ServiceCaller {
  public:
-  /// `answer_within`: s of the wall clock.
+  /// `answer_within`: time-out of one attempt, s of the wall clock.
   ServiceCaller(std::string resolved_name, double answer_within)
       : name_(std::move(resolved_name)), answer_within_(answer_within) {}
 
-  /// The answer's status; kNodeUnavailable when none has come over a kept connection, nor then over
-  /// a fresh one, in time.
+  /// Calls the service and returns the status of its response. Tries a kept connection, then a new
+  /// one; returns kNodeUnavailable if both fail or time out. Blocks at most twice `answer_within`.
   template <typename Service>
   Status call(Service& service) {
     if (isAnswered(keptConnection<Service>(), service) ||
@@ -41,14 +41,14 @@ class ServiceCaller {
   bool isAnswered(ros::ServiceClient client, Service& service) {
     auto answer = std::async(std::launch::async, [&] { return client.call(service); });
     const bool is_late = answer.wait_for(answer_within_) == std::future_status::timeout;
-    if (is_late) client.shutdown();  // ends it
+    if (is_late) client.shutdown();  // makes call() return
     if (!answer.get()) return false;
     const std::lock_guard<std::mutex> lock(mutex_);
     idle_.push_back(std::move(client));
     return true;
   }
 
-  /// One that is not in use; a fresh one where there is none.
+  /// Returns an idle connection, or a new one.
   template <typename Service>
   ros::ServiceClient keptConnection() {
     {

@@ -8,22 +8,24 @@
 #include "collision_forge/base/scene/input_limits.h"
 #include "collision_forge/ros/nodes/service_caller.h"
 
-/// The stages of the search in other nodes, of this package or of others, in any language.
+/// Predictor and realizer of the default method as ROS services. A node of another package, in any
+/// language, may serve them in place of pattern_predictor and trajectory_realizer.
 namespace forge {
 
-/// Asks the service predict_pattern.
+/// Calls the service predict_pattern, once per request.
 class PatternPredictorService : public PatternPredictor {
  public:
-  /// Called with each prediction, in the thread that asked for it.
+  /// Called with each prediction, in the thread that called predict().
   using OnPrediction = std::function<void(const PatternPrediction&)>;
 
-  /// `caller` and `limits` must outlive it.
+  /// `caller` and `limits` must outlive the object.
   PatternPredictorService(ServiceCaller& caller, const InputLimits& limits,
                           OnPrediction on_prediction)
       : caller_(caller), limits_(limits), on_prediction_(std::move(on_prediction)) {}
 
-  /// The future is empty where the service declines without one. Declines with kNodeUnavailable
-  /// where the service does not answer. Throws MessageError and InputError for an unusable answer.
+  /// Returns the service's patterns and predicted ego future (may be empty on rejection). Rejects
+  /// with kNodeUnavailable if the service does not respond. Throws MessageError and InputError if
+  /// the response is malformed or exceeds the input limits.
   PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
                             const CollisionRequest& request, const Future* recorded) const override;
 
@@ -33,17 +35,19 @@ class PatternPredictorService : public PatternPredictor {
   OnPrediction on_prediction_;
 };
 
-/// Asks the service realize_trajectory, and judges its attack (AttackJudge) as any other. The class
-/// takes the trajectory, the pattern, the effort and the place of the contact from the answer.
+/// Calls the service realize_trajectory. Uses trajectory, pattern and effort of the response, and
+/// verifies the attack itself (AttackJudge). The report in the response only determines which
+/// predicted ego is tried first.
 class TrajectoryRealizerService : public TrajectoryRealizer {
  public:
-  /// All must outlive it.
+  /// All arguments must outlive the object.
   TrajectoryRealizerService(ServiceCaller& caller, const InputLimits& limits,
                             const AttackOptions& options)
       : caller_(caller), limits_(limits), options_(options) {}
 
-  /// Declines with kNodeUnavailable where the service does not answer. Throws MessageError and
-  /// InputError for an unusable answer.
+  /// Calls the service once and returns the verified attack, or a rejection; kNodeUnavailable if
+  /// the service does not respond. Throws MessageError and InputError if the response is malformed,
+  /// exceeds the input limits or names an attacker that is not in the scene.
   Realization realize(const RealizationTask& task) const override;
 
  private:

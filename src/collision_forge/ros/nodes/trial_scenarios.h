@@ -15,46 +15,45 @@
 
 namespace forge {
 
-/// Why no planner can be tested: a code of TestPlanner.srv, and a message that names field and
-/// value.
+/// Thrown if a planner test is rejected: `code` of TestPlanner.srv; what() names field and value.
 struct TestRefusal : std::runtime_error {
   TestRefusal(std::uint8_t refusal_code, const std::string& message)
       : std::runtime_error(message), code(refusal_code) {}
   std::uint8_t code;
 };
 
-/// Where the crashes that planner_tester is asked for come from; empty: not given.
+/// Sources of the crashes that planner_tester replays; empty fields are not given.
 struct TrialSources {
   LogSource logs;         ///< for scenario files
-  std::string scenarios;  ///< scenario file whose lines are asked for by their number
+  std::string scenarios;  ///< scenario file, for requests by line number
   std::string recording;  ///< bag, for trajectories
 };
 
-/// Makes crash scenarios of what TestPlanner asks for. Not thread-safe.
+/// Builds the crash scenario for a TestPlanner request. Not thread-safe.
 class TrialScenarios {
  public:
-  /// `config` must outlive it. Throws BagError for a recording that cannot be read; `warnings` as
-  /// readBag().
+  /// `config` must outlive the object. Throws BagError if the recording cannot be read; `warnings`
+  /// as for readBag().
   TrialScenarios(TrialSources sources, const Config& config, std::vector<std::string>* warnings);
 
-  /// A line of a scenario file over its scene: `line` is its number, from 1 on, in the scenario
-  /// file, or the line itself. Throws TestRefusal.
+  /// Returns the case for a scenario and its scene. `line` is a line number (from 1) of the
+  /// scenario file, or the line itself. Throws TestRefusal.
   PlannerCase ofLine(const std::string& line);
 
-  /// A trajectory over the recording, at the frame where it starts; of the case the scenario alone
-  /// is known. Throws TestRefusal.
+  /// Returns the case for `trajectory` in the recording, at the frame where it starts. Sets only
+  /// the scenario of the case. Throws TestRefusal.
   PlannerCase ofTrajectory(const AttackerTrajectory& trajectory, CollisionType type) const;
 
  private:
   std::string numberedLine(const std::string& number) const;
-  /// For a refusal: which line of the file has an attack that can be tested.
+  /// Returns the part of a rejection message that names the first line with an attack.
   std::string firstAnswered() const;
   std::shared_ptr<const IndexedScene> sceneOf(const std::string& name);
 
   TrialSources sources_;
   const Config& config_;
   std::optional<IndexedScene> recording_;
-  std::set<std::string> wanted_;  // the scenes that source_ has
+  std::set<std::string> wanted_;  // names of the scenes in source_
   std::unique_ptr<SceneSource> source_;
 };
 

@@ -10,20 +10,22 @@
 #include <cstdint>
 #include <string>
 
-/// An attack in the panel's rich text. Degrees, percent, seconds from now.
+/// Texts of the panel about an attack, as Qt rich text. Degrees, percent, seconds from t0.
 namespace forge {
 
-/// Who attacks how, and what verification found; empty for an attack by nobody.
+/// Returns type, attacker and predicted report of the attack; empty for the empty attack.
 QString attackText(const collision_forge::Attack& attack);
 
-/// Countdown or verdict; empty for an attack by nobody. Green as asked, red otherwise.
+/// Returns the countdown to the contact, or the measured result: green if verified, else red. Empty
+/// for the empty attack. `tested` may be null; `now` is ROS time.
 QString crashText(const collision_forge::Attack& attack,
                   const collision_forge::CollisionReport* tested, const ros::Time& now);
 
-/// Whom a planner's ego touched, how hard and by whose fault, or that it touched nobody.
+/// Returns the result of a planner test: contact with impact speed and fault, failure, or no
+/// contact.
 QString outcomeText(const collision_forge::PlannerOutcome& outcome);
 
-/// A status of GenerateCollision.srv other than OK.
+/// Returns code and message of a status of GenerateCollision.srv or TestPlanner.srv other than OK.
 QString failureText(std::uint8_t code, const std::string& message);
 
 }  // namespace forge

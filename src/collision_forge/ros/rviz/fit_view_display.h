@@ -12,9 +12,8 @@ class ViewController;
 
 namespace forge {
 
-/// Keeps the area of the topic `shown_area` in the picture, by place and scale of the current view.
-/// That must be a TopDownOrtho with the fixed frame as its target frame; other views are left
-/// alone.
+/// RViz display that moves and zooms the current view to the area of the topic `shown_area`. Only a
+/// TopDownOrtho view whose target frame is the fixed frame is changed.
 class FitViewDisplay : public rviz::Display {
   Q_OBJECT
 
@@ -31,7 +30,7 @@ class FitViewDisplay : public rviz::Display {
   bool canFit(rviz::ViewController& view) const;
 
   ros::Subscriber subscriber_;
-  geometry_msgs::PolygonStampedConstPtr area_;  ///< null: none has come
+  geometry_msgs::PolygonStampedConstPtr area_;  ///< null before the first
   FollowingView following_;
 };
 

@@ -22,11 +22,11 @@ class PlayerButtons;
 class PossibleTable;
 class RequestForm;
 
-/// Plays, asks what is possible, asks generate_collision for an attack, shows what becomes of the
-/// newest attack, whoever asked for it, and tests planners in it. For a row of the table the panel
-/// repeats the request that the row answers, at the table's instant, until a field is changed or
-/// the player is moved; else it asks about the newest scene. Where any type may come, asks first
-/// what is possible, then for the surest.
+/// RViz panel that controls the player, lists the possible collisions, calls generate_collision,
+/// shows the state of the newest attack (also of one requested elsewhere) and tests planners in it.
+/// A selected table row is requested at the t0 of the table, until a field is changed or the player
+/// is moved; other requests use the newest scene. For type "any", the panel lists the possible
+/// collisions and requests the one with the highest confidence.
 class GeneratePanel : public rviz::Panel {
   Q_OBJECT
 
@@ -41,7 +41,7 @@ class GeneratePanel : public rviz::Panel {
   void createLayout();
   QWidget* createTexts();
   void subscribe();
-  /// Of the newest call. `whole` is the tooltip.
+  /// Shows the status of the newest call; `whole` is its tooltip.
   void say(const QString& text, const QString& whole = {});
   void generate();
   void ask(collision_forge::GenerateCollision::Request request);
@@ -71,16 +71,16 @@ class GeneratePanel : public rviz::Panel {
   QComboBox* planner_ = nullptr;
   QPushButton* test_ = nullptr;
   PossibleTable* table_ = nullptr;
-  QLabel* status_ = nullptr;       ///< of the newest call
+  QLabel* status_ = nullptr;       ///< status of the newest call
   QLabel* crash_ = nullptr;        ///< countdown or verdict
   QLabel* attack_text_ = nullptr;  ///< the newest attack
 
-  /// The request that the rows of the table answer, each with its own type, time and number.
+  /// Request of the table. Each row replaces its type, TTA and alternative number.
   collision_forge::GenerateCollision::Request listed_;
-  std::optional<collision_forge::PossibleCollision> row_;  ///< the chosen one
-  bool is_surest_wanted_ = false;                          ///< of the list that is asked for
-  collision_forge::GenerateCollision::Request asked_;      ///< of the newest generate_collision
-  collision_forge::GenerateCollision::Request each_;       ///< of the newest list_collisions
+  std::optional<collision_forge::PossibleCollision> row_;  ///< selected row
+  bool is_surest_wanted_ = false;  ///< request the most confident row when the list arrives
+  collision_forge::GenerateCollision::Request asked_;  ///< newest request to generate_collision
+  collision_forge::GenerateCollision::Request each_;   ///< newest request to list_collisions
 
   ros::NodeHandle node_;
   std::vector<ros::Subscriber> subscribers_;

@@ -9,10 +9,10 @@ class QLabel;
 
 namespace forge {
 
-/// What the colours of the picture mean, as rich text.
+/// Returns the legend of the marker colours as rich text.
 QString legendText();
 
-/// The legend in the upper left corner of the picture.
+/// RViz display that shows the legend in the upper left corner of the 3D view.
 class LegendDisplay : public rviz::Display {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class LegendDisplay : public rviz::Display {
   void onDisable() override;
 
  private:
-  QPointer<QLabel> legend_;  ///< owned by the picture, which may be gone before
+  QPointer<QLabel> legend_;  ///< owned by the render panel, which may be destroyed first
 };
 
 }  // namespace forge

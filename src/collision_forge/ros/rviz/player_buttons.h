@@ -19,21 +19,21 @@ class QSlider;
 
 namespace forge {
 
-/// Pause, step and back to now for the node `player`, and where it is in its bag: a slider that can
-/// be moved, and a clock. Without a player they are disabled.
+/// Controls of the node `player`: pause, step, back to t0, a slider and a clock for the position in
+/// the bag. Disabled while no player is running.
 class PlayerButtons : public QWidget {
   Q_OBJECT
 
  public:
   explicit PlayerButtons(QWidget* parent = nullptr);
 
-  /// Where there is a player that plays.
+  /// Pauses the player if one is running and not paused.
   void pause();
 
  Q_SIGNALS:
-  /// The player was told to play on, to step, to go back or to go to another instant.
+  /// Emitted after the user resumes the player, steps or seeks.
   void moved();
-  /// Why it did not do that.
+  /// Emitted with the reason if the player rejects a command or does not respond.
   void failed(const QString& problem);
 
  private:
@@ -52,11 +52,11 @@ class PlayerButtons : public QWidget {
   QPushButton* pause_ = nullptr;
   QPushButton* step_ = nullptr;
   QPushButton* back_ = nullptr;
-  QSlider* slider_ = nullptr;  ///< in kSliderStep
+  QSlider* slider_ = nullptr;  ///< in units of kSliderStep
   QLabel* clock_ = nullptr;
   QLabel* said_ = nullptr;
   bool is_paused_ = false;
-  double position_ = 0.0;  ///< s
+  double position_ = 0.0;  ///< s from the start of the bag
 
   ros::NodeHandle node_;
   ros::Subscriber paused_subscriber_;

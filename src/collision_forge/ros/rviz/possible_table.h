@@ -8,7 +8,7 @@
 
 namespace forge {
 
-/// Collisions that can be asked for, one a row.
+/// Table of the possible collisions, one per row.
 class PossibleTable : public QTableWidget {
   Q_OBJECT
 
@@ -17,18 +17,18 @@ class PossibleTable : public QTableWidget {
 
   void setCollisions(std::vector<collision_forge::PossibleCollision> collisions);
   const std::vector<collision_forge::PossibleCollision>& collisions() const { return collisions_; }
-  /// Marks a row as if it was chosen, without chosen().
+  /// Selects a row without emitting chosen().
   void mark(int row);
 
  Q_SIGNALS:
-  /// By a click or by the keyboard.
+  /// Emitted when the user selects a row.
   void chosen(const collision_forge::PossibleCollision& collision);
 
  private:
   void choose();
   void addRow(int row, const collision_forge::PossibleCollision& collision);
 
-  std::vector<collision_forge::PossibleCollision> collisions_;  ///< by row
+  std::vector<collision_forge::PossibleCollision> collisions_;  ///< index: row
 };
 
 }  // namespace forge

@@ -14,20 +14,20 @@ class QSpinBox;
 
 namespace forge {
 
-/// The fields of a request.
+/// Form with the fields of a GenerateCollision request.
 class RequestForm : public QWidget {
   Q_OBJECT
 
  public:
   explicit RequestForm(QWidget* parent = nullptr);
 
-  /// `collision_type` is empty where any type is asked for.
+  /// Returns the request; `collision_type` is empty for "any".
   collision_forge::GenerateCollision::Request request() const;
 
-  /// Sets type, time, attacker and manoeuvre.
+  /// Sets type, TTA, attacker and manoeuvre to those of `collision`.
   void choose(const collision_forge::PossibleCollision& collision);
-  /// The attackers and methods that can be asked for; what was chosen stays. Attackers are offered
-  /// by their short ids, as the picture shows them.
+  /// Sets the selectable attackers (full ids; shown by their short ids) and methods. The current
+  /// selection is kept.
   void setAttackers(QStringList ids);
   void setMethods(const QStringList& names);
 
@@ -48,7 +48,7 @@ class RequestForm : public QWidget {
   QDoubleSpinBox* tta_ = nullptr;
   QComboBox* manoeuvre_ = nullptr;
   QComboBox* attacker_ = nullptr;
-  QMap<QString, QString> ids_;  ///< by what is shown of them
+  QMap<QString, QString> ids_;  ///< shown id to full id
   QComboBox* choice_ = nullptr;
   QCheckBox* believable_ = nullptr;
   QCheckBox* adaptive_ = nullptr;

@@ -13,20 +13,20 @@
 
 namespace forge {
 
-/// Calls a service outside the thread of the GUI, one call at a time.
+/// Calls a ROS service in a worker thread, one call at a time.
 template <typename Service>
 class ServiceCall {
  public:
-  /// Empty when nobody answered.
+  /// nullopt if the call failed.
   using Answer = std::optional<typename Service::Response>;
 
-  /// `then` is called with each answer, in the thread of the GUI.
+  /// `then` is called with each result, in the GUI thread.
   explicit ServiceCall(std::function<void(const Answer&)> then) {
     QObject::connect(&watcher_, &QFutureWatcherBase::finished,
                      [this, then = std::move(then)] { then(watcher_.result()); });
   }
 
-  /// Does nothing while a call is under way.
+  /// Starts a call; does nothing while one is running.
   void start(const std::string& name, typename Service::Request request) {
     if (watcher_.isRunning()) return;
     watcher_.setFuture(QtConcurrent::run(&caller_, [name, request]() mutable -> Answer {
@@ -38,7 +38,7 @@ class ServiceCall {
 
  private:
   QFutureWatcher<Answer> watcher_;
-  QThreadPool caller_;  ///< last: it waits for the call in flight, then this may be unloaded
+  QThreadPool caller_;  ///< last member: its destructor waits for the running call
 };
 
 }  // namespace forge
