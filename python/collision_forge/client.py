@@ -1,4 +1,4 @@
-"""The suite's services and topics, for Python."""
+"""Python client for the services and topics of the suite."""
 import time
 from pathlib import Path
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Union
@@ -14,8 +14,8 @@ from collision_forge.player import Player
 from collision_forge.results import Answer, Attack, PlannerOutcome, PossibleCollision, Report, Scene
 from collision_forge.waiting import Graph, Inbox, wait_until
 
-TIMEOUT = 30.0  # s of the wall clock; for what takes a fraction of a second on an idle machine
-LOOK = 0.2      # s of the wall clock that the nodes get for a frame where no message tells that they are done
+TIMEOUT = 30.0  # s of the wall clock; a call takes a fraction of a second on an idle machine
+LOOK = 0.2      # s of the wall clock for the nodes to process a frame; no message reports that they have finished
 SERVICES = {'generate_collision': srv.GenerateCollision, 'generate_collisions': srv.GenerateCollisions,
             'list_collisions': srv.ListCollisions, 'test_planner': srv.TestPlanner, 'reset': Trigger}
 PUBLISHED = ['encoded_scene', 'attack', 'tested_report', 'injected_agents', 'attack_methods']
@@ -23,19 +23,19 @@ Collision = Union[str, PossibleCollision]
 
 
 class CollisionForge:
-    """The suite, as `collision_forge.launch` or `replay.launch` start it.
+    """Client of a running suite, started by `collision_forge.launch` or `replay.launch`.
 
-    Makes this process a ROS node if it is none yet, and waits for the suite. `timeout`: s of the wall clock for
-    whatever is waited for. Names are relative, so `ROS_NAMESPACE` and remappings are heeded. Without a player
-    (`play()`) requests are about the newest scene; with one they are about the frame at which it has paused.
+    Makes this process a ROS node if it is none yet, and waits for the suite; raises NotReady if the suite is missing.
+    `timeout`: limit of each wait, s of the wall clock. Names are relative: `ROS_NAMESPACE` and remappings apply.
+    Without a player (`play()`) requests use the newest scene, with a player the frame at which it has paused.
     """
 
     def __init__(self, timeout: float = TIMEOUT) -> None:
         self.timeout = timeout
         self.player: Optional[Player] = None
-        self._tested_from = 0  # mark in the tested reports: those before it are of earlier attacks
+        self._tested_from = 0  # mark in the tested reports: earlier reports belong to earlier attacks
         if not rospy.core.is_initialized():
-            Graph()  # says so where there is no master; init_node() would wait for one
+            Graph()  # raises if there is no master; init_node() would block
             rospy.init_node('collision_forge_client', anonymous=True, disable_signals=True)
         self._scenes = Inbox('encoded_scene', msg.EncodedScene)
         self._attacks = Inbox('attack', msg.Attack)
@@ -48,7 +48,7 @@ class CollisionForge:
             raise
 
     def close(self) -> None:
-        """Hears and plays nothing any more."""
+        """Unsubscribe from all topics and close the player."""
         if self.player is not None:
             self.player.close()
         for inbox in (self._scenes, self._attacks, self._reports, self._methods):
@@ -60,15 +60,15 @@ class CollisionForge:
     def __exit__(self, *_: Any) -> None:
         self.close()
 
-    # Is it ready?
+    # Readiness.
 
     def wait_until_ready(self, timeout: Optional[float] = None) -> 'CollisionForge':
-        """Until the suite is there and has a scene; NotReady says what is missing."""
+        """Wait until the suite runs and has a scene, and return this client; raise NotReady with the missing parts."""
         wait_until(lambda: self._missing_nodes() + self._missing_scene(), self.timeout if timeout is None else timeout)
         return self
 
     def missing(self) -> List[str]:
-        """What the suite lacks to answer a request now; empty: nothing."""
+        """Return the missing services, topics and messages that a request needs; empty if ready."""
         return self._missing_nodes() + self._missing_scene()
 
     def _missing_nodes(self) -> List[str]:
@@ -89,13 +89,13 @@ class CollisionForge:
 
     @property
     def scene(self) -> Scene:
-        """The newest one; waits for the first."""
+        """The newest scene; waits for the first."""
         self.wait_until_ready()
         return Scene.of(self._scenes.newest())
 
     @property
     def methods(self) -> Dict[str, str]:
-        """The methods that can be asked for, the default one first, each with a line about it."""
+        """The available methods, the default first: name to one-line description."""
         message = self._first_of(self._methods)
         lines = dict(zip(message.names, message.descriptions))
         return {message.default_method: lines.pop(message.default_method), **lines}
@@ -108,21 +108,23 @@ class CollisionForge:
 
     def generate(self, collision: Collision, tta: Optional[float] = None, *, at: Optional[Time] = None,
                  method: str = '', **controls: Any) -> Attack:
-        """An attack of a type, `tta` s from now; or exactly the attack that `possible()` has listed.
+        """Request an attack, wait until it is published and return it; raise Declined if the suite rejects it.
 
-        With a tta, a method, an instant or controls other than those of the list, the listed attacker and manoeuvre
-        are asked for anew. at: stamp of the frame of agents that is now; controls: as of `control_fields()`. Raises
-        Declined.
+        collision: a collision type, or an entry of `possible()`, which reproduces the listed attack. If tta, method,
+            at or a control is given too, the listed attacker and manoeuvre are requested with these values.
+        tta: time to attack, s from t0; required with a type
+        at: stamp of the frame of agents used as t0; by default the frame of the player, else the newest
+        controls: see `control_fields()`
         """
         return self._generate(collision, tta, at, method, fields_of(controls), False)
 
     def adaptive(self, collision: Collision, tta: Optional[float] = None, *, at: Optional[Time] = None,
                  method: str = '', **controls: Any) -> 'AdaptiveAttack':
-        """As `generate()`, by an attacker that sees and reacts. Iterate over what becomes of it."""
+        """As `generate()`, with an adaptive attacker. Iterate over the result for the updates of the attack."""
         mark = self._attacks.mark()
         first = self._generate(collision, tta, at, method, fields_of(controls), True)
         is_first = [same_attack(message, first.message) for message in self._attacks.since(mark)]
-        return AdaptiveAttack(self, first, mark + is_first.index(True))  # those before it end an earlier attack
+        return AdaptiveAttack(self, first, mark + is_first.index(True))  # messages before it end an earlier attack
 
     def _generate(self, collision: Collision, tta: Optional[float], at: Optional[Time], method: str,
                   controls: Dict[str, Any], adaptive: bool) -> Attack:
@@ -139,7 +141,7 @@ class CollisionForge:
             at, tta = at or collision.now, collision.tta if tta is None else tta
             collision = collision.collision_type
         if tta is None:
-            raise TypeError('generate() needs tta, s from now to impact')
+            raise TypeError('generate() needs tta, the time in s from t0 to contact')
         mark, self._tested_from = self._attacks.mark(), self._reports.mark()
         answer = self._call('generate_collision', stamp=self._stamp(at), collision_type=collision, tta=float(tta),
                             method=method, adaptive=adaptive, **controls)
@@ -150,7 +152,7 @@ class CollisionForge:
 
     def possible(self, collision_types: Sequence[str] = (), ttas: Sequence[float] = (), *, at: Optional[Time] = None,
                  method: str = '', **controls: Any) -> List[PossibleCollision]:
-        """The collisions that can be asked for now, by type, then tta; by default of all types, at the usual ttas."""
+        """Return the possible collisions, sorted by type and tta; default: all types, at the configured ttas."""
         fields = fields_of(controls)
         answer = self._call('list_collisions', **self._each(collision_types, ttas, at, method, fields))
         asked = {**fields, 'method': method}
@@ -158,15 +160,17 @@ class CollisionForge:
 
     def generate_all(self, collision_types: Sequence[str] = (), ttas: Sequence[float] = (), *,
                      at: Optional[Time] = None, method: str = '', **controls: Any) -> List[Answer]:
-        """An answer for each type and tta, at one instant; nothing is published, and nobody is injected."""
+        """Return one Answer per type and tta, all at the same t0. Publishes and injects nothing."""
         answer = self._call('generate_collisions',
                             **self._each(collision_types, ttas, at, method, fields_of(controls)))
         return [Answer.of(message) for message in answer.answers]
 
     def requests(self, every: float, collision_types: Sequence[str] = (), ttas: Sequence[float] = (),
                  **controls: Any) -> Iterator[PossibleCollision]:
-        """What can be asked for over a bag: plays on from where it is, and pauses every so many seconds. Nothing can be
-        where too little was seen yet."""
+        """Play the rest of the bag, pause every `every` s and yield the collisions possible there.
+
+        Frames with too little history are skipped.
+        """
         for _ in self._needed_player().every(every):
             try:
                 yield from self.possible(collision_types, ttas, **controls)
@@ -180,19 +184,19 @@ class CollisionForge:
                 'request': msg.CollisionRequest(**controls), 'method': method}
 
     def _stamp(self, at: Optional[Time]) -> Time:
-        """The player's frame, so that a node that has not heard of it yet waits for it; else none: the newest."""
+        """Return `at`, else the stamp of the player's frame, else zero: the newest scene."""
         return at or (self.player and self.player.stamp) or Time()
 
-    # The attack that was generated last.
+    # The newest attack.
 
     @property
     def attack(self) -> Optional[Attack]:
-        """The newest attack as published; None: there is none."""
+        """The newest published attack; None if there is none."""
         message = self._attacks.newest()
         return Attack.of(message) if message and message.trajectory.attacker_id else None
 
     def tested(self, attack: Attack) -> Report:
-        """How the attack of the last `generate()` turned out; plays on until that is known, where there is a player."""
+        """Return the measured report of the last `generate()`; continues the player until it is published."""
         player = self.player
         if player is not None and not self._tested(attack):
             end = min(player.instant_of(attack.now) + attack.trajectory[-1].t, player.duration)
@@ -209,7 +213,7 @@ class CollisionForge:
                 wait_until(lambda: [] if self._tested(attack) else ['a message on tested_report'], self.timeout)
 
     def reset(self) -> None:
-        """Forgets the attack: nobody is injected any more."""
+        """Drop the attack and stop its injection."""
         self._call('reset')
         wait_until(lambda: ['an empty attack'] if self.attack else [], self.timeout)
 
@@ -220,9 +224,9 @@ class CollisionForge:
 
     @staticmethod
     def _look(player: Player, attack: Attack) -> None:
-        """A frame more, with time for what the nodes make of it."""
+        """Play one frame and wait LOOK s for the nodes to process it."""
         if player.is_at_end:
-            raise ForgeError('the bag ends before it is known what becomes of {!r}'.format(attack))
+            raise ForgeError('the bag ends before the test of {!r} has ended'.format(attack))
         player.step()
         time.sleep(LOOK)
 
@@ -231,13 +235,13 @@ class CollisionForge:
     def test_planner(self, planner: str, attack: Optional[Attack] = None, *, scenario: Union[str, int] = '',
                      parameters: Optional[Mapping[str, float]] = None, attacker_policy: str = '',
                      background: str = '') -> PlannerOutcome:
-        """Drives a planner in closed loop through an attack over the suite's `recording`, or through a scenario.
+        """Test a planner in closed loop against an attack in the suite's `recording`, or in a scenario.
 
-        planner: idm, idm_published, pdm, rule_based, rule_based_tuned, torchscript or external (a node of your own,
-            which is waited for)
-        attack: by default, and with attacker_policy adaptive, the newest one
-        scenario: number of a line of the node's scenario file, or a whole line
-        parameters: numbers in place of those of config/planners.yaml, as {'pdm.idm.min_gap': 2.0}
+        planner: idm, idm_published, pdm, rule_based, rule_based_tuned, torchscript or external (a node of yours; the
+            call waits for it)
+        attack: default, and with attacker_policy adaptive always, the newest one
+        scenario: line number in the scenario file of planner_tester, or a whole line
+        parameters: values that replace keys of config/planners.yaml, for example {'pdm.idm.min_gap': 2.0}
         attacker_policy: fixed or adaptive; background: replay or idm
         """
         if planner == 'external':
@@ -254,7 +258,7 @@ class CollisionForge:
     # Bags.
 
     def play(self, bag: Union[str, Path]) -> Player:
-        """A player of a bag, in lock step with this client; in place of the one before. Nothing is published yet."""
+        """Return a player of `bag` in lock step with this client; replaces the previous one. Publishes nothing yet."""
         if self.player is not None:
             self.player.close()
         self.player = Player(bag, self._scenes, self.timeout)
@@ -262,7 +266,7 @@ class CollisionForge:
 
     def _needed_player(self) -> Player:
         if self.player is None:
-            raise ForgeError('no bag is played: call play() first')
+            raise ForgeError('no bag is open: call play() first')
         return self.player
 
     def _call(self, name: str, **fields: Any) -> Any:
@@ -272,7 +276,7 @@ class CollisionForge:
         except (rospy.ServiceException, rospy.ROSException) as error:
             raise Unavailable('{}: {}'.format(name, error)) from error
         except SerializationError as error:
-            raise ForgeError('{}: a value that no message can hold: {}'.format(name, error)) from error
+            raise ForgeError('{}: a value does not fit its message field: {}'.format(name, error)) from error
         code = getattr(answer, 'code', Code.OK)
         if code != Code.OK:
             raise Declined(code, answer.message)
@@ -284,8 +288,10 @@ class CollisionForge:
 
 
 class AdaptiveAttack:
-    """An attacker that sees and reacts. Iterate over it: the attack as it set out, then as it is published anew, until
-    its test is known; that is in `report` then. With a player each look is at the next frame of agents of the bag."""
+    """An adaptive attack. Iterating yields its first plan, then each update, until its test has ended.
+
+    `report` then holds the measured result. With a player, each iteration plays up to the next frame of agents.
+    """
 
     def __init__(self, forge: CollisionForge, first: Attack, mark: int) -> None:
         self.first = first
@@ -324,6 +330,6 @@ class AdaptiveAttack:
 
 
 def same_attack(one: Any, other: Any) -> bool:
-    """Of the same instant, type and attacker, whatever it drives by now."""
+    """Return whether two messages have the same t0, type and attacker; their trajectories may differ."""
     return (one.header.stamp, one.pattern.collision_type, one.trajectory.attacker_id) == (
         other.header.stamp, other.pattern.collision_type, other.trajectory.attacker_id)

@@ -1,4 +1,4 @@
-"""What a request may ask for beside type and time."""
+"""Controls of a request: its fields besides type and TTA."""
 import difflib
 import inspect
 from typing import Any, Dict, Mapping, Optional, Tuple
@@ -10,18 +10,18 @@ def control_fields(*, attacker: str = '', choice: str = '', mode: str = '', seed
                    believable: Optional[bool] = None, limits: str = '', attacker_class: str = '', manoeuvre: str = '',
                    ego_side: str = '', impact_speed: Band = None, overlap: Band = None,
                    alternatives: int = 1) -> Dict[str, Any]:
-    """The fields of a request's message; srv/GenerateCollision.srv has the words.
+    """Return the message fields of a request; srv/GenerateCollision.srv lists the allowed words.
 
-    attacker: id of an agent; by default whom `choice` allows
+    attacker: id of an agent; by default any that `choice` allows
     choice: existing (a recorded vehicle), new (one is added) or any
-    mode: history (only what was seen up to now), replay (the recorded future, too), adaptive (sees and reacts)
-    seed: of the variations tried; the same scene and seed give the same answer
-    believable: whether the attacker drives as drivers do until it attacks; by default as config/ says
-    limits: drivable (those of the attacker's class) or strict; by default as config/ says
+    mode: history (observations up to t0), replay (also the recorded future), adaptive (attacker replans every 0.1 s)
+    seed: random seed of the search; the same scene and seed give the same result
+    believable: require a plausible attacker, driving like recorded drivers until it attacks; default in config/
+    limits: drivable (limits of the attacker's class) or strict; default in config/
     attacker_class, manoeuvre, ego_side: any by default
     impact_speed: (least, greatest), m/s, of the relative velocity at contact
     overlap: (least, greatest) share of the ego's touched side that the attacker covers, [0, 1]
-    alternatives: attacks asked for, which differ in attacker or manoeuvre, at most 16
+    alternatives: number of attacks, which differ in attacker or manoeuvre, at most 16
     """
     slowest, fastest = _pair('impact_speed', impact_speed)
     narrowest, widest = _pair('overlap', overlap)
@@ -33,12 +33,12 @@ def control_fields(*, attacker: str = '', choice: str = '', mode: str = '', seed
 
 
 def fields_of(controls: Mapping[str, Any]) -> Dict[str, Any]:
-    """`control_fields()` of keywords that a caller gave; TypeError names one that is unknown, and those that are known."""
+    """Return `control_fields()` of the given keywords; raise TypeError that names an unknown one and the known ones."""
     known = list(inspect.signature(control_fields).parameters)
     for name in controls:
         if name not in known:
             near = difflib.get_close_matches(name, known, 1)
-            raise TypeError('no control is called {!r}{}; the controls are {}'.format(
+            raise TypeError('unknown control {!r}{}; the controls are {}'.format(
                 name, '; did you mean {}?'.format(near[0]) if near else '', ', '.join(known)))
     return control_fields(**controls)
 
@@ -49,5 +49,5 @@ def _pair(name: str, band: Band) -> Tuple[float, float]:
     try:
         least, greatest = band
     except (TypeError, ValueError):
-        raise TypeError('{} = {!r} is no pair (least, greatest), as (1.0, 10.0)'.format(name, band)) from None
+        raise TypeError('{} = {!r} is not a pair (least, greatest) such as (1.0, 10.0)'.format(name, band)) from None
     return least, greatest

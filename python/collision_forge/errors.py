@@ -1,11 +1,10 @@
-"""What can go wrong."""
+"""Exceptions and status codes of the client."""
 import enum
 from typing import Sequence
 
 
 class Code(enum.IntEnum):
-    """Status codes of the services, as in GenerateCollision.srv and TestPlanner.srv; docs/messages.md says what they
-    mean."""
+    """Status codes of the services, as in GenerateCollision.srv and TestPlanner.srv; see docs/messages.md."""
 
     OK = 0
     UNKNOWN_TYPE = 1
@@ -33,11 +32,11 @@ class Code(enum.IntEnum):
 
 
 class ForgeError(Exception):
-    """Whatever this package raises."""
+    """Base class of all exceptions of this package."""
 
 
 class Declined(ForgeError):
-    """The suite answered that it cannot: `code` is why, `reason` names field and value."""
+    """The suite rejected a request: `code` is the status, `reason` names field and value."""
 
     def __init__(self, code: int, reason: str) -> None:
         self.code = Code(code)
@@ -46,7 +45,7 @@ class Declined(ForgeError):
 
 
 class NotReady(ForgeError):
-    """Something did not come in time: `missing` says what."""
+    """A wait timed out: `missing` lists the services, topics or messages that did not arrive."""
 
     def __init__(self, missing: Sequence[str], timeout: float) -> None:
         self.missing = list(missing)
@@ -54,4 +53,4 @@ class NotReady(ForgeError):
 
 
 class Unavailable(ForgeError):
-    """A node of the suite went away while it was asked."""
+    """A service is not available, or its node ended during the call."""

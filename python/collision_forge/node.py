@@ -1,4 +1,4 @@
-"""A node of ROS that ends whenever it is told to."""
+"""A ROS node that ends reliably on a signal."""
 import signal
 from typing import Any, Callable
 
@@ -6,10 +6,11 @@ import rospy
 
 
 def run_node(name: str, work: Callable[[], int], **options: Any) -> int:
-    """Does `work` as a node of this name, and returns its exit code; 0 where a signal or another node ended it.
+    """Run `work` as the node `name` and return its exit code; 0 if a signal or another node ended it.
 
-    A signal ends the work first, and the node then. rospy itself ends a node in the middle of what its main thread is
-    at. If that is publishing, it holds a lock that the end needs as well, and the node hangs for ever."""
+    A signal ends `work` first, then the node. rospy would shut down while the main thread runs: if that thread is
+    publishing, it holds a lock that the shutdown needs, and the node hangs.
+    """
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, _interrupt)
     try:
@@ -18,7 +19,7 @@ def run_node(name: str, work: Callable[[], int], **options: Any) -> int:
     except KeyboardInterrupt:
         return 0
     except rospy.ROSException:
-        if not rospy.core.is_shutdown_requested():  # from then on nothing can be published
+        if not rospy.core.is_shutdown_requested():  # after a shutdown request publishing raises
             raise
         return 0
     finally:

@@ -1,8 +1,8 @@
-"""What the suite answers, as plain data.
+"""Results of the suite as plain data.
 
-SI units and radians, in the frame `map`; every vehicle is named by the middle of its box. `now` is the stamp of the
-frame of agents that was asked about, on the recording's clock. All other instants are in s from now. `message` is the
-ROS message that a result was made of.
+SI units and radians, in the frame `map`; a pose is the centre of the vehicle's box. `now` is t0, the stamp of the frame
+of agents used for the request, on the recording's clock. All other times are in s from t0. `message` is the ROS message
+of the result.
 """
 import math
 from dataclasses import dataclass, field, fields
@@ -18,12 +18,12 @@ CLASSES: Dict[int, str] = {value: name.lower() for name, value in vars(AgentMess
 
 
 def raw() -> Any:
-    """A field for the message, which neither shows nor counts."""
+    """Return the field of the ROS message, excluded from repr and comparison."""
     return field(repr=False, compare=False)
 
 
 class Result:
-    """Shows its fields, numbers to three decimals."""
+    """Base class whose repr shows the fields, numbers with three decimals."""
 
     def __repr__(self) -> str:
         shown = ((entry.name, getattr(self, entry.name)) for entry in fields(self) if entry.repr)
@@ -39,12 +39,12 @@ class Pose(Result):
 
     @classmethod
     def of_2d(cls, message: Any) -> 'Pose':
-        """Of a geometry_msgs/Pose2D."""
+        """Convert a geometry_msgs/Pose2D."""
         return cls(message.x, message.y, message.theta)
 
     @classmethod
     def of_3d(cls, message: Any) -> 'Pose':
-        """Of a geometry_msgs/Pose, seen from above."""
+        """Convert a geometry_msgs/Pose; drops height, roll and pitch."""
         turn = message.orientation
         yaw = math.atan2(2.0 * (turn.w * turn.z + turn.x * turn.y), 1.0 - 2.0 * (turn.y ** 2 + turn.z ** 2))
         return cls(message.position.x, message.position.y, yaw)
@@ -67,7 +67,7 @@ class Point(Result):
 
 
 def seconds(now: Time, stamp: Time) -> float:
-    """s from now to a stamp."""
+    """Return the seconds from `now` to `stamp`."""
     return float((stamp - now).to_sec())
 
 
@@ -87,24 +87,24 @@ class Contact(Result):
 
 @dataclass(frozen=True, repr=False)
 class Report:
-    """What verification found about an attacker's trajectory: as foreseen, or as it came (tested)."""
+    """Verification of an attacker's trajectory against the predicted ego, or (tested) the driven ego."""
 
     now: Time
     attacker: str
-    verified: bool              # contact as asked, every limit kept, nobody else touched before
-    contact: Optional[Contact]  # None: the attacker does not touch the ego
+    verified: bool              # contact as requested, all limits kept, no earlier contact with other agents
+    contact: Optional[Contact]  # None: no contact with the ego
     type_kept: bool
     on_time: bool
     limits_kept: bool
-    broken_limit: str           # name, value and limit of the worst one; empty: none
-    touched_before: str         # whom the attacker touches before the ego; empty: nobody
+    broken_limit: str           # name, value and limit of the worst violation; empty: none
+    touched_before: str         # id of the agent that the attacker touches before the ego; empty: none
     off_road_share: float       # mean share of its box off the drivable area, [0, 1]
-    manoeuvre: str              # what it does; empty without contact
+    manoeuvre: str              # manoeuvre of the attacker; empty without contact
     manoeuvre_begin: Optional[float]  # s from now
-    believable: bool            # it drives as drivers do until its manoeuvre
-    unbelievable: str           # why not
-    confidence: float           # share of the likely ego futures in which all holds, [0, 1]; 0 of a tested report
-    decision: str               # the last one of an attacker that sees and reacts
+    believable: bool            # plausible: drives like recorded drivers until its manoeuvre
+    unbelievable: str           # reason if not believable
+    confidence: float           # share of predicted ego futures in which it is verified, [0, 1]; 0 if tested
+    decision: str               # last decision of an adaptive attacker
     message: Any = raw()
 
     @classmethod
@@ -132,21 +132,21 @@ class Report:
 
 @dataclass(frozen=True, repr=False)
 class Attack:
-    """A vehicle's way into the ego."""
+    """An attack: attacker, trajectory and predicted contact."""
 
     now: Time
     collision_type: str     # lane_change, opposite_direction, rear_end, junction_crossing or ltap
-    attacker: str           # its id among the agents
+    attacker: str           # id of the attacker
     attacker_class: str     # car, truck, ...
-    added: bool             # nobody recorded it
-    trajectory: Tuple[Point, ...]  # from now to past the contact
-    report: Report          # as foreseen
+    added: bool             # not recorded: added by the suite
+    trajectory: Tuple[Point, ...]  # from t0 to after the contact
+    report: Report          # predicted
     method: str
-    adaptive: bool          # it sees and reacts
-    phase: str              # of one that does: attacking, committed or driving_on
-    decision: str           # its last one, for people
-    plans: int              # how often it decided; 0 if not adaptive
-    alternatives: Tuple['Attack', ...]  # further ones, the surest first
+    adaptive: bool          # replans every 0.1 s
+    phase: str              # if adaptive: attacking, committed or driving_on
+    decision: str           # last decision, as text
+    plans: int              # number of decisions; 0 if not adaptive
+    alternatives: Tuple['Attack', ...]  # by falling confidence
     message: Any = raw()
 
     @classmethod
@@ -166,20 +166,20 @@ class Attack:
 
 @dataclass(frozen=True, repr=False)
 class PossibleCollision(Result):
-    """A collision that can be asked for, and how it would go: `forge.generate()` takes it as it is."""
+    """A possible collision and its predicted contact; can be passed to `forge.generate()`."""
 
     now: Time = field(repr=False)
     collision_type: str
-    tta: float            # s from now, to ask for
-    alternative: int      # which attack of the answer to the request, from 1 on
-    attacker: str         # its id; of one that is added its id then
+    tta: float            # s from t0, to request
+    alternative: int      # index of the attack in the response, from 1
+    attacker: str         # id; for an added vehicle the id it would get
     attacker_class: str
-    added: bool           # nobody recorded it
+    added: bool           # not recorded: added by the suite
     manoeuvre: str
     confidence: float     # [0, 1]
-    contact_after: float  # s from now, as foreseen
-    impact_speed: float   # m/s, as foreseen
-    controls: Dict[str, Any] = field(repr=False, compare=False)  # with which it was asked for
+    contact_after: float  # s from t0, predicted
+    impact_speed: float   # m/s, predicted
+    controls: Dict[str, Any] = field(repr=False, compare=False)  # controls of the request
     message: Any = raw()
 
     @classmethod
@@ -191,13 +191,13 @@ class PossibleCollision(Result):
 
 @dataclass(frozen=True, repr=False)
 class Answer(Result):
-    """The answer to one of several requests."""
+    """Result of one request of `generate_all()`."""
 
     collision_type: str
     tta: float                # s from now
     code: Code
-    reason: str               # why not; empty with OK
-    attack: Optional[Attack]  # None: declined
+    reason: str               # reason of rejection; empty with OK
+    attack: Optional[Attack]  # None: rejected
     message: Any = raw()
 
     @classmethod
@@ -209,40 +209,40 @@ class Answer(Result):
 
 @dataclass(frozen=True, repr=False)
 class PlannerContact(Result):
-    """The first touch of a planner's ego."""
+    """First contact of the ego driven by a planner."""
 
     t: float                 # s from now
-    other: str               # the id of whom it touches
+    other: str               # id of the touched agent
     is_attacker: bool
-    collision_type: str      # that the contact is of; empty: none
-    relative_heading: float  # rad, the other's yaw minus the ego's, (-pi, pi]
+    collision_type: str      # type of the contact; empty: none of the types
+    relative_heading: float  # rad, yaw of the other agent minus the ego's, (-pi, pi]
     ego_side: str            # front, rear, left or right
     other_side: str
     impact_speed: float      # m/s, norm of the relative velocity
     cause: str               # stopped_ego, stopped_other, rear, front or lateral
-    at_fault: bool           # the ego is to blame
+    at_fault: bool           # the ego is at fault
 
 
 @dataclass(frozen=True, repr=False)
 class PlannerOutcome:
-    """How a planner drove through an attack."""
+    """Result of a planner test."""
 
     now: Time
     planner: str
     attacker: str
-    failure: str                       # what ended its drive, as error or off_map; empty: none
+    failure: str                       # failure code that ended the test, such as error or off_map; empty: none
     failure_reason: str
-    duration: float                    # s from now to the contact, the failure or the attacker's end
-    contact: Optional[PlannerContact]  # None: it touched nobody
-    avoidable: bool                    # proven: some motion touches nobody. False proves nothing
-    last_manoeuvre: str                # that which works latest; empty unless avoidable
-    last_moment: Optional[float]       # s from now, from when it works
+    duration: float                    # s from t0 to the contact, the failure or the end of the attacker's trajectory
+    contact: Optional[PlannerContact]  # None: no contact
+    avoidable: bool                    # an evasive manoeuvre was found; False is no proof
+    last_manoeuvre: str                # evasive manoeuvre that can start latest; empty unless avoidable
+    last_moment: Optional[float]       # s from t0, its latest start
     max_braking: float                 # m/s2
     off_road_share: float              # mean share of the ego's box off the drivable area, [0, 1]
     progress: float                    # m along the route
     recorded_progress: float           # m, of the recorded ego over the same time
     nuplan: Dict[str, float]           # nuPlan's closed-loop `score` and its parts, [0, 1]
-    driven: Tuple[Point, ...]          # the ego, from now on
+    driven: Tuple[Point, ...]          # trajectory of the ego, from t0
     message: Any = raw()
 
     @classmethod
@@ -264,7 +264,7 @@ class PlannerOutcome:
 
     @property
     def hit(self) -> bool:
-        """The attacker touched it."""
+        """Whether the first contact is with the attacker."""
         return self.contact is not None and self.contact.is_attacker
 
     def __repr__(self) -> str:
@@ -276,11 +276,11 @@ class PlannerOutcome:
         if self.contact is None:
             return 'touches nobody in {:.1f} s'.format(self.duration)
         return 'touches {} {:.8} after {:.2f} s at {:.1f} m/s, {}'.format(
-            'the attacker' if self.hit else 'somebody else,', self.contact.other, self.contact.t,
+            'the attacker' if self.hit else 'another agent,', self.contact.other, self.contact.t,
             self.contact.impact_speed, self._avoidance())
 
     def _avoidance(self) -> str:
-        """How the contact could have been avoided."""
+        """Return the evasive manoeuvre and its latest start, as text."""
         if self.last_moment is None:
             return 'not known to be avoidable'
         at_once = self.last_moment < 1e-6  # s
@@ -295,7 +295,7 @@ class PlannerOutcome:
 
 @dataclass(frozen=True, repr=False)
 class Agent(Result):
-    """Somebody in the scene, as of now."""
+    """An agent or the ego at t0."""
 
     id: str
     agent_class: str  # car, truck, ...
@@ -313,16 +313,16 @@ class Agent(Result):
 
 @dataclass(frozen=True, repr=False)
 class Scene:
-    """What is known now."""
+    """The scene at t0."""
 
     now: Time
     ego: Agent
-    agents: Tuple[Agent, ...]  # those who are there now
+    agents: Tuple[Agent, ...]  # agents present at t0
     message: Any = raw()
 
     @classmethod
     def of(cls, message: Any) -> 'Scene':
-        """Of an EncodedScene."""
+        """Convert an EncodedScene."""
         now = message.header.stamp
         present = [track for track in message.snapshot.agents if track.states and track.states[-1].stamp == now]
         return cls(now, Agent.of(message.snapshot.ego), tuple(Agent.of(track) for track in present), message)

@@ -1,4 +1,4 @@
-"""The suite in processes of its own, under a master of its own, for tests."""
+"""Start the suite and a separate ROS master as child processes, for tests."""
 import ctypes
 import os
 import signal
@@ -12,7 +12,7 @@ import rosgraph
 from collision_forge.errors import ForgeError
 from collision_forge.waiting import wait_until
 
-STOP_TIMEOUT = 20.0  # s; nodes that have not ended by then are killed
+STOP_TIMEOUT = 20.0  # s; nodes still running after it are killed
 SHOWN = 2000         # characters of a log in an error
 Running = TypeVar('Running', bound='Program')
 LIBC = ctypes.CDLL(None)
@@ -20,12 +20,12 @@ PR_SET_PDEATHSIG = 1  # of prctl(2)
 
 
 def interrupt_with_parent() -> None:
-    """This process is interrupted when the one that started it ends, however it does."""
+    """Make the kernel send SIGINT to this process when its parent ends for any reason."""
     LIBC.prctl(PR_SET_PDEATHSIG, signal.SIGINT)
 
 
 class Program:
-    """A program that runs, with all that it starts, until `stop()` or this process's end; its output is in `log`."""
+    """A child process and its descendants, running until `stop()` or the end of this process; output goes to `log`."""
 
     def __init__(self, command: Sequence[str], log: Path) -> None:
         self.name = command[0]
@@ -36,7 +36,7 @@ class Program:
                                              preexec_fn=interrupt_with_parent)
 
     def check(self) -> None:
-        """Raises if it has ended."""
+        """Raise ForgeError if the program has ended."""
         if self._process.poll() is not None:
             raise ForgeError('{} has ended: {}'.format(self.name, self.output()[-SHOWN:]))
 
@@ -44,7 +44,7 @@ class Program:
         return self.log.read_text(errors='replace')
 
     def stop(self) -> None:
-        """Interrupts it; what is left of it and its group after that is killed."""
+        """Send SIGINT, wait up to STOP_TIMEOUT, then kill its process group."""
         self._signal(signal.SIGINT)
         try:
             self._process.wait(STOP_TIMEOUT)
@@ -57,7 +57,7 @@ class Program:
         try:
             os.killpg(self._process.pid, sign)
         except ProcessLookupError:
-            pass  # all have ended
+            pass  # the group has ended
 
     def __enter__(self: Running) -> Running:
         return self
@@ -67,7 +67,7 @@ class Program:
 
 
 class Master(Program):
-    """A roscore on a free port; from now on this process and those that it starts use it."""
+    """A roscore on a free port; sets ROS_MASTER_URI for this process and its children."""
 
     def __init__(self, folder: Path, timeout: float) -> None:
         with socket.socket() as free:
@@ -89,7 +89,7 @@ class Master(Program):
 
 
 class Suite(Program):
-    """collision_forge.launch with some arguments; `recording` is the bag of replay mode and of test_planner."""
+    """Run collision_forge.launch with `arguments`; `recording` is the bag for replay mode and test_planner."""
 
     def __init__(self, folder: Path, recording: Optional[Path] = None, **arguments: str) -> None:
         if recording is not None:

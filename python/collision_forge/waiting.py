@@ -10,12 +10,12 @@ import rospy
 
 from collision_forge.errors import ForgeError, NotReady
 
-INTERVAL = 0.02       # s between two looks
-MASTER_ANSWERS = 5.0  # s; a master of this machine takes milliseconds
+INTERVAL = 0.02       # s between two checks
+MASTER_ANSWERS = 5.0  # s, time-out; a local master responds in milliseconds
 
 
 def wait_until(missing: Callable[[], Sequence[str]], timeout: float) -> None:
-    """Until nothing is missing any more; NotReady tells what still is after `timeout` s."""
+    """Wait until `missing` returns an empty list; raise NotReady with its content after `timeout` s."""
     deadline = time.monotonic() + timeout
     while True:
         still_missing = missing()
@@ -29,7 +29,7 @@ def wait_until(missing: Callable[[], Sequence[str]], timeout: float) -> None:
 
 
 class Inbox:
-    """Keeps the newest messages of a topic. A mark, from `mark()`, separates those before it from those after it."""
+    """Store the newest messages of a topic. `mark()` returns a position in the stream, for `since()` and `find()`."""
 
     KEPT = 1000  # messages
 
@@ -52,7 +52,7 @@ class Inbox:
             return self._dropped + len(self._messages)
 
     def since(self, mark: int) -> List[Any]:
-        """All that came after a mark, oldest first."""
+        """Return the messages received after a mark, oldest first."""
         with self._lock:
             return self._messages[max(0, mark - self._dropped):]
 
@@ -61,11 +61,11 @@ class Inbox:
             return self._messages[-1] if self._messages else None
 
     def find(self, condition: Callable[[Any], bool], mark: int = 0) -> Optional[Any]:
-        """The newest message after a mark that fulfils the condition."""
+        """Return the newest message after a mark that fulfils the condition, or None."""
         return next((message for message in reversed(self.since(mark)) if condition(message)), None)
 
     def is_connected(self) -> bool:
-        self._subscriber.impl.check()  # forgets publishers that are gone
+        self._subscriber.impl.check()  # drops closed connections
         return self._subscriber.get_num_connections() > 0
 
     def close(self) -> None:
@@ -73,7 +73,7 @@ class Inbox:
 
 
 class LimitedTransport(xmlrpc.client.Transport):
-    """Calls to a master that fail where it does not answer, in place of waiting for ever."""
+    """XML-RPC transport with a time-out, so that a hanging master raises an error."""
 
     def make_connection(self, host: Any) -> http.client.HTTPConnection:
         connection = super().make_connection(host)
@@ -82,7 +82,7 @@ class LimitedTransport(xmlrpc.client.Transport):
 
 
 class Graph:
-    """Who publishes, hears and answers what, as the master knows it."""
+    """Publishers, subscribers and services registered at the master when the object was created."""
 
     def __init__(self) -> None:
         uri = rosgraph.get_master_uri()
@@ -90,7 +90,7 @@ class Graph:
             master = xmlrpc.client.ServerProxy(uri, transport=LimitedTransport())
             _, _, entries = master.getSystemState(rospy.get_name())
         except (OSError, ValueError, http.client.HTTPException, xmlrpc.client.Error) as error:
-            # Without the stack of the call, which names nothing that a caller can mend.
+            # `from None`: the inner stack does not help the caller.
             raise ForgeError('no ROS master answers at ROS_MASTER_URI = {} ({}): start one, for example with '
                              'roslaunch collision_forge replay.launch bag:=BAG'.format(uri, error)) from None
         self.publishers, self.subscribers, self.services = (

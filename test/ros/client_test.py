@@ -218,7 +218,7 @@ class ClientTest(road.RoadTest):
             self.forge.test_planner('magic', self.forge.generate(TYPE, TTA))
         self.assertIs(raised.exception.code, Code.UNKNOWN_PLANNER)
         for arguments in (dict(seed=-1), dict(alternatives='many'), dict(attacker=5)):
-            with self.assertRaisesRegex(ForgeError, 'no message can hold'):
+            with self.assertRaisesRegex(ForgeError, 'does not fit its message field'):
                 self.forge.generate(TYPE, TTA, **arguments)
 
     def test_what_is_possible_can_be_generated(self):
