@@ -1,4 +1,4 @@
-"""A player of bags that goes exactly as far as it is told to, and then lets time stand still."""
+"""Plays a bag in lock step: publishes up to a given time, then stops the clock."""
 from pathlib import Path
 from typing import Iterator, List, Optional, Union
 
@@ -9,11 +9,11 @@ from collision_forge.errors import ForgeError
 from collision_forge.stamps import is_same
 from collision_forge.waiting import Inbox, wait_until
 
-SHOWN_TO = 0.05  # s: a player's length, as it is printed, is an instant of the bag
+SHOWN_TO = 0.05  # s, rounding of the printed duration, which must be a valid time
 
 
 class Player:
-    """Publishes a bag's messages and `/clock`, up to an instant; `forge.play()` makes one.
+    """Publishes a bag's messages and `/clock` up to a given time; created by `forge.play()`.
 
     Instants are in s from the bag's first frame of agents, as `--now` of `forge inject`. When a call returns,
     everything up to the instant is published, nothing after it, and `encoded_scene` has come for the newest frame of
@@ -25,53 +25,53 @@ class Player:
         self._scenes = scenes
         self._timeout = timeout
 
-    # Where it is.
+    # Position.
 
     @property
     def path(self) -> Path:
-        """The bag."""
+        """The path of the bag."""
         return self._source.path
 
     @property
     def now(self) -> Optional[float]:
-        """The instant up to which all is published; None before the first one."""
+        """Time of the last published message, s from the first frame of agents; None before the start."""
         return self._source.instant
 
     @property
     def stamp(self) -> Optional[Time]:
-        """The stamp of the newest frame of agents that is published."""
+        """Stamp of the newest published frame of agents."""
         shown = self._source.frames_until(self._source.now)
         return shown[-1][1] if shown else None
 
     def instant_of(self, stamp: Time) -> float:
-        """The instant of the frame of agents with a stamp."""
+        """Return the time, s from the first frame of agents, of the frame with this stamp."""
         return self._source.instant_at(self._source.time_of_frame(stamp))
 
     @property
     def duration(self) -> float:
-        """s from the first frame of agents to the last one."""
+        """Seconds from the first to the last frame of agents."""
         return self._source.length
 
     @property
     def is_at_end(self) -> bool:
-        """No frame of agents is left."""
+        """Whether all frames of agents are published."""
         return self._source.now is not None and self._source.now >= self._source.frames[-1][0]
 
-    # Going on.
+    # Playing.
 
     def until(self, instant: float) -> 'Player':
-        """Goes on to an instant; starts the bag anew if that is past. ForgeError for one after the bag's end."""
+        """Play up to a time; restart the bag if that is past. Raise ForgeError if it is after the end."""
         if instant > self.duration + SHOWN_TO:
             raise ForgeError('until({}): the last frame of agents of {} is at {:.1f} s'.format(
                 instant, self.path.name, self.duration))
         return self._play(self._source.start + Duration.from_sec(instant))
 
     def step(self, frames: int = 1) -> 'Player':
-        """Goes on to the next frame of agents, or that many frames."""
+        """Play up to the next frame of agents, or that many frames."""
         return self._play(self._source.time_of_next_frame(frames))
 
     def go_on(self, seconds: Optional[float] = None, rate: Optional[float] = None) -> 'Player':
-        """Goes on for some seconds of the bag, to its last frame of agents by default.
+        """Play some seconds of the bag; default: up to its last frame of agents.
 
         `rate`: so many times as fast as the clock on the wall; by default as fast as it can.
         """
@@ -80,7 +80,7 @@ class Player:
         return self._play(end, rate)
 
     def every(self, seconds: float) -> Iterator[float]:
-        """Goes on through the bag, and pauses every so many seconds, now first; yields the instant."""
+        """Play the rest of the bag, pausing at once and then every so many seconds; yield the time of each pause."""
         instant = self.now or 0.0
         while instant <= self.duration:
             self.until(instant)
@@ -88,7 +88,7 @@ class Player:
             instant += seconds
 
     def close(self) -> None:
-        """Publishes nothing any more."""
+        """Stop publishing."""
         self._source.close()
 
     def _play(self, end: Time, rate: Optional[float] = None) -> 'Player':
@@ -103,7 +103,7 @@ class Player:
         return self
 
     def _restart(self) -> None:
-        """Back to the first message, with everybody who hears the bag connected."""
+        """Go back to the first message, after all subscribers have connected."""
         self._source.advertise()
         wait_until(self._unconnected, self._timeout)
         self._source.begin()
