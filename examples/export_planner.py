@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""usage: export_planner.py OUT.pt: a planner of one's own as a file for forge test, with any torch of PyPI.
+"""usage: export_planner.py OUT.pt: export a TorchScript planner for forge test, with any torch of PyPI.
 
-It follows the route at the present speed, and stops behind the nearest vehicle ahead. What a planner is given and
-gives back: docs/learned_planner.md. A trained network is exported in the same way.
+The planner follows the route at its current speed and stops behind the nearest vehicle ahead. Inputs and outputs:
+docs/learned_planner.md. Export a trained network in the same way.
 """
 import sys
 
@@ -10,7 +10,7 @@ import torch
 
 
 class FollowRoute(torch.nn.Module):
-    """Everything is in the frame of the ego now: metres, radians, x forward, y left."""
+    """Inputs and output are in the current ego frame: metres, radians, x forward, y left."""
 
     def forward(self, ego_history, agents, agents_mask, lanes, lanes_mask, route):
         now = agents[:, -1]  # x, y, yaw, vx, vy, length, width, kind
@@ -22,7 +22,7 @@ class FollowRoute(torch.nn.Module):
         return self.on_route(route, along)
 
     def on_route(self, route, along):
-        """The poses so far along the route, whose points are 2 m from each other; its last pose beyond the end."""
+        """Return the poses at arc lengths `along` (m) of the route, points 2 m apart; the last pose beyond its end."""
         place = (along / 2.0).clamp(0.0, float(route.shape[0] - 1) - 0.001)
         before = place.floor().long()
         share = (place - before.float()).unsqueeze(1)

@@ -1,23 +1,23 @@
 #!/usr/bin/python3
-"""A planner in a node of its own: along the route, behind the nearest agent on it, by the intelligent driver model."""
+"""External planner node: follows the route and the nearest agent on it with the intelligent driver model."""
 import math
 
 import rospy
 from collision_forge.msg import PlannedTrajectory, PlanningState, TrajectoryPoint
 
 SPEED, HEADWAY, MIN_GAP, ACCELERATION, BRAKING, MAX_BRAKING = 10.0, 1.5, 2.0, 1.5, 4.0, 8.0  # m/s, s, m, m/s2
-STEPS, STEP, CORRIDOR = 40, 0.1, 2.0  # planned ahead; s; m to either side of the route
+STEPS, STEP, CORRIDOR = 40, 0.1, 2.0  # number of steps; s; half width in m around the route
 
 
 def project(route, pose):
-    """The nearest place of the route that a pose is beside: its index, m after it, m off it."""
+    """Project a pose on the route: index of the nearest point, longitudinal and absolute lateral offset (m)."""
     index = min(range(len(route)), key=lambda i: math.hypot(route[i].x - pose.x, route[i].y - pose.y))
     dx, dy, yaw = pose.x - route[index].x, pose.y - route[index].y, route[index].theta
     return index, dx * math.cos(yaw) + dy * math.sin(yaw), abs(dy * math.cos(yaw) - dx * math.sin(yaw))
 
 
 def pose_ahead(route, index, distance):
-    """The position and yaw a distance after a place of the route."""
+    """Return x, y, yaw at `distance` m after route point `index`."""
     while index + 2 < len(route):
         length = math.hypot(route[index + 1].x - route[index].x, route[index + 1].y - route[index].y)
         if distance < length:

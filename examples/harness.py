@@ -1,9 +1,9 @@
-"""Fails where a planner is hit by a crash that it could have avoided; docs/python.md tells how to run it.
+"""Fails if an attacker hits the planner although the crash was avoidable; see docs/python.md.
 
-Two variables of the environment choose what is tested:
+Two environment variables select the test:
 
-- PLANNER: a planner of the suite, or the command that starts one of your own (docs/planners.md#an-external-planner).
-- ATTACKER_POLICY: `fixed` attackers drive their trajectory whatever the planner does, `adaptive` ones see it and replan.
+- PLANNER: a planner of the suite, or the command that starts your node (docs/planners.md#an-external-planner).
+- ATTACKER_POLICY: `fixed` attackers follow their trajectory, `adaptive` attackers replan against the planner.
 """
 import os
 import shlex
@@ -35,7 +35,7 @@ def test_is_not_hit_where_it_can_escape(forge, planner, collision_type, now):
         attack = forge.generate(collision_type, tta=4.0, mode='replay')
     except Declined as declined:
         pytest.skip(str(declined))
-    # All other vehicles brake for the planner, so that the attacker comes before anybody else touches it.
+    # Other agents brake for the planner (idm), so that the attacker is the first to reach it.
     outcome = forge.test_planner(planner, attack, attacker_policy=ATTACKER_POLICY, background='idm')
     TESTED.append(outcome)
     if outcome.failure or (outcome.hit and outcome.avoidable):

@@ -1,4 +1,4 @@
-# What the scripts of this folder share: packages, configuration, build, ROS environment.
+# Shared by the scripts of this folder: packages, configuration, build, ROS environment.
 # Sourced by setup, demo and test (bash, with `set -euo pipefail`); does nothing by itself.
 # shellcheck shell=bash
 
@@ -14,7 +14,7 @@ die() {
   exit 1
 }
 
-# Exits 2, as for any wrong command line.
+# Prints the message and exits 2: wrong command line.
 die_usage() {
   printf '%s\n' "error: $*" "try: $0 --help" >&2
   exit 2
@@ -48,7 +48,7 @@ missing_packages() {
 # install_packages forge|all|interop|pictures|sanitize
 install_packages() {
   { command -v dpkg-query && command -v apt-get; } > /dev/null ||
-    die "this is no Debian: install what scripts/packages.txt lists in your system's way"
+    die "this system is not Debian: install the packages in scripts/packages.txt with its package manager"
   local missing as_root=()
   mapfile -t missing < <(missing_packages "$1")
   [[ ${#missing[@]} -gt 0 ]] || return 0

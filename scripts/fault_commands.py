@@ -1,4 +1,4 @@
-"""What scripts/faults disturbs: commands of forge over data/embedded, each of them a few seconds long."""
+"""Commands that scripts/faults disturbs: commands of forge over data/embedded, each of them a few seconds long."""
 import re
 import shutil
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What the checks of both sets of limits share; part of check_limits."""
+"""Shared by the checks of both sets of limits; part of check_limits."""
 import math
 
 BACKWARDS = 1e-3  # m that a step may lead back, as in the package's own check
@@ -6,7 +6,7 @@ ROUNDING = 1e-6   # of any unit
 
 
 class Worst:
-    """For every limit that is broken, where it is broken most."""
+    """The worst violation of each limit."""
 
     def __init__(self):
         self.found = {}
@@ -18,7 +18,7 @@ class Worst:
             self.found[name] = (excess, value, limit, time)
 
     def violations(self):
-        """(limit, value, what it may be, seconds from now) of every limit that is broken."""
+        """Return (limit, value, allowed value, s from t0) of each violated limit."""
         return [(name, value, limit, time) for name, (_, value, limit, time) in sorted(self.found.items())]
 
 

@@ -1,4 +1,4 @@
-"""A master, the suite and a player for scripts/ros_faults, and what they answer undisturbed."""
+"""A master, the suite and a player for scripts/ros_faults, and their responses without faults."""
 import math
 import os
 import signal
@@ -26,7 +26,7 @@ STANDS_AFTER = 2.0    # s of the same frame
 
 
 class Failure(Exception):
-    """Something is not as it should be."""
+    """Raised if a check fails."""
 
 
 def until(condition, seconds, what):

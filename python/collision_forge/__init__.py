@@ -1,4 +1,5 @@
-"""Turns safe driving logs into collision scenarios: a client of the running suite, told of in docs/python.md."""
+"""Client of the running collision_forge suite, which turns safe driving logs into collision scenarios; see
+docs/python.md."""
 from collision_forge.client import AdaptiveAttack, CollisionForge
 from collision_forge.errors import Code, Declined, ForgeError, NotReady, Unavailable
 from collision_forge.player import Player

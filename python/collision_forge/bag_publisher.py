@@ -17,7 +17,7 @@ from collision_forge.waiting import Graph, names
 AGENTS = '/agents'
 CLOCK = '/clock'
 GLOBAL = (CLOCK, '/tf', '/tf_static')  # topics that are the same in every namespace
-MADE_BY_SUITE = ('/attack_markers', '/map_markers', '/tested_report')  # of a bag with an attack: the suite makes these,
+MADE_BY_SUITE = ('/attack_markers', '/map_markers', '/tested_report')  # in an attacked bag: the suite publishes these,
                                                                        # too, from the bag's attack and lane map
 CLOCK_LEAD = 0.5  # s of the wall clock from the first /clock to the first message: whoever keeps transforms drops those
                   # that come before it has seen time jump back
@@ -31,7 +31,7 @@ def published(topic: str) -> str:
 
 
 class BagPublisher:
-    """Publishes a bag's messages in order, and is the only publisher of `/clock`.
+    """Publishes a bag's messages in order; must be the only publisher of `/clock`.
 
     Instants are in s from the bag's first frame of agents, as `--now` of `forge inject`; times are those of the bag.
     Call `begin()` first, then `publish_until()` repeatedly.
@@ -39,7 +39,7 @@ class BagPublisher:
 
     def __init__(self, bag: Union[str, Path]) -> None:
         self.path = Path(bag)
-        self.now: Optional[Time] = None  # all up to then is published; None: nothing
+        self.now: Optional[Time] = None  # bag time up to which messages are published; None: none
         self._check_alone()
         try:
             self._bag = rosbag.Bag(str(bag))
@@ -62,7 +62,7 @@ class BagPublisher:
         if others:
             raise ForgeError('{} publishes {} already'.format(names(others), CLOCK))
 
-    # Where it is.
+    # Position.
 
     @property
     def start(self) -> Time:
@@ -98,16 +98,16 @@ class BagPublisher:
         return time_of
 
     def time_of_next_frame(self, count: int = 1) -> Time:
-        """When the next frame of agents is in the bag, or the one so many further."""
+        """Return the bag time of the next frame of agents, or of a later one."""
         shown = len(self.frames_until(self.now))
         if shown + count > len(self.frames):
             raise ForgeError('{} ends before {} more frame(s) of agents'.format(self.path, count))
         return self.frames[shown + count - 1][0]
 
-    # What it publishes.
+    # Publishing.
 
     def advertise(self) -> None:
-        """Lets everybody who hears the bag's topics connect. What the suite makes, if it is there, is left to it."""
+        """Advertise the topics and wait for their subscribers; skip topics that a running suite publishes."""
         graph = Graph()
         for topic, message in self._first_of_topics():
             if topic in MADE_BY_SUITE and graph.publishers_of(published(topic)) - {rospy.get_name()}:
@@ -117,7 +117,7 @@ class BagPublisher:
                                                           tcp_nodelay=True, latch=self._is_latched(topic))
 
     def begin(self, at: Optional[Time] = None) -> None:
-        """Goes to the bag's first message, or to the first one that is not before a time, and shows when that is."""
+        """Seek to the first message, or the first at or after a time, and publish its time on `/clock`."""
         self.now = None
         self._groups = self._messages_by_time(at)
         self._next = next(self._groups)
@@ -158,13 +158,13 @@ class BagPublisher:
         return missing
 
     def _messages_by_time(self, begin: Optional[Time]) -> Iterator[Tuple[Time, List[Any]]]:
-        """The messages of an instant together, agents last: they need the transform of that instant."""
+        """Yield the messages grouped by time, agents last because they need the transform of that time."""
         entries = ((stamp, topic, message) for topic, message, stamp in self._bag.read_messages(start_time=begin))
         try:
             for stamp, group in itertools.groupby(entries, key=lambda entry: entry[0]):
                 yield stamp, sorted(((topic, message) for _, topic, message in group),
                                     key=lambda entry: entry[0] == AGENTS)
-        except UNREADABLE as error:  # it has changed since it was opened
+        except UNREADABLE as error:  # the file changed after it was opened
             raise self._unreadable(error) from error
 
     def _unreadable(self, error: Exception) -> ForgeError:
@@ -177,7 +177,7 @@ class BagPublisher:
 
     def _is_latched(self, topic: str) -> bool:
         return any(connection.topic == topic and connection.header.get('latching') == b'1'
-                   for connection in self._bag._get_connections())  # the library has no other way to ask
+                   for connection in self._bag._get_connections())  # the library has no public accessor
 
     def _publish(self, stamp: Time, messages: List[Any]) -> None:
         self._publishers[CLOCK].publish(Clock(stamp))

@@ -14,8 +14,8 @@ from collision_forge.player import Player
 from collision_forge.results import Answer, Attack, PlannerOutcome, PossibleCollision, Report, Scene
 from collision_forge.waiting import Graph, Inbox, wait_until
 
-TIMEOUT = 30.0  # s of the wall clock; the calls take a fraction of a second on an idle machine
-LOOK = 0.2      # s of the wall clock for the nodes to process a frame; no message reports the end of processing
+TIMEOUT = 30.0  # s of the wall clock; a call takes a fraction of a second on an idle machine
+LOOK = 0.2      # s of the wall clock for the nodes to process a frame; no message reports that they have finished
 SERVICES = {'generate_collision': srv.GenerateCollision, 'generate_collisions': srv.GenerateCollisions,
             'list_collisions': srv.ListCollisions, 'test_planner': srv.TestPlanner, 'reset': Trigger}
 PUBLISHED = ['encoded_scene', 'attack', 'tested_report', 'injected_agents', 'attack_methods']
@@ -23,19 +23,19 @@ Collision = Union[str, PossibleCollision]
 
 
 class CollisionForge:
-    """Client of the nodes that `collision_forge.launch` or `replay.launch` start.
+    """Client of a running suite, started by `collision_forge.launch` or `replay.launch`.
 
-    Initialises a ROS node in this process if there is none, and waits for the suite; raises NotReady after `timeout`
-    (s of the wall clock, also for all later waits). Names are relative: `ROS_NAMESPACE` and remappings apply. Requests
-    use the newest scene, or with a player (`play()`) the frame at which the player has paused. Not thread-safe.
+    Makes this process a ROS node if it is none yet, and waits for the suite; raises NotReady if the suite is missing.
+    `timeout`: limit of each wait, s of the wall clock. Names are relative: `ROS_NAMESPACE` and remappings apply.
+    Without a player (`play()`) requests use the newest scene, with a player the frame at which it has paused.
     """
 
     def __init__(self, timeout: float = TIMEOUT) -> None:
         self.timeout = timeout
         self.player: Optional[Player] = None
-        self._tested_from = 0  # mark in the tested reports: reports before it belong to earlier attacks
+        self._tested_from = 0  # mark in the tested reports: earlier reports belong to earlier attacks
         if not rospy.core.is_initialized():
-            Graph()  # raises without a master; init_node() would wait for one
+            Graph()  # raises if there is no master; init_node() would block
             rospy.init_node('collision_forge_client', anonymous=True, disable_signals=True)
         self._scenes = Inbox('encoded_scene', msg.EncodedScene)
         self._attacks = Inbox('attack', msg.Attack)
@@ -60,7 +60,7 @@ class CollisionForge:
     def __exit__(self, *_: Any) -> None:
         self.close()
 
-    # Is it ready?
+    # Readiness.
 
     def wait_until_ready(self, timeout: Optional[float] = None) -> 'CollisionForge':
         """Wait for the nodes and a first scene; raise NotReady with the missing parts after `timeout` s."""
@@ -108,10 +108,13 @@ class CollisionForge:
 
     def generate(self, collision: Collision, tta: Optional[float] = None, *, at: Optional[Time] = None,
                  method: str = '', **controls: Any) -> Attack:
-        """Generate an attack of a type, `tta` s from t0; or exactly an attack that `possible()` has listed.
+        """Request an attack, wait until it is published and return it; raise Declined if the suite rejects it.
 
-        If tta, method, `at` or controls differ from the list, requests the listed attacker and manoeuvre anew.
-        at: stamp of the frame of agents at t0; controls: see `control_fields()`. Raises Declined if there is no attack.
+        collision: a collision type, or an entry of `possible()`, which reproduces the listed attack. If tta, method,
+            at or a control is given too, the listed attacker and manoeuvre are requested with these values.
+        tta: time to attack, s from t0; required with a type
+        at: stamp of the frame of agents used as t0; by default the frame of the player, else the newest
+        controls: see `control_fields()`
         """
         return self._generate(collision, tta, at, method, fields_of(controls), False)
 
@@ -138,7 +141,7 @@ class CollisionForge:
             at, tta = at or collision.now, collision.tta if tta is None else tta
             collision = collision.collision_type
         if tta is None:
-            raise TypeError('generate() needs tta, the time from t0 to impact in s')
+            raise TypeError('generate() needs tta, the time in s from t0 to contact')
         mark, self._tested_from = self._attacks.mark(), self._reports.mark()
         answer = self._call('generate_collision', stamp=self._stamp(at), collision_type=collision, tta=float(tta),
                             method=method, adaptive=adaptive, **controls)
@@ -164,8 +167,10 @@ class CollisionForge:
 
     def requests(self, every: float, collision_types: Sequence[str] = (), ttas: Sequence[float] = (),
                  **controls: Any) -> Iterator[PossibleCollision]:
-        """Yield the feasible collisions along the bag: play from the current position and pause every `every` s.
-        Skips positions with too little history."""
+        """Play the rest of the bag, pause every `every` s and yield the collisions possible there.
+
+        Frames with too little history are skipped.
+        """
         for _ in self._needed_player().every(every):
             try:
                 yield from self.possible(collision_types, ttas, **controls)
@@ -182,7 +187,7 @@ class CollisionForge:
         """Return the stamp of the player's frame, for which nodes wait; without a player 0: the newest frame."""
         return at or (self.player and self.player.stamp) or Time()
 
-    # The attack that was generated last.
+    # The newest attack.
 
     @property
     def attack(self) -> Optional[Attack]:
@@ -221,7 +226,7 @@ class CollisionForge:
     def _look(player: Player, attack: Attack) -> None:
         """Step the player by one frame and give the nodes time to process it."""
         if player.is_at_end:
-            raise ForgeError('the bag ends before the outcome of {!r}: use an earlier t0'.format(attack))
+            raise ForgeError('the bag ends before the test of {!r} has ended'.format(attack))
         player.step()
         time.sleep(LOOK)
 
@@ -230,13 +235,13 @@ class CollisionForge:
     def test_planner(self, planner: str, attack: Optional[Attack] = None, *, scenario: Union[str, int] = '',
                      parameters: Optional[Mapping[str, float]] = None, attacker_policy: str = '',
                      background: str = '') -> PlannerOutcome:
-        """Drive a planner in closed loop through an attack over the suite's `recording`, or a scenario.
+        """Test a planner in closed loop against an attack in the suite's `recording`, or in a scenario.
 
-        planner: idm, idm_published, pdm, rule_based, rule_based_tuned, torchscript or external (your own node;
-            waits for it)
-        attack: by default, and with attacker_policy adaptive, the newest one
-        scenario: number of a line of the node's scenario file, or a whole line
-        parameters: overrides of numbers in config/planners.yaml, such as {'pdm.idm.min_gap': 2.0}
+        planner: idm, idm_published, pdm, rule_based, rule_based_tuned, torchscript or external (a node of yours; the
+            call waits for it)
+        attack: default, and with attacker_policy adaptive always, the newest one
+        scenario: line number in the scenario file of planner_tester, or a whole line
+        parameters: values that replace keys of config/planners.yaml, for example {'pdm.idm.min_gap': 2.0}
         attacker_policy: fixed or adaptive; background: replay or idm
         """
         if planner == 'external':
@@ -261,7 +266,7 @@ class CollisionForge:
 
     def _needed_player(self) -> Player:
         if self.player is None:
-            raise ForgeError('no bag is played: call play() first')
+            raise ForgeError('no bag is open: call play() first')
         return self.player
 
     def _call(self, name: str, **fields: Any) -> Any:
@@ -271,7 +276,7 @@ class CollisionForge:
         except (rospy.ServiceException, rospy.ROSException) as error:
             raise Unavailable('{}: {}'.format(name, error)) from error
         except SerializationError as error:
-            raise ForgeError('{}: a value does not fit into the message: {}'.format(name, error)) from error
+            raise ForgeError('{}: a value does not fit its message field: {}'.format(name, error)) from error
         code = getattr(answer, 'code', Code.OK)
         if code != Code.OK:
             raise Declined(code, answer.message)
@@ -283,8 +288,10 @@ class CollisionForge:
 
 
 class AdaptiveAttack:
-    """An adaptive attack. Iteration yields the first attack and each update until the outcome is known, and then sets
-    `report`. With a player, each step plays the next frame of agents of the bag."""
+    """An adaptive attack. Iterating yields its first plan, then each update, until its test has ended.
+
+    `report` then holds the measured result. With a player, each iteration plays up to the next frame of agents.
+    """
 
     def __init__(self, forge: CollisionForge, first: Attack, mark: int) -> None:
         self.first = first

@@ -13,15 +13,15 @@ def control_fields(*, attacker: str = '', choice: str = '', mode: str = '', seed
     """Return the message fields of a request; srv/GenerateCollision.srv lists the allowed words.
 
     attacker: id of an agent; by default any that `choice` allows
-    choice: existing (a recorded vehicle), new (an added vehicle) or any
-    mode: history (observations up to t0), replay (also the recorded future), adaptive (the attacker replans)
-    seed: of the random variations; the same scene and seed give the same attack
-    believable: True if the attacker must drive plausibly until it attacks; default: config/crash_definition.yaml
-    limits: drivable (by the attacker's class) or strict; default: config/crash_definition.yaml
+    choice: existing (a recorded vehicle), new (one is added) or any
+    mode: history (observations up to t0), replay (also the recorded future), adaptive (attacker replans every 0.1 s)
+    seed: random seed of the search; the same scene and seed give the same result
+    believable: require a plausible attacker, driving like recorded drivers until it attacks; default in config/
+    limits: drivable (limits of the attacker's class) or strict; default in config/
     attacker_class, manoeuvre, ego_side: any by default
     impact_speed: (least, greatest), m/s, norm of the relative velocity at contact
     overlap: (least, greatest) share of the ego's touched side that the attacker covers, [0, 1]
-    alternatives: number of attacks with different attacker or manoeuvre, at most 16
+    alternatives: number of attacks, which differ in attacker or manoeuvre, at most 16
     """
     slowest, fastest = _pair('impact_speed', impact_speed)
     narrowest, widest = _pair('overlap', overlap)
@@ -38,7 +38,7 @@ def fields_of(controls: Mapping[str, Any]) -> Dict[str, Any]:
     for name in controls:
         if name not in known:
             near = difflib.get_close_matches(name, known, 1)
-            raise TypeError('no control is called {!r}{}; the controls are {}'.format(
+            raise TypeError('unknown control {!r}{}; the controls are {}'.format(
                 name, '; did you mean {}?'.format(near[0]) if near else '', ', '.join(known)))
     return control_fields(**controls)
 
@@ -49,5 +49,5 @@ def _pair(name: str, band: Band) -> Tuple[float, float]:
     try:
         least, greatest = band
     except (TypeError, ValueError):
-        raise TypeError('{} = {!r} is no pair (least, greatest), such as (1.0, 10.0)'.format(name, band)) from None
+        raise TypeError('{} = {!r} is not a pair (least, greatest) such as (1.0, 10.0)'.format(name, band)) from None
     return least, greatest

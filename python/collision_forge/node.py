@@ -6,10 +6,11 @@ import rospy
 
 
 def run_node(name: str, work: Callable[[], int], **options: Any) -> int:
-    """Run `work` in a node of this name and return its exit code; 0 if a signal or another node ended it.
+    """Run `work` as the node `name` and return its exit code; 0 if a signal or another node ended it.
 
-    A signal ends the work first, then the node. rospy itself shuts a node down while its main thread runs; if that
-    thread is publishing, it holds a lock that the shutdown needs, and the node hangs."""
+    A signal ends `work` first, then the node. rospy would shut down while the main thread runs: if that thread is
+    publishing, it holds a lock that the shutdown needs, and the node hangs.
+    """
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, _interrupt)
     try:
@@ -18,7 +19,7 @@ def run_node(name: str, work: Callable[[], int], **options: Any) -> int:
     except KeyboardInterrupt:
         return 0
     except rospy.ROSException:
-        if not rospy.core.is_shutdown_requested():  # from then on nothing can be published
+        if not rospy.core.is_shutdown_requested():  # after a shutdown request publishing raises
             raise
         return 0
     finally:

@@ -9,7 +9,7 @@ from collision_forge.errors import ForgeError
 from collision_forge.stamps import is_same
 from collision_forge.waiting import Inbox, wait_until
 
-SHOWN_TO = 0.05  # s: a player's length, as it is printed, is an instant of the bag
+SHOWN_TO = 0.05  # s, rounding of the printed duration, which must be a valid time
 
 
 class Player:
@@ -25,7 +25,7 @@ class Player:
         self._scenes = scenes
         self._timeout = timeout
 
-    # Where it is.
+    # Position.
 
     @property
     def path(self) -> Path:
@@ -57,7 +57,7 @@ class Player:
         """True if no frame of agents is left."""
         return self._source.now is not None and self._source.now >= self._source.frames[-1][0]
 
-    # Going on.
+    # Playing.
 
     def until(self, instant: float) -> 'Player':
         """Play to `instant`, s; restart the bag if that is past. Raise ForgeError beyond the bag's end."""
@@ -71,7 +71,7 @@ class Player:
         return self._play(self._source.time_of_next_frame(frames))
 
     def go_on(self, seconds: Optional[float] = None, rate: Optional[float] = None) -> 'Player':
-        """Play `seconds` of the bag, by default to its last frame of agents.
+        """Play some seconds of the bag; default: up to its last frame of agents.
 
         `rate`: multiple of real time; by default as fast as possible.
         """

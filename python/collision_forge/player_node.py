@@ -17,13 +17,13 @@ from collision_forge.waiting import Graph, wait_until
 
 TICK = 0.02           # s of the wall clock from one /clock to the next
 TICKS_PER_POSITION = 5  # ticks from one ~position to the next
-HISTORY = 4.0         # s before an instant that is gone back to that are published again: a request looks back on them
-SCENE_TIMEOUT = 10.0  # s of the wall clock for the suite to encode the frame that was gone back to
+HISTORY = 4.0         # s republished before a seek target: the history of a request
+SCENE_TIMEOUT = 10.0  # s of the wall clock for the suite to encode the frame after a seek
 SUITE_TIMEOUT = 60.0  # s of the wall clock for the suite to start
 
 
 class PlayerNode:
-    """Plays a bag, `rate` times as fast as the clock on the wall. At its end it pauses, or begins anew with `loop`.
+    """Plays a bag at `rate` times real time. At the end it pauses, or restarts with `loop`.
 
     `start`: s from the first frame of agents; everything before is published at once."""
 
@@ -33,7 +33,7 @@ class PlayerNode:
         self._rate = rate
         self._loop = loop
         self._is_paused = is_paused
-        self._lock = threading.Lock()  # of what is published
+        self._lock = threading.Lock()  # guards the publisher
         self._ticked = 0.0             # s of the wall clock
         self._ticks = 0
         self._attack = msg.Attack()
@@ -45,7 +45,7 @@ class PlayerNode:
         self._scenes = rospy.Subscriber('encoded_scene', msg.EncodedScene, self._receive_scene)
 
     def run(self) -> None:
-        """Plays until the node is shut down; with a pause at the start, the frame of agents there is shown."""
+        """Play until the node is shut down; if paused at the start, publish the frame of agents there."""
         with self._lock:
             rospy.Service('~pause', SetBool, self._pause)
             rospy.Service('~step', Trigger, lambda _: self._answer(self._step))
@@ -53,7 +53,7 @@ class PlayerNode:
             rospy.Service('~seek', srv.Seek, self._answer_seek)
             self._length.publish(self._source.length)
             self._go_to(self._source.start + Duration.from_sec(self._start))
-            self._set_paused(self._is_paused)  # whoever hears it can call the services
+            self._set_paused(self._is_paused)  # signals that the services are available
             if self._is_paused:
                 rospy.loginfo('%s of %.1f s: ask for a collision now, then play on by the button Play in RViz or by '
                               'rosservice call /player/pause false', self._state(), self._source.length)
@@ -63,7 +63,7 @@ class PlayerNode:
             time.sleep(max(0.0, self._ticked + TICK - time.monotonic()))
 
     def _tick(self) -> None:
-        """As far as the clock on the wall has gone on; /clock comes in a pause, too, for whoever comes then."""
+        """Publish up to the elapsed wall time; during a pause republish /clock for new subscribers."""
         before, self._ticked = self._ticked, time.monotonic()
         if self._ticks % TICKS_PER_POSITION == 0:
             self._position.publish(self._source.instant)
@@ -83,7 +83,7 @@ class PlayerNode:
             self._set_paused(True)
 
     def _go_to(self, end: Time, begin: Optional[Time] = None) -> None:
-        """Begins the bag anew, at a time if one is given, and shows all up to another at once."""
+        """Restart the bag, at a time if given, and publish everything up to another time immediately."""
         self._source.begin(begin)
         self._source.publish_until(end)
         self._ticked = time.monotonic()
@@ -134,7 +134,7 @@ class PlayerNode:
         return srv.SeekResponse(answer.success, answer.message)
 
     def _seek(self, instant: float) -> None:
-        """Forwards, everything in between is published, so that an attack is tested on the way."""
+        """Seek; forwards, all messages in between are published, so that a running attack is tested."""
         if not 0.0 <= instant <= self._source.length:
             raise ForgeError('instant = {:g} is outside the bag: 0 to {:g}'.format(instant, self._source.length))
         end = self._source.start + Duration.from_sec(instant)
@@ -148,7 +148,7 @@ class PlayerNode:
         return '{} {:.1f} s of {}'.format('paused at' if self._is_paused else 'plays from',
                                           self._source.instant, self._source.path.name)
 
-    # What it hears.
+    # Subscriptions.
 
     def _receive_attack(self, attack: msg.Attack) -> None:
         self._attack = attack
@@ -162,8 +162,8 @@ class Arguments:
 
     def __init__(self) -> None:
         self.bag = str(rospy.get_param('~bag', ''))
-        self.rate = self._positive('rate', 1.0)    # so many times as fast as the clock on the wall
-        self.delay = self._positive('delay', 1.0)  # s of the wall clock in which those who hear the bag connect
+        self.rate = self._positive('rate', 1.0)    # times real time
+        self.delay = self._positive('delay', 1.0)  # s of the wall clock for subscribers to connect
         self.start = self._number('start', 0.0)    # s from the bag's first frame of agents
         self.loop = bool(rospy.get_param('~loop', False))
         self.start_paused = bool(rospy.get_param('~start_paused', False))
@@ -193,7 +193,7 @@ class Arguments:
 
 
 def wait_for_suite(missing: Callable[[], List[str]]) -> None:
-    """Until nothing is missing; a bag is played even if the suite does not come."""
+    """Wait for the suite up to SUITE_TIMEOUT; the bag is played without it, too."""
     try:
         wait_until(missing, SUITE_TIMEOUT)
     except NotReady as error:
@@ -208,7 +208,7 @@ def missing_nodes() -> List[str]:
 
 
 def play() -> int:
-    """Returns the exit code."""
+    """Run the node and return its exit code."""
     try:
         arguments = Arguments()
         source = BagPublisher(arguments.bag)
@@ -228,5 +228,5 @@ def play() -> int:
 
 
 def main() -> int:
-    """Returns the exit code."""
+    """Run the node and return its exit code."""
     return run_node('player', play)

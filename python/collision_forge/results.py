@@ -1,8 +1,8 @@
-"""Results of the services as plain data.
+"""Results of the suite as plain data.
 
-SI units and radians, in the frame `map`; every vehicle is named by the middle of its box. `now` is the stamp of the
-frame of agents at t0, on the recording's clock. All other times are in s from t0. `message` is the ROS message of a
-result.
+SI units and radians, in the frame `map`; a pose is the centre of the vehicle's box. `now` is t0, the stamp of the frame
+of agents used for the request, on the recording's clock. All other times are in s from t0. `message` is the ROS message
+of the result.
 """
 import math
 from dataclasses import dataclass, field, fields
@@ -39,12 +39,12 @@ class Pose(Result):
 
     @classmethod
     def of_2d(cls, message: Any) -> 'Pose':
-        """Of a geometry_msgs/Pose2D."""
+        """Convert a geometry_msgs/Pose2D."""
         return cls(message.x, message.y, message.theta)
 
     @classmethod
     def of_3d(cls, message: Any) -> 'Pose':
-        """Of a geometry_msgs/Pose, seen from above."""
+        """Convert a geometry_msgs/Pose; drops height, roll and pitch."""
         turn = message.orientation
         yaw = math.atan2(2.0 * (turn.w * turn.z + turn.x * turn.y), 1.0 - 2.0 * (turn.y ** 2 + turn.z ** 2))
         return cls(message.position.x, message.position.y, yaw)
@@ -91,19 +91,19 @@ class Report:
 
     now: Time
     attacker: str
-    verified: bool              # contact as requested, limits kept, no other agent touched before
-    contact: Optional[Contact]  # None: the attacker does not touch the ego
+    verified: bool              # contact as requested, all limits kept, no earlier contact with other agents
+    contact: Optional[Contact]  # None: no contact with the ego
     type_kept: bool
     on_time: bool
     limits_kept: bool
     broken_limit: str           # name, value and limit of the worst violation; empty: none
     touched_before: str         # id of the agent that the attacker touches before the ego; empty: none
-    off_road_share: float       # mean share of the attacker's box off the drivable area, [0, 1]
-    manoeuvre: str              # of the attacker; empty without contact
-    manoeuvre_begin: Optional[float]  # s from t0
-    believable: bool            # plausible driving until the manoeuvre
-    unbelievable: str           # reason if not plausible
-    confidence: float           # share of sampled ego futures in which all holds, [0, 1]; 0 if tested
+    off_road_share: float       # mean share of its box off the drivable area, [0, 1]
+    manoeuvre: str              # manoeuvre of the attacker; empty without contact
+    manoeuvre_begin: Optional[float]  # s from now
+    believable: bool            # plausible: drives like recorded drivers until its manoeuvre
+    unbelievable: str           # reason if not believable
+    confidence: float           # share of predicted ego futures in which it is verified, [0, 1]; 0 if tested
     decision: str               # last decision of an adaptive attacker
     message: Any = raw()
 
@@ -136,17 +136,17 @@ class Attack:
 
     now: Time
     collision_type: str     # lane_change, opposite_direction, rear_end, junction_crossing or ltap
-    attacker: str           # its id among the agents
+    attacker: str           # id of the attacker
     attacker_class: str     # car, truck, ...
-    added: bool             # nobody recorded it
+    added: bool             # not recorded: added by the suite
     trajectory: Tuple[Point, ...]  # from t0 to after the contact
     report: Report          # predicted
     method: str
-    adaptive: bool          # it replans
-    phase: str              # adaptive: attacking, committed or driving_on
-    decision: str           # last decision, for people
+    adaptive: bool          # replans every 0.1 s
+    phase: str              # if adaptive: attacking, committed or driving_on
+    decision: str           # last decision, as text
     plans: int              # number of decisions; 0 if not adaptive
-    alternatives: Tuple['Attack', ...]  # further attacks by descending confidence
+    alternatives: Tuple['Attack', ...]  # by falling confidence
     message: Any = raw()
 
     @classmethod
@@ -170,16 +170,16 @@ class PossibleCollision(Result):
 
     now: Time = field(repr=False)
     collision_type: str
-    tta: float            # s from t0, for the request
-    alternative: int      # number of the attack in the response, from 1
-    attacker: str         # its id; for an added vehicle its new id
+    tta: float            # s from t0, to request
+    alternative: int      # index of the attack in the response, from 1
+    attacker: str         # id; for an added vehicle the id it would get
     attacker_class: str
-    added: bool           # nobody recorded it
+    added: bool           # not recorded: added by the suite
     manoeuvre: str
     confidence: float     # [0, 1]
     contact_after: float  # s from t0, predicted
     impact_speed: float   # m/s, predicted
-    controls: Dict[str, Any] = field(repr=False, compare=False)  # constraints of the request
+    controls: Dict[str, Any] = field(repr=False, compare=False)  # controls of the request
     message: Any = raw()
 
     @classmethod
@@ -196,7 +196,7 @@ class Answer(Result):
     collision_type: str
     tta: float                # s from t0
     code: Code
-    reason: str               # reason of failure; empty with OK
+    reason: str               # reason of rejection; empty with OK
     attack: Optional[Attack]  # None: rejected
     message: Any = raw()
 
@@ -209,13 +209,13 @@ class Answer(Result):
 
 @dataclass(frozen=True, repr=False)
 class PlannerContact(Result):
-    """The first touch of a planner's ego."""
+    """First contact of the ego driven by a planner."""
 
-    t: float                 # s from t0
+    t: float                 # s from now
     other: str               # id of the touched agent
     is_attacker: bool
-    collision_type: str      # type of the contact; empty: none
-    relative_heading: float  # rad, yaw of the touched agent minus the ego's, (-pi, pi]
+    collision_type: str      # type of the contact; empty: none of the types
+    relative_heading: float  # rad, yaw of the other agent minus the ego's, (-pi, pi]
     ego_side: str            # front, rear, left or right
     other_side: str
     impact_speed: float      # m/s, norm of the relative velocity
@@ -230,19 +230,19 @@ class PlannerOutcome:
     now: Time
     planner: str
     attacker: str
-    failure: str                       # failure that ended the drive, such as error or off_map; empty: none
+    failure: str                       # failure code that ended the test, such as error or off_map; empty: none
     failure_reason: str
-    duration: float                    # s from t0 to the contact, the failure or the attacker's end
+    duration: float                    # s from t0 to the contact, the failure or the end of the attacker's trajectory
     contact: Optional[PlannerContact]  # None: no contact
-    avoidable: bool                    # an evasive manoeuvre was found; False: none was found
-    last_manoeuvre: str                # avoids the crash when begun latest; empty unless avoidable
-    last_moment: Optional[float]       # s from t0, latest begin of last_manoeuvre
+    avoidable: bool                    # an evasive manoeuvre was found; False is no proof
+    last_manoeuvre: str                # evasive manoeuvre that can start latest; empty unless avoidable
+    last_moment: Optional[float]       # s from t0, its latest start
     max_braking: float                 # m/s2
     off_road_share: float              # mean share of the ego's box off the drivable area, [0, 1]
     progress: float                    # m along the route
     recorded_progress: float           # m, by the recorded ego in the same time
     nuplan: Dict[str, float]           # nuPlan's closed-loop `score` and its parts, [0, 1]
-    driven: Tuple[Point, ...]          # the ego, from t0
+    driven: Tuple[Point, ...]          # trajectory of the ego, from t0
     message: Any = raw()
 
     @classmethod
@@ -264,7 +264,7 @@ class PlannerOutcome:
 
     @property
     def hit(self) -> bool:
-        """The attacker touched it."""
+        """Whether the first contact is with the attacker."""
         return self.contact is not None and self.contact.is_attacker
 
     def __repr__(self) -> str:
@@ -276,7 +276,7 @@ class PlannerOutcome:
         if self.contact is None:
             return 'touches nobody in {:.1f} s'.format(self.duration)
         return 'touches {} {:.8} after {:.2f} s at {:.1f} m/s, {}'.format(
-            'the attacker' if self.hit else 'somebody else,', self.contact.other, self.contact.t,
+            'the attacker' if self.hit else 'another agent,', self.contact.other, self.contact.t,
             self.contact.impact_speed, self._avoidance())
 
     def _avoidance(self) -> str:
@@ -322,7 +322,7 @@ class Scene:
 
     @classmethod
     def of(cls, message: Any) -> 'Scene':
-        """Of an EncodedScene."""
+        """Convert an EncodedScene."""
         now = message.header.stamp
         present = [track for track in message.snapshot.agents if track.states and track.states[-1].stamp == now]
         return cls(now, Agent.of(message.snapshot.ego), tuple(Agent.of(track) for track in present), message)

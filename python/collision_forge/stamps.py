@@ -1,9 +1,9 @@
-"""Stamps of the suite are to the microsecond, those of a bag may be finer."""
+"""Comparison of stamps: the suite rounds to microseconds, a bag may be finer."""
 from genpy import Time
 
 RESOLUTION = 1000  # ns
 
 
 def is_same(one: Time, other: Time) -> bool:
-    """Of one frame of agents, as the suite has it and as its source has it."""
+    """Return whether two stamps denote the same frame of agents, to RESOLUTION."""
     return abs(one.to_nsec() - other.to_nsec()) <= RESOLUTION

@@ -12,7 +12,7 @@ import rosgraph
 from collision_forge.errors import ForgeError
 from collision_forge.waiting import wait_until
 
-STOP_TIMEOUT = 20.0  # s; nodes that have not ended by then are killed
+STOP_TIMEOUT = 20.0  # s; nodes still running after it are killed
 SHOWN = 2000         # characters of a log in an error
 Running = TypeVar('Running', bound='Program')
 LIBC = ctypes.CDLL(None)
@@ -57,7 +57,7 @@ class Program:
         try:
             os.killpg(self._process.pid, sign)
         except ProcessLookupError:
-            pass  # all have ended
+            pass  # the group has ended
 
     def __enter__(self: Running) -> Running:
         return self

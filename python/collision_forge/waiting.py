@@ -10,8 +10,8 @@ import rospy
 
 from collision_forge.errors import ForgeError, NotReady
 
-INTERVAL = 0.02       # s between two looks
-MASTER_ANSWERS = 5.0  # s; a master of this machine takes milliseconds
+INTERVAL = 0.02       # s between two checks
+MASTER_ANSWERS = 5.0  # s, time-out; a local master responds in milliseconds
 
 
 def wait_until(missing: Callable[[], Sequence[str]], timeout: float) -> None:
@@ -65,7 +65,7 @@ class Inbox:
         return next((message for message in reversed(self.since(mark)) if condition(message)), None)
 
     def is_connected(self) -> bool:
-        self._subscriber.impl.check()  # forgets publishers that are gone
+        self._subscriber.impl.check()  # drops closed connections
         return self._subscriber.get_num_connections() > 0
 
     def close(self) -> None:
@@ -90,7 +90,7 @@ class Graph:
             master = xmlrpc.client.ServerProxy(uri, transport=LimitedTransport())
             _, _, entries = master.getSystemState(rospy.get_name())
         except (OSError, ValueError, http.client.HTTPException, xmlrpc.client.Error) as error:
-            # Without the stack of the call, which names nothing that a caller can mend.
+            # `from None`: the inner stack does not help the caller.
             raise ForgeError('no ROS master answers at ROS_MASTER_URI = {} ({}): start one, for example with '
                              'roslaunch collision_forge replay.launch bag:=BAG'.format(uri, error)) from None
         self.publishers, self.subscribers, self.services = (

@@ -1,4 +1,4 @@
-"""How alike two samples of motion are: distances of each quantity, and a classifier that tries to tell them apart."""
+"""Similarity of two samples of motion: distances per quantity and a classifier two-sample test."""
 from typing import Dict, List, NamedTuple, Optional, Set, Tuple
 
 import numpy as np
@@ -12,14 +12,14 @@ from sklearn.preprocessing import StandardScaler
 
 from motion import INNER, Motion
 
-MIN_WINDOWS = 30  # on either side of a comparison; smaller ones are left out
+MIN_WINDOWS = 30  # on either side of a comparison; smaller comparisons are skipped
 MATCHED = 3  # recorded windows for each attack in the two-sample test
 DRAWS = 10  # random halves of the recorded scenes, for the floors
 SEED = 1  # of all draws
 
 
 class Quantity(NamedTuple):
-    """What is compared; values outside the histogram count in its first and last bin."""
+    """A compared quantity; values outside the histogram count in its first or last bin."""
     unit: str
     lowest: float
     highest: float
@@ -66,7 +66,7 @@ class TwoSampleTest(NamedTuple):
     noisy: Areas  # the same for attacks with the noise of recordings
     floor: Floor  # of Areas.larger
     attacks: int
-    unmatched: int  # attacks without a matching window, which are left out
+    unmatched: int  # attacks skipped for lack of a matching window
 
 
 def values_of(motion: Motion, quantity: str) -> np.ndarray:
@@ -115,7 +115,7 @@ def distance_floors(recorded: Motion, windows: int) -> Dict[str, List[Floor]]:
 
 
 def features_of(motion: Motion) -> np.ndarray:
-    """What a classifier may know of a window: means and extremes of its motion, a row per window.
+    """Return the classifier features of windows: means and extremes of its motion, a row per window.
 
     Nothing of place, time, class or size, nor of the fit's residuals; left and right are not told apart. Unknown
     steering is 0. Values are rounded, because annotators repeat a yaw exactly, which computed motion never does."""
@@ -200,7 +200,7 @@ def draw_like(attacks: Motion, recorded: Motion, rng: np.random.Generator) -> Mo
 
 
 def areas_of_matched(attacks: Motion, recorded: Motion, seed: int) -> Optional[Areas]:
-    """areas_of(), if both are large enough."""
+    """Return areas_of(); None if a sample is too small."""
     return areas_of(attacks, recorded, seed) if min(len(attacks.scene), len(recorded.scene)) >= MIN_WINDOWS else None
 
 

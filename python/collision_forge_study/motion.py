@@ -1,4 +1,4 @@
-"""Vehicle motion in windows of 3 s: how it is read from a file of forge study evaluate, derived and described."""
+"""Vehicle motion in windows of 3 s: reading from motion.csv of forge study evaluate, derivatives, quantities."""
 import csv
 from collections import defaultdict
 from typing import Dict, List, NamedTuple
@@ -120,7 +120,7 @@ def states_of(windows: np.ndarray, length: np.ndarray) -> Dict[str, np.ndarray]:
 
 
 def motion_of(drives: Drives) -> Motion:
-    """The motion in the windows, which must be there."""
+    """Return the motion in the windows; each drive must have one."""
     states = states_of(drives.windows, drives.length)
     band = np.array(('',) + BANDS)[np.digitize(states['speed'][:, MIDDLE], BAND_STARTS)]
     return Motion(drives.scene, drives.group, band, states)

@@ -15,8 +15,8 @@ from distances import MIN_WINDOWS, QUANTITIES, SEED, distance_floors, distances_
 from motion import (BANDS, BUCKETS, INNER, PEAK_COLUMNS, RECORDED, TYPES, Drives, Motion, motion_of, moves, read_drives,
                     states_of, with_recorded_noise)
 
-MIN_GENERATED = 3  # samples of an attack's window that the method generated; fewer say little about it
-MIN_SCENES = 5  # that an interval needs
+MIN_GENERATED = 3  # samples of an attack's window that the method generated; fewer are not representative
+MIN_SCENES = 5  # minimum for an interval
 VEHICLES = ('all', 'car', 'truck', 'bus')
 WHOLE = 1.0 - 1e-3  # shares have four decimals
 
@@ -41,7 +41,7 @@ class Statistics(NamedTuple):
 
 
 class Report:
-    """What is written, while it grows."""
+    """Collects the output."""
 
     def __init__(self) -> None:
         self.markdown: List[str] = []

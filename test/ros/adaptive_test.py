@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""An attacker that sees and reacts, live: it drives what forge inject --mode adaptive makes of the same bag offline, and
-every node follows what becomes of it."""
+"""Live adaptive attacks: the driven trajectory equals that of forge inject --mode adaptive for the same bag, and every
+node follows its updates."""
 import math
 import time
 
@@ -21,12 +21,12 @@ def way_of(attack):
 
 
 def first_change(before, after):
-    """The stamp of the first point that is another."""
+    """Return the stamp of the first point that differs."""
     return next((new[0] for old, new in zip(way_of(before), way_of(after)) if old != new), after.trajectory.points[-1].stamp)
 
 
 def place_at(attack, stamp):
-    """Where the trajectory has the attacker at the stamp of one of its points."""
+    """Return the position at the stamp of a trajectory point."""
     return next((x, y) for at, x, y, _ in way_of(attack) if abs((at - stamp).to_sec()) < 1e-3)
 
 
@@ -44,7 +44,7 @@ class AdaptiveTest(live.LiveTest):
                               believable='true', **controls)
 
     def play_on(self, until_seconds):
-        """Frame by frame, with time for a look."""
+        """Publish frame by frame, with time for an update step."""
         seconds = NOW
         while seconds < until_seconds:
             seconds += FRAME
@@ -62,7 +62,7 @@ class AdaptiveTest(live.LiveTest):
     def attacks(self):
         return self.heard['/attack'].all()
 
-    def test_drives_live_as_offline_and_all_nodes_follow(self):
+    def test_live_adaptive_attack_equals_offline_attack(self):
         expected, expected_report = self.offline()
         answer = self.ask(adaptive=True)
         first = answer.attack
@@ -110,14 +110,14 @@ class AdaptiveTest(live.LiveTest):
         self.assertGreater(max(away), 0.1, 'it has left its first plan')
 
     def check_tested(self, expected):
-        """Told once."""
+        """Checks that the report is published once."""
         tested = self.heard['/tested_report'].wait()
         self.assertEqual((tested.attacker_id, tested.contact), (expected.attacker_id, expected.contact))
         self.assertLess(abs((tested.contact_time - expected.contact_time).to_sec()), 0.05)
         self.assertIn(tested.decision, {attack.decision for attack in self.attacks()})
         self.assertEqual(len(self.heard['/tested_report'].all()), 1)
 
-    def test_sets_out_anew_where_the_replay_starts_again(self):
+    def test_attack_restarts_when_the_replay_restarts(self):
         first = self.ask(adaptive=True).attack
         self.play_on(NOW + 5.0)
         self.heard['/attack'].wait(lambda attack: attack.plans > 1)
@@ -133,7 +133,7 @@ class AdaptiveTest(live.LiveTest):
         self.heard['/tested_report'].wait()
         self.assertEqual(len(self.heard['/tested_report'].all()), 1, 'it is tested again, once')
 
-    def test_gives_up_where_nothing_comes_any_more(self):
+    def test_aborts_when_scenes_stop_arriving(self):
         self.ask(adaptive=True)
         self.play_on(NOW + 1.0)
         clock = self.player.start + rospy.Duration(NOW + 1.0)
@@ -146,12 +146,12 @@ class AdaptiveTest(live.LiveTest):
         until(is_lost, 'the attacker to give up', interval=0.1)
         self.assertEqual(self.attacks()[-1].phase, 'driving_on')
 
-    def test_markers_tell_what_was_driven(self):
+    def test_markers_show_the_driven_path(self):
         self.ask(adaptive=True)
         self.play_on(NOW + 2.0)
         self.heard['/attack_markers'].wait(lambda array: 'driven' in {marker.ns for marker in array.markers})
 
-    def test_a_fixed_attack_takes_its_place(self):
+    def test_a_fixed_attack_replaces_an_adaptive_one(self):
         self.ask(adaptive=True)
         fixed = self.ask().attack
         self.assertFalse(fixed.adaptive)
@@ -160,7 +160,7 @@ class AdaptiveTest(live.LiveTest):
         self.play_on(NOW + 3.0)
         self.assertFalse(self.attacks()[-1].adaptive)
 
-    def test_what_is_not_for_adaptive_attackers(self):
+    def test_adaptive_requests_that_are_rejected(self):
         self.play_to(NOW)
         for controls, named in (({'mode': 'replay'}, ('adaptive', 'mode')), ({'limits': 'strict'}, ('limits',)),
                                 ({'alternatives': 2}, ('alternatives',))):

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The running suite on scenes made up here, most of them bad: answers name what is wrong, and the next is right."""
+"""The running suite on synthetic scenes, most of them invalid: errors name the fault and the next request works."""
 import math
 
 import live
@@ -64,7 +64,7 @@ class BadInputTest(MadeUpTest):
         self.show(drive(6))
         self.assertIn('recording', self.ask_for_code('NO_RECORDING', mode='replay').message)
 
-    def test_nobody_there(self):
+    def test_scene_without_agents(self):
         scene = self.show(drive(6, lambda seconds: []))
         self.assertEqual(scene.snapshot.agents, [])
         self.assertEqual(tuple(scene.agent_features.shape), (1, HISTORY, 8))
@@ -72,7 +72,7 @@ class BadInputTest(MadeUpTest):
         self.assert_works()
 
     def test_agents_that_are_not_numbers(self):
-        """They are left out of the scene, the others stay."""
+        """Invalid agents are dropped, the other agents stay."""
         def agents(seconds):
             broken = [agent('nan_{}'.format(i), -10.0 * i) for i in range(4)]
             broken[0].pose.position.x = math.nan
@@ -87,7 +87,7 @@ class BadInputTest(MadeUpTest):
         self.ask_for_code('UNKNOWN_ATTACKER', attacker='nan_0')
 
     def test_agent_class_that_does_not_exist(self):
-        """A frame that cannot be understood is left out; the next one counts."""
+        """An invalid frame is ignored; the next one is used."""
         frames = drive(6)
         frames[4][2].append(agent('alien', 10.0, agent_class=42))
         scene = self.show(frames, left_out=1)
@@ -97,15 +97,15 @@ class BadInputTest(MadeUpTest):
         self.ask_for_code('OK', 'rear_end', 4.0)
 
     def test_trajectory_that_is_not_a_number(self):
-        """Published by somebody else: the suite says so, and goes on."""
+        """An invalid attack of another publisher is reported and ignored."""
         self.show(drive(6))
         answer = self.ask_for_code('OK', 'rear_end', 4.0)
         answer.attack.trajectory.points[3].speed = math.nan
         publisher = rospy.Publisher('/attack', Attack, queue_size=1, latch=True)
         self.addCleanup(publisher.unregister)
         publisher.publish(answer.attack)
-        until(lambda: self.suite.output().count('attack left out: attacker behind: points[3] is not finite') >= 2,
-              'the injector and the verifier to leave it out')
+        until(lambda: self.suite.output().count('attack ignored: attacker behind: points[3] is not finite') >= 2,
+              'the injector and the verifier to ignore it')
         self.assert_works()
 
     def test_numbers_beyond_the_limits(self):
@@ -122,7 +122,7 @@ class BadInputTest(MadeUpTest):
         self.addCleanup(publisher.unregister)
         publisher.publish(answer.attack)
         until(lambda: self.suite.output().count('time from the first point = 10000') >= 2,
-              'the injector and the verifier to leave it out')
+              'the injector and the verifier to ignore it')
         self.assert_works()
 
     def test_ego_pose_that_is_not_a_number(self):
@@ -135,7 +135,7 @@ class BadInputTest(MadeUpTest):
         self.ask_for_code('OK', 'rear_end', 4.0)
 
     def test_ego_that_never_moves(self):
-        """And nobody else does: the answer is clear, whatever it is."""
+        """Nor does any agent: the request ends with an attack or a reason."""
         for agents in (traffic, lambda seconds: traffic(0.0)):
             self.show(drive(9, agents, speed=0.0))
             for collision_type in ('lane_change', 'opposite_direction', 'rear_end', 'junction_crossing', 'ltap'):

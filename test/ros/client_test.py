@@ -40,7 +40,7 @@ class ClientTest(road.RoadTest):
 
     @staticmethod
     def refusal():
-        """What the client says before the suite is there."""
+        """Return the error of the client while the suite is missing."""
         try:
             CollisionForge(timeout=0.3)
         except NotReady as error:
@@ -79,7 +79,7 @@ class ClientTest(road.RoadTest):
 
     # The player.
 
-    def test_stops_exactly_where_it_is_told_to(self):
+    def test_plays_exactly_up_to_the_given_time(self):
         heard = []
         clock = rospy.Subscriber('/clock', Clock, heard.append)
         self.addCleanup(clock.unregister)
@@ -93,7 +93,7 @@ class ClientTest(road.RoadTest):
         self.assertEqual(heard[-1].clock, end, 'time stands still')
         self.assertEqual((player.now, player.is_at_end), (4.25, False))
 
-    def test_steps_and_goes_on(self):
+    def test_steps_and_continues(self):
         player = self.play(2.0)
         stamps = [message.header.stamp for message, _ in road.read(self.bag(SCENE), '/agents')]
         self.assertEqual(player.step().stamp, stamps[5])
@@ -106,7 +106,7 @@ class ClientTest(road.RoadTest):
         with self.assertRaisesRegex(ForgeError, 'ends'):
             player.step()
 
-    def test_an_instant_after_the_end_of_the_bag_is_refused(self):
+    def test_a_time_after_the_end_of_the_bag_is_rejected(self):
         with self.assertRaisesRegex(ForgeError, r'until\(25\.0\): the last frame .* is at 20\.0 s'):
             self.play().until(25.0)
 
@@ -124,7 +124,7 @@ class ClientTest(road.RoadTest):
         self.assertAlmostEqual(player.instant_of(attack.now), NOW, 6)
         self.forge.tested(attack)
 
-    def test_plays_and_asks_in_a_namespace(self):
+    def test_plays_and_requests_in_a_namespace(self):
         with unittest.mock.patch.dict(os.environ, ROS_NAMESPACE='front'):
             self.path('front').mkdir()
             suite = Suite(self.path('front'), nodelets='false')
@@ -136,7 +136,7 @@ class ClientTest(road.RoadTest):
         self.assertEqual((said.returncode, said.stderr), (0, ''))
         self.assertEqual(said.stdout, '/front/generate_collision True\n')
 
-    def test_refuses_a_second_source_of_time(self):
+    def test_rejects_a_second_publisher_of_clock(self):
         self.play()
         other = subprocess.Popen(['rostopic', 'pub', '/clock', 'rosgraph_msgs/Clock', '{}'], stdout=subprocess.DEVNULL)
         self.addCleanup(other.wait)
@@ -151,7 +151,7 @@ class ClientTest(road.RoadTest):
 
     # Attacks.
 
-    def test_generates_what_forge_inject_does(self):
+    def test_generates_the_same_attack_as_forge_inject(self):
         expected, expected_report = self.offline()
         self.play()
         attack = self.forge.generate(TYPE, TTA)
@@ -162,7 +162,7 @@ class ClientTest(road.RoadTest):
         contact_after = (expected_report.contact_time - expected_report.header.stamp).to_sec()
         self.assertAlmostEqual(report.contact.t, contact_after, 2)
 
-    def test_lock_step_gives_the_same_answer_again(self):
+    def test_lock_step_is_reproducible(self):
         self.play()
         first = self.forge.generate(TYPE, TTA)
         reports = [self.forge.tested(first)]
@@ -172,7 +172,7 @@ class ClientTest(road.RoadTest):
         self.assert_close(again.message, first.message, tolerance=0.0)
         self.assert_close(reports[1].message, reports[0].message, tolerance=0.0)
 
-    def test_an_attacker_that_sees_and_reacts_drives_as_offline(self):
+    def test_an_adaptive_attack_equals_the_offline_one(self):
         expected, expected_report = self.offline('--mode', 'adaptive')
         self.play()
         drive = self.forge.adaptive(TYPE, TTA)
@@ -190,7 +190,7 @@ class ClientTest(road.RoadTest):
             self.assertLess(math.hypot(point.pose.x - other.pose.x, point.pose.y - other.pose.y), 1e-3)
         self.assertLess(self.forge.player.now, self.forge.player.duration)
 
-    def test_follows_a_source_that_is_not_its_own(self):
+    def test_works_with_an_external_source(self):
         player = self.play()
         with CollisionForge(TIMEOUT) as other:
             drive = other.adaptive(TYPE, TTA, at=player.stamp)
@@ -201,14 +201,14 @@ class ClientTest(road.RoadTest):
         self.assertGreater(len(seen), 1)
         self.assertEqual((drive.report.attacker, drive.report.now), (drive.first.attacker, drive.first.now))
 
-    def test_plays_the_attack_that_a_bag_brings_along(self):
+    def test_plays_a_bag_that_contains_an_attack(self):
         expected, expected_report = self.offline()
         self.forge.play(self.path('offline.bag')).until(NOW + 1.0)
         wait_until(lambda: [] if self.forge.attack else ['the attack'], 10.0)
         self.assert_close(self.forge.attack.message, expected)
         self.assertEqual(expected_report.attacker_id, self.forge.attack.attacker)
 
-    def test_declines_with_the_code(self):
+    def test_raises_declined_with_the_code(self):
         self.play()
         for code, arguments in ((Code.UNKNOWN_TYPE, ('magic', TTA)), (Code.TTA_OUT_OF_RANGE, (TYPE, 100.0))):
             with self.assertRaises(Declined) as raised:
@@ -218,10 +218,10 @@ class ClientTest(road.RoadTest):
             self.forge.test_planner('magic', self.forge.generate(TYPE, TTA))
         self.assertIs(raised.exception.code, Code.UNKNOWN_PLANNER)
         for arguments in (dict(seed=-1), dict(alternatives='many'), dict(attacker=5)):
-            with self.assertRaisesRegex(ForgeError, 'does not fit into the message'):
+            with self.assertRaisesRegex(ForgeError, 'does not fit its message field'):
                 self.forge.generate(TYPE, TTA, **arguments)
 
-    def test_what_is_possible_can_be_generated(self):
+    def test_possible_collisions_can_be_generated(self):
         self.play()
         possible = self.forge.possible([TYPE, 'rear_end'], [TTA], alternatives=8)
         self.assertGreater(max(collision.alternative for collision in possible), 1)
@@ -233,7 +233,7 @@ class ClientTest(road.RoadTest):
                              (collision.collision_type, collision.attacker, collision.manoeuvre, collision.confidence))
             self.assertAlmostEqual(attack.report.contact.t, collision.contact_after)
 
-    def test_answers_for_each_type_and_time(self):
+    def test_generates_for_each_type_and_time(self):
         self.play()
         answers = self.forge.generate_all([TYPE, 'ltap'], [3.0, TTA])
         self.assertEqual([(answer.collision_type, answer.tta) for answer in answers],

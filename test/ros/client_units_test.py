@@ -56,13 +56,13 @@ class ErrorsTest(unittest.TestCase):
         expected = {**constants(srv.GenerateCollisionResponse), **constants(srv.TestPlannerResponse)}
         self.assertEqual({code.name: code.value for code in Code}, expected)
 
-    def test_a_refusal_has_code_and_reason(self):
+    def test_a_rejection_has_code_and_reason(self):
         refusal = Declined(6, 'nobody there')
         self.assertIs(refusal.code, Code.NO_CANDIDATE)
         self.assertEqual((refusal.reason, str(refusal)), ('nobody there', 'NO_CANDIDATE: nobody there'))
         self.assertIsInstance(refusal, ForgeError)
 
-    def test_waiting_in_vain_tells_what_is_missing(self):
+    def test_a_time_out_names_the_missing_parts(self):
         with self.assertRaises(NotReady) as raised:
             wait_until(lambda: ['a spoon', 'a fork'], 0.1)
         self.assertEqual(raised.exception.missing, ['a spoon', 'a fork'])
@@ -70,7 +70,7 @@ class ErrorsTest(unittest.TestCase):
 
 
 class NoMasterTest(unittest.TestCase):
-    """Where nobody answers as a master, the client ends with one line that says what to start."""
+    """Without a master the client raises an error of one line that names the command to start one."""
 
     def said_at(self, uri):
         environment = {**os.environ, 'ROS_MASTER_URI': uri}
@@ -86,7 +86,7 @@ class NoMasterTest(unittest.TestCase):
             self.assertIn('no ROS master answers at ROS_MASTER_URI = ' + uri, line)
             self.assertIn('roslaunch collision_forge', line)
 
-    def test_does_not_wait_for_one_that_never_answers(self):
+    def test_a_hanging_master_times_out(self):
         with socket.socket() as silent:
             silent.bind(('localhost', 0))
             silent.listen(1)
@@ -94,13 +94,13 @@ class NoMasterTest(unittest.TestCase):
 
 
 class ControlsTest(unittest.TestCase):
-    def test_they_are_all_that_a_request_has(self):
+    def test_controls_cover_all_fields_of_a_request(self):
         beside = {'collision_type', 'tta'}
         self.assertEqual(set(control_fields()), set(msg.CollisionRequest.__slots__) - beside)
         beside |= {'stamp', 'adaptive', 'method', 'alternative'}
         self.assertEqual(set(control_fields()), set(srv.GenerateCollisionRequest.__slots__) - beside)
 
-    def test_bands_and_truth(self):
+    def test_ranges_and_booleans(self):
         fields = control_fields(impact_speed=(2, 5), overlap=(0.1, 0.4), believable=False)
         self.assertEqual((fields['min_impact_speed'], fields['max_impact_speed']), (2, 5))
         self.assertEqual((fields['min_overlap'], fields['max_overlap']), (0.1, 0.4))
@@ -167,11 +167,11 @@ class ResultsTest(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "'manoeuver'; did you mean manoeuvre.*ego_side"):
             fields_of({'manoeuver': 'drift'})
 
-    def test_a_band_that_is_no_pair_is_named_with_its_value(self):
+    def test_a_malformed_range_is_named_with_its_value(self):
         with self.assertRaisesRegex(TypeError, r'impact_speed = 5.0 is no pair \(least, greatest\)'):
             fields_of({'impact_speed': 5.0})
 
-    def test_a_scene_has_those_who_are_there_now(self):
+    def test_a_scene_contains_the_agents_present_at_t0(self):
         def track(name, stamp):
             return msg.AgentTrack(id=name, agent_class=msg.Agent.BUS,
                                   states=[msg.TrackState(stamp=stamp, velocity_x=3.0, velocity_y=4.0)])
@@ -203,7 +203,7 @@ class ProgramTest(unittest.TestCase):
             child = int(program.output())
         wait_until(lambda: ['the end of the child'] if is_running(child) else [], 10.0)
 
-    def test_ends_with_who_started_it(self):
+    def test_ends_with_its_parent_process(self):
         starter = ('import pathlib, sys, time; from collision_forge.suite import Program; '
                    'program = Program(["bash", "-c", "echo $$; exec sleep 1000"], pathlib.Path(sys.argv[1])); '
                    'time.sleep(1000)')
@@ -214,7 +214,7 @@ class ProgramTest(unittest.TestCase):
             process.kill()
         wait_until(lambda: ['the end of the child'] if is_running(child) else [], 10.0)
 
-    def test_tells_why_it_has_ended(self):
+    def test_error_contains_the_output_of_an_ended_program(self):
         program = Program(['bash', '-c', 'echo no luck; exit 3'], self.log)
         deadline = time.monotonic() + 10.0
         with self.assertRaisesRegex(ForgeError, 'no luck'):

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""forge convert: what is in the bags is what is in the tables, and what it answers to bad input."""
+"""forge convert: the bags equal the tables; errors for bad input."""
 import json
 import os
 import shutil
@@ -155,7 +155,7 @@ class BadConversionInputTest(road.RoadTest):
             self.assertIn(text, result.stderr)
         return [path.name for path in out.iterdir()] if out.exists() else []
 
-    def test_names_that_lead_elsewhere(self):
+    def test_names_that_are_paths_outside_the_folder(self):
         for table, field in (('scene', 'name'), ('log', 'location')):
             for name in ('../evil', str(self.path('evil')), '..', '', 'a\nb'):
                 original = (self.dataroot / VERSION / (table + '.json')).read_text()

@@ -235,7 +235,7 @@ class EvaluateRequestsTest(road.RoadTest):
             self.assertIn(int(searches.group(1)), range(1, len(self.listed) + 1) if ranks > 1 else [len(self.listed)])
             self.assert_as_expected(out)
 
-    def test_interrupted_run_is_gone_on_with(self):
+    def test_interrupted_run_is_resumed(self):
         out = self.path('out')
         shutil.copytree(str(self.expected), str(out))
         lines = (out / 'results.csv').read_bytes().splitlines(keepends=True)
@@ -252,7 +252,7 @@ class EvaluateRequestsTest(road.RoadTest):
             self.assertIn(named, result.stderr)
         self.assert_as_expected(out)
 
-    def test_controls_are_asked_for_one_by_one_and_kept(self):
+    def test_controls_are_requested_one_by_one_and_met(self):
         out, again = self.path('controls'), self.path('again')
         few = self.path('few.jsonl')
         few.write_text(''.join(json.dumps(request) + '\n' for request in self.listed[:2]))

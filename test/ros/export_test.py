@@ -50,7 +50,7 @@ class ExportTest(road.RoadTest):
                 for file in entry['files']:
                     self.assertGreater((out / file).stat().st_size, 1000)
 
-    def test_contact_is_that_of_the_attack_where_the_future_is_known(self):
+    def test_contact_equals_the_attack_if_the_future_is_known(self):
         requests, scenarios, out = (self.path(name) for name in ('requests.jsonl', 'scenarios.jsonl', 'out'))
         requests.write_text((self.folder / 'requests.jsonl').read_text())
         self.assertEqual(road.run('generate', *LOGS, '--requests', requests, '--mode', 'replay', '--out',
@@ -81,7 +81,7 @@ class ExportTest(road.RoadTest):
         self.assertIn(str(recorded) + ': no attack', result.stderr)
         self.assertFalse((out / 'index.jsonl').exists())
 
-    def test_another_format_does_not_go_on(self):
+    def test_another_format_does_not_resume(self):
         out = self.path('out')
         self.assertEqual(self.export(out).returncode, 0)
         before = self.files_in(out)
@@ -91,7 +91,7 @@ class ExportTest(road.RoadTest):
             self.assertIn('was made with', result.stderr)
         self.assertEqual(self.files_in(out), before)
 
-    def test_bad_lines_are_told(self):
+    def test_bad_lines_are_reported(self):
         line = json.loads(self.scenarios.read_text().splitlines()[self.attacks[0] - 1])
         for change, told in (({'scene': '../evil'}, '../evil'), ({'scene': 'scene-9999'}, 'scene-9999'),
                              ({'format': 'x'}, 'format')):

@@ -107,7 +107,7 @@ class RequestsTest(road.RoadTest):
         for before, after in zip(nows, nows[1:]):
             self.assertAlmostEqual(after - before, 4.0, places=1)
 
-    def test_what_the_road_allows_is_counted_and_listed_alone_if_asked(self):
+    def test_requests_the_road_allows_are_counted_and_optionally_filtered(self):
         whole, allowed = self.path('requests.jsonl'), self.path('allowed.jsonl')
         arguments = ('--scene', 'scene-0001', 'scene-0007', '--stride', 4, '--tta', 2, 4)
         results = [make_requests(whole, *arguments), make_requests(allowed, *arguments, '--allowed-only')]
@@ -125,7 +125,7 @@ class RequestsTest(road.RoadTest):
         self.assertEqual(set(counts), {'{}: the road allows {} of {} requests'.format(name, *count)
                                        for name, count in expected.items()})
 
-    def test_what_is_asked_for_twice_is_listed_once(self):
+    def test_duplicate_requests_are_listed_once(self):
         once = self.requests('--scene', 'scene-0001', '--types', 'RE', 'ltap', '--tta', 4, 3)
         self.assertEqual(self.requests('--scene', 'scene-0001', 'scene-0001', '--types', 'RE', 'ltap', 'rear_end', 'RE',
                                        '--tta', 4, 3, '4.0', 3), once)
@@ -261,7 +261,7 @@ class GenerateTest(road.RoadTest):
         for line in lines_of(self.expected):
             validator.validate(json.loads(line))
 
-    def test_the_schema_refuses_what_is_no_scenario(self):
+    def test_the_schema_rejects_invalid_scenarios(self):
         validator = jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text()))
         good = next(line for line in lines_of(self.expected) if '"code":"OK"' in line)
         for change in (lambda row: row.pop('ego'), lambda row: row.update(extra=1), lambda row: row.update(version=2),
@@ -320,7 +320,7 @@ class GenerateTest(road.RoadTest):
             self.assert_goes_on(5)
             self.out.unlink()
 
-    def test_tables_and_maps_that_were_changed_are_not_gone_on_with(self):
+    def test_changed_tables_and_maps_prevent_resuming(self):
         lines = self.expected.read_bytes().splitlines(keepends=True)
         dataroot = self.path('data')
         shutil.copytree(str(DATAROOT), str(dataroot))
@@ -341,7 +341,7 @@ class GenerateTest(road.RoadTest):
         self.assertEqual(run(command).returncode, 0)
         self.assertEqual(self.out.read_bytes(), self.expected.read_bytes())
 
-    def test_a_run_that_loses_a_rank_goes_on(self):
+    def test_a_run_that_loses_a_rank_can_be_resumed(self):
         command = ranks_command(3, self.requests, self.out)
         process = self.start_and_wait_for_lines(command, 5, env=ranks_environment())
         ranks = [pid for pid, words in children_of(process.pid).items() if 'generate' in words]
@@ -351,7 +351,7 @@ class GenerateTest(road.RoadTest):
         self.assertNotEqual(process.returncode, 0)
         self.assert_goes_on(5, command, env=ranks_environment())
 
-    def test_a_full_disk_is_told_and_the_run_goes_on(self):
+    def test_a_full_disk_is_reported_and_the_run_can_be_resumed(self):
         room = 100000  # bytes; for a few of the lines
 
         def limit():
@@ -363,7 +363,7 @@ class GenerateTest(road.RoadTest):
         self.assertTrue(self.part.read_bytes().endswith(b'\n'), 'no half of a line')
         self.assert_goes_on(3)
 
-    def test_a_run_does_not_go_on_with_what_another_began(self):
+    def test_a_run_does_not_resume_another_run(self):
         begun = b''.join(self.expected.read_bytes().splitlines(keepends=True)[:4])
         road.leave_part(self.out, begun)
         shutil.copy(str(self.expected) + '.options', str(self.out) + '.options')

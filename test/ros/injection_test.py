@@ -207,7 +207,7 @@ class RecordedCrashTest(road.RoadTest):
 
 
 class AdaptiveInjectionTest(road.RoadTest):
-    """An attacker that sees and reacts says in its bag what it decided."""
+    """The bag of an adaptive attack contains its decisions."""
     SCENES = ['scene-0005']
 
     def reports(self, mode):

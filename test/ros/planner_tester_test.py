@@ -311,7 +311,7 @@ class PlannerTesterTest(road.RoadTest):
         self.assert_close(second.driven, first.driven, 0.0)
         self.assertEqual(second.attacker_decision, first.attacker_decision)
 
-    def test_planner_that_dies_before_an_attacker_that_reacts(self):
+    def test_planner_that_dies_against_an_adaptive_attacker(self):
         outcome = self.odd('dies', attacker_policy='adaptive')
         self.assert_failed(outcome, 'timed_out', '/planned_trajectory is gone')
         self.assertEqual(outcome.attacker_phase, 'attacking')
@@ -322,26 +322,26 @@ class PlannerTesterTest(road.RoadTest):
         self.assertEqual(outcome.failure, 'none', outcome.failure_message)
         self.assertLess(outcome.max_braking, 0.5)
 
-    def test_no_external_planner(self):
+    def test_missing_external_planner_times_out(self):
         began = time.monotonic()
         outcome = self.ask_external(0.3)
         self.assertEqual((outcome.failure, outcome.ticks, outcome.duration), ('timed_out', 0, 0.0))
         self.assertIn('planned_trajectory', outcome.failure_message)
         self.assertLess(time.monotonic() - began, live.TIMEOUT)
 
-    def test_external_planner_that_falls_silent(self):
+    def test_external_planner_that_stops_publishing(self):
         self.assert_failed(self.odd('never'), 'timed_out', 'no answer')
 
     def test_external_planner_that_dies(self):
         self.assert_failed(self.odd('dies'), 'timed_out', '/planned_trajectory is gone')
 
-    def test_external_planner_with_a_number_that_is_none(self):
+    def test_external_planner_that_sends_nan(self):
         self.assert_failed(self.odd('nan'), 'not_finite', 'point 3')
 
-    def test_external_planner_that_answers_an_older_tick(self):
+    def test_external_planner_that_sends_an_older_stamp(self):
         self.assert_failed(self.odd('late'), 'late', 'to the tick -0.1')
 
-    def test_answers_to_another_test_and_repeated_first_ones_are_left_out(self):
+    def test_trajectories_for_another_test_or_a_repeated_state_are_ignored(self):
         for mode in ('stranger', 'twice'):
             outcome = self.odd(mode)
             self.assertEqual(outcome.failure, 'none', mode + ': ' + outcome.failure_message)

@@ -46,7 +46,7 @@ sys.exit(run_node('interrupted', work))
 
 
 class Heard:
-    """Messages of a topic; nothing of it is kept but what comes after clear()."""
+    """Messages of a topic received since the last clear()."""
 
     def __init__(self, topic, message_class):
         self.messages = []
@@ -143,7 +143,7 @@ class PlayerAloneTest(PlayerTest):
         self.addCleanup(thread.join)
         self.assertIn('cut.bag cannot be read', self.refusal('_bag:={}'.format(cut)))
 
-    def test_pauses_at_the_end_and_begins_anew_when_it_is_to_go_on(self):
+    def test_pauses_at_the_end_and_restarts_when_resumed(self):
         frames = self.frames()
         with Program(self.command('_bag:={}'.format(self.bag(SCENE)), '_rate:=10', '_loop:=false'), self.path('log')):
             self.wait_for_state(False)
@@ -157,7 +157,7 @@ class PlayerAloneTest(PlayerTest):
             until(lambda: len(self.agents.all()) > 1, 'frames of agents')
             self.assertEqual(self.agents.all()[0].header.stamp, frames[0][1])
 
-    def test_ends_even_if_it_is_interrupted_while_it_publishes(self):
+    def test_ends_when_interrupted_while_publishing(self):
         for number in ('SIGINT', 'SIGTERM'):
             result = subprocess.run(['/usr/bin/python3', '-c', INTERRUPTED.format(number)], stdin=subprocess.DEVNULL,
                                     timeout=START_TIMEOUT, check=False)
@@ -179,7 +179,7 @@ class PlayerAloneTest(PlayerTest):
 class ReplayStartTest(PlayerTest):
     """replay.launch with nothing but a bag."""
 
-    def test_waits_at_an_instant_with_history_and_says_how_to_go_on(self):
+    def test_waits_at_a_time_with_history_and_logs_how_to_continue(self):
         self.hear()
         start = next(stamp for time_of, stamp in self.frames() if (time_of - self.frames()[0][0]).to_sec() > 4.99)
         with Program(['roslaunch', road.PACKAGE, 'replay.launch', 'bag:={}'.format(self.relative()), 'rviz:=false'],
@@ -253,7 +253,7 @@ class ReplayTest(PlayerTest):
         until(lambda: self.call('step').success and self.times()[-1] >= end[0], 'the frame', interval=0.1)
         return end[1]
 
-    def test_steps_seeks_and_plays_as_its_services_are_told(self):
+    def test_services_step_seek_and_play(self):
         self.check_steps()
         self.check_seeks()
         self.check_plays()
@@ -312,7 +312,7 @@ class ReplayTest(PlayerTest):
         time.sleep(0.3)
         self.assertEqual(self.times()[-1], stands)
 
-    def test_back_to_now_shows_the_attack_again_and_a_new_request_is_answered_at_once(self):
+    def test_back_to_now_republishes_the_attack_and_accepts_a_new_request(self):
         now = self.step_to(NOW)
         first = self.forge.generate(TYPE, TTA, at=now)
         self.call('pause', False)
@@ -331,7 +331,7 @@ class ReplayTest(PlayerTest):
         self.call('pause', False)
         self.assertEqual(self.forge.tested(again).verified, report.verified)
 
-    def test_the_attack_that_was_gone_back_to_is_injected_and_tested_again(self):
+    def test_an_attack_after_seeking_back_is_injected_and_tested_again(self):
         now = self.step_to(NOW)
         first = self.forge.generate(TYPE, TTA, at=now)
         reports = live.Listener('/tested_report')

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""forge possible: what can be asked for at an instant, of a bag as of a root."""
+"""forge possible: collisions possible at a time, for a bag and for a nuScenes root."""
 import re
 
 import road
@@ -26,7 +26,7 @@ def rows(result):
 class PossibleTest(road.RoadTest):
     SCENES = [SCENE]
 
-    def test_a_bag_can_be_asked_as_well_as_a_root(self):
+    def test_a_bag_and_a_root_give_the_same_list(self):
         for result in (of_the_root('--mode', 'history'), possible('--bag', self.bag(SCENE), '--mode', 'history')):
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertGreater(len(rows(result)), 10)
@@ -40,7 +40,7 @@ class PossibleTest(road.RoadTest):
         for line in reasons.splitlines():
             self.assertRegex(line, r's  [A-Z_]+: .+')
 
-    def test_what_is_listed_is_what_inject_does(self):
+    def test_listed_collisions_equal_those_of_inject(self):
         row = next(row for row in rows(possible('--bag', self.bag(SCENE))) if 'added' not in row['attacker'])
         out = self.path('listed.bag')
         result = road.inject(self.bag(SCENE), out, row['type'], row['tta'], NOW)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A realiser in a node of its own takes part in everything, and its attacks are judged as our own."""
+"""An external realiser node takes part in every request, and its attacks are verified like built-in ones."""
 import live
 import road
 import rospy
@@ -78,7 +78,7 @@ class RealizerTest(MadeUpTest):
         self.assertTrue(answer.attack.report.verified)
         self.assertGreater(answer.attack.report.impact_speed, 1.0)
 
-    def test_its_attack_is_declined_where_it_breaks_a_limit(self):
+    def test_its_attack_is_rejected_if_it_violates_a_limit(self):
         def leap(message):
             answer = straight_on(message)
             for point in answer.attack.trajectory.points[5:]:
@@ -98,7 +98,7 @@ class RealizerTest(MadeUpTest):
         self.assertEqual(answer.attack.trajectory.agent_class, Agent.CAR)
         self.assertAlmostEqual(answer.attack.trajectory.size.x, 4.6, places=6)
 
-    def test_a_vehicle_that_nobody_knows_is_refused_by_name(self):
+    def test_an_unknown_attacker_is_rejected_by_name(self):
         def stranger(message):
             answer = straight_on(message)
             answer.attack.trajectory.attacker_id = 'stranger'
@@ -107,7 +107,7 @@ class RealizerTest(MadeUpTest):
         self.assertIn('"stranger"', answer.message)
         self.assertNotEqual(answer.code, 0)
 
-    def test_it_is_asked_about_added_vehicles_with_their_ways(self):
+    def test_it_receives_added_vehicles_with_their_paths(self):
         def decline(message):
             return RealizeTrajectoryResponse(code=road.CODES.index('NO_ATTACK_WITHIN_LIMITS'), message='not I')
         answer = self.ask(decline, 'opposite_direction', choice='new', believable='true')

@@ -102,7 +102,7 @@ class RequestsTest(AttackedTest):
 
     # Services
 
-    def test_what_is_listed_is_what_is_answered(self):
+    def test_listed_collisions_equal_generated_ones(self):
         self.attacked()
         listed = list_collisions()
         self.assertEqual((listed.code, listed.message, listed.now), (0, '', self.time(NOW)))
@@ -121,7 +121,7 @@ class RequestsTest(AttackedTest):
             self.assertEqual(single.summary.startswith(answer.collision_type + ' by '), answer.code == 0)
             self.assert_close(single.attack, answer.attack, tolerance=0.0)
 
-    def test_alternatives_are_listed_too_the_surest_first(self):
+    def test_alternatives_are_listed_by_falling_confidence(self):
         self.show(drive(6, lambda seconds: traffic(seconds) + [agent('beside', -12.0 + 10.5 * seconds, 3.5)]))
         self.ask_for_code('OK', attacker='beside')
         wanted = CollisionRequest(believable='false', alternatives=8)
@@ -137,7 +137,7 @@ class RequestsTest(AttackedTest):
                              (row.attacker_id, row.confidence))
             self.assertAlmostEqual((attack.report.contact_time - attack.header.stamp).to_sec(), row.contact_after)
 
-    def test_an_alternative_that_there_is_not_is_declined(self):
+    def test_a_missing_alternative_is_rejected(self):
         self.attacked()
         answer = self.ask_for_code('NO_ATTACK_WITHIN_LIMITS', alternatives=16, alternative=16)
         self.assertIn('alternative = 16: there are', answer.message)
@@ -174,7 +174,7 @@ class RequestsTest(AttackedTest):
         self.assert_forgotten()
         self.assertIn('no attack', reset().message)
 
-    def test_reset_ends_an_attack_that_somebody_else_has_published(self):
+    def test_reset_ends_an_attack_of_another_publisher(self):
         answer = self.attacked()
         rospy.ServiceProxy('/reset', Trigger)()
         self.assert_forgotten()
@@ -188,12 +188,12 @@ class RequestsTest(AttackedTest):
         self.assertIn('no attack', rospy.ServiceProxy('/reset', Trigger)().message)
         self.heard['/attack_markers'].wait(lambda array: len(array.markers) == 1)
 
-    def test_a_declined_request_shows_nothing_of_the_attack_before(self):
+    def test_a_rejected_request_clears_the_previous_attack(self):
         self.attacked()
         self.ask_for_code('ROAD_DOES_NOT_ALLOW', 'ltap', believable='true')
         self.assert_forgotten()
 
-    def test_a_request_that_is_wrong_in_itself_leaves_the_attack(self):
+    def test_an_invalid_request_keeps_the_attack(self):
         self.attacked()
         self.ask_for_code('UNKNOWN_TYPE', 'rear_ned')
         self.ask_for_code('UNKNOWN_ATTACKER', attacker='nobody')
@@ -204,7 +204,7 @@ class RequestsTest(AttackedTest):
 
     # Scenes: which, and how old
 
-    def test_a_source_that_is_dead_is_told(self):
+    def test_a_dead_source_is_reported(self):
         self.attacked()
         self.publishers['/clock'].publish(Clock(self.time(NOW + 30.0)))
         message = self.ask_for_code('STALE_SCENE').message

@@ -1,4 +1,4 @@
-"""What the tests of this folder share: forge, the package's embedded data, and bags to make, read and damage."""
+"""Shared by the tests of this folder: forge, the package's embedded data, and bags to make, read and damage."""
 import math
 import shutil
 import subprocess
@@ -31,7 +31,7 @@ EGO_TOPICS = ['/tf', '/odom']  # rewritten after the contact, unless the ego dri
 
 
 def run(*arguments):
-    """Runs forge; its exit code, stdout and stderr are in what is returned."""
+    """Run forge and return the completed process with exit code, stdout and stderr."""
     return subprocess.run(['forge'] + [str(argument) for argument in arguments], stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, universal_newlines=True,
                           timeout=TIMEOUT, check=False)
@@ -167,5 +167,5 @@ def angle_between(first, second):
 
 
 def main():
-    """Runs the tests of the calling script."""
+    """Run the tests of the calling script."""
     rosunit.unitrun(PACKAGE, Path(sys.argv[0]).stem, '__main__')

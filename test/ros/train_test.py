@@ -89,7 +89,7 @@ class TrainTest(road.RoadTest):
             self.assertEqual(len(archive.read(name).split()), 2)
         self.assertEqual(self.train(out, '--planner', '--stop-after', 1).returncode, 2)
 
-    def test_speeds_that_no_model_fits_are_told(self):
+    def test_speeds_that_no_model_fits_are_reported(self):
         result = road.run('study', 'speeds', 'fit', '--source', DATAROOT, '--folds', 11, '--out', self.folder / 'speeds.jsonl')
         self.assert_refused(result, '{}: no model can be fitted: 11 folds of 10 scenes'.format(DATAROOT), 'study speeds fit')
         self.assertFalse((self.folder / 'speeds.jsonl').exists())

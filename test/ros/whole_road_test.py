@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The whole road, live: a bag is played into the suite (nodelets in one process), and every type of collision is asked
-for in both modes. Answers, topics and injected agents are what forge inject makes of the same bag offline."""
+"""End-to-end live test: a bag is played into the suite (nodelets in one process), and every collision type is requested
+in both modes. Attacks, topics and injected agents equal those of forge inject for the same bag."""
 import subprocess
 import threading
 import zlib
@@ -122,7 +122,7 @@ class JunctionTest(live.WholeRoadTest):
             self.assertIn('tta = 6.0 s, but the recording', answer.message)
             self.assertIn('ends 2.0 s from now', answer.message)
 
-    def test_whoever_attacks_recorded_or_added_is_whom_forge_inject_finds(self):
+    def test_attacker_equals_that_of_forge_inject_recorded_or_added(self):
         added = set()
         for mode in ('history', 'replay'):
             for collision_type in ('lane_change', 'opposite_direction', 'rear_end', 'junction_crossing', 'ltap'):
@@ -139,15 +139,15 @@ class JunctionTest(live.WholeRoadTest):
         self.assertEqual(added, {False, True})
 
     def test_killed_manager(self):
-        """Its nodelets are loaded again, and the next replay is answered as before."""
+        """The nodelets are loaded again and the next replay gives the same results."""
         pid = live.pid_of(live.MANAGER)
         live.kill_node(live.MANAGER)
         self.suite.wait_until_back(live.MANAGER, pid)
         self.player.connect(self.suite, self.heard)
         self.check('rear_end', 'history', 4)
 
-    def test_nodelets_that_go_while_the_replay_runs(self):
-        """None takes the manager with it. They are loaded again, and the next replay is answered as before."""
+    def test_nodelets_that_are_killed_during_the_replay(self):
+        """The manager survives; the nodelets are loaded again and the next replay gives the same results."""
         pid = live.pid_of(live.MANAGER)
         gone = threading.Event()
 
@@ -215,7 +215,7 @@ class DriveOnTest(live.WholeRoadTest):
     SCENES = ['scene-0005']
     ARGUMENTS = {'after_contact': 'drive_on'}
 
-    def test_after_the_contact_the_picture_shows_both_drive_on(self):
+    def test_markers_show_both_vehicles_driving_on_after_the_contact(self):
         answer, _ = self.play_and_ask('rear_end', 'replay', 0)
         report = answer.attack.report
         seconds = (report.contact_time - self.player.start).to_sec() + 0.5

@@ -106,7 +106,7 @@ Status AttackFinder::checkRecording(const Moment& moment, const CollisionRequest
                                             formatted("\" ends %.1f s from now", left)};
 }
 
-/// A contact may come later than asked for, and then after the end of the recording.
+/// Rejects an attack whose contact, later than requested, is after the end of the recording.
 Status AttackFinder::checkContact(const Moment& moment, const CollisionReport& report) const {
   if (!moment.recorded || !report.contact) return {};
   const double left = secondsLeft(moment);
@@ -117,8 +117,8 @@ Status AttackFinder::checkContact(const Moment& moment, const CollisionReport& r
               recording_->scene.name + formatted("\" ends %.1f s from now", left)};
 }
 
-/// Returns the recording's frame that the snapshot is of. Returns nullopt where no recording is
-/// known, or the recording has no such frame with the ego at that place.
+/// Returns the time (s) of the recorded frame that `snapshot` shows, matched by time and ego
+/// position; nullopt if there is no recording or no such frame.
 std::optional<double> AttackFinder::recordedFrame(const Snapshot& snapshot) const {
   constexpr double kFrameTolerance = 1e-3;  // s
   constexpr double kPlaceTolerance = 0.1;   // m; /tf comes at other instants than the frames
@@ -132,7 +132,7 @@ std::optional<double> AttackFinder::recordedFrame(const Snapshot& snapshot) cons
   return apart.norm() <= kPlaceTolerance ? frame : std::nullopt;
 }
 
-/// From now to the end of the recording.
+/// Returns the seconds from t0 to the end of the recording.
 double AttackFinder::secondsLeft(const Moment& moment) const {
   return recording_->scene.ego.states.back().time - moment.snapshot.now;
 }

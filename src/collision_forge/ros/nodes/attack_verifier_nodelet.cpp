@@ -21,10 +21,10 @@
 
 namespace forge {
 
-/// Verifies the newest attack against the ego as it comes (/tf) and publishes tested_report: at the
-/// contact, or at the end of the attacker's trajectory when there was none. One whose attacker
-/// reacts goes on being tested when it comes again. For the attack in the bag on replay, named by
-/// the private parameter `recording`, the report in that bag is published: it has the same numbers.
+/// Verifies the newest attack against the driven ego (/tf) and publishes tested_report at the
+/// contact, or at the end of the attacker's trajectory. An adaptive attack that is published again
+/// continues its test. If the bag on replay (private parameter `recording`) contains the attack,
+/// its stored report is published, which has the same values.
 class AttackVerifierNodelet : public QueuedNodelet {
  private:
   static constexpr double kAhead = 1.0;  // s; agents of a new replay may come before its poses
@@ -77,14 +77,14 @@ class AttackVerifierNodelet : public QueuedNodelet {
     }
   }
 
-  /// It is what became of the attack that there is.
+  /// Returns true if `message` is an update of the current adaptive attack.
   bool isNextOf(const collision_forge::Attack& message) const {
     return attack_ && attack_->adaptive && message.adaptive && message.plans > 1 &&
            attack_->header.stamp == message.header.stamp &&
            attack_->trajectory.attacker_id == message.trajectory.attacker_id;
   }
 
-  /// Of the attack. Throws MessageError and InputError.
+  /// Returns the attacker's trajectory. Throws MessageError and InputError.
   AttackerTrajectory trajectory() const {
     AttackerTrajectory trajectory = fromMessage(attack_->trajectory);
     checkTrajectory(trajectory, config_.input_limits, names::kAttack);
@@ -95,13 +95,13 @@ class AttackVerifierNodelet : public QueuedNodelet {
     try {
       test_->changeTrajectory(trajectory());
     } catch (const std::exception& error) {
-      NODELET_ERROR_STREAM("attack left out: " << printable(error.what()));
+      NODELET_ERROR_STREAM("attack ignored: " << printable(error.what()));
       test_.reset();
     }
   }
 
-  /// That the attack is judged by: its own, or, until that comes and for attacks without one, what
-  /// the attack tells and the configuration's crash definition.
+  /// Returns the request that defines success. If no request was received for the attack, derives
+  /// it from the attack and the configured crash definition.
   CollisionRequest request() const {
     if (request_ && request_->header.stamp == attack_->header.stamp) {
       const auto own = fromMessage(request_->request, config_.crash);
@@ -111,14 +111,14 @@ class AttackVerifierNodelet : public QueuedNodelet {
     request.type = fromMessage(attack_->pattern).type;
     request.tta = attack_->pattern.tta;
     request.crash = config_.crash;
-    // Believable attackers come the wrong way only where that is asked for.
+    // A plausible attacker drives the wrong way only if the request demands it.
     if (attack_->report.manoeuvre == toString(Manoeuvre::kWrongWay)) {
       request.manoeuvre = Manoeuvre::kWrongWay;
     }
     return request;
   }
 
-  /// It comes by another connection than its attack, before or after it.
+  /// May arrive before or after its attack: the connections are separate.
   void receiveRequest(const collision_forge::AttackRequest& message) {
     request_ = message;
     if (test_) test_->changeRequest(request());
@@ -131,13 +131,13 @@ class AttackVerifierNodelet : public QueuedNodelet {
       for (const AgentState& ego : egos_) test_->addEgo(ego);
       for (const Frame& frame : frames_) test_->addAgents(frame.agents);
     } catch (const std::exception& error) {
-      NODELET_ERROR_STREAM("attack left out: " << printable(error.what()));
+      NODELET_ERROR_STREAM("attack ignored: " << printable(error.what()));
     }
   }
 
   void addEgo(const AgentState& ego) {
     if (!egos_.empty() && ego.time <= egos_.back().time) {
-      // The replay was restarted. An attack that is still to come is tested again.
+      // The replay restarted. An attack whose t0 is still ahead is tested again.
       egos_.clear();
       dropFramesAfter(ego.time + kAhead);
       test_.reset();
@@ -149,7 +149,7 @@ class AttackVerifierNodelet : public QueuedNodelet {
     try {
       publishOutcome();
     } catch (const std::exception& error) {
-      NODELET_ERROR_STREAM("attack left out: " << printable(error.what()));
+      NODELET_ERROR_STREAM("attack ignored: " << printable(error.what()));
       test_.reset();
     }
   }
@@ -167,11 +167,11 @@ class AttackVerifierNodelet : public QueuedNodelet {
       add(frames_, frame);
       if (test_) test_->addAgents(frame.agents);
     } catch (const std::exception& error) {
-      NODELET_ERROR_STREAM_THROTTLE(1.0, "frame left out: " << printable(error.what()));
+      NODELET_ERROR_STREAM_THROTTLE(1.0, "frame ignored: " << printable(error.what()));
     }
   }
 
-  /// They are of before the replay went back.
+  /// Drops frames after `time`, received before the replay went back.
   void dropFramesAfter(double time) {
     while (!frames_.empty() && frames_.back().time > time) frames_.pop_back();
   }
@@ -198,8 +198,8 @@ class AttackVerifierNodelet : public QueuedNodelet {
   std::unique_ptr<LaneMapSubscriber> map_;
   std::optional<collision_forge::Attack> attack_;
   std::optional<collision_forge::AttackRequest> request_;  // the newest
-  std::deque<AgentState> egos_;  // the newest, as an answer is later than its "now"
-  std::deque<Frame> frames_;     // the same of everybody else
+  std::deque<AgentState> egos_;  // recent ones: an attack arrives after its t0
+  std::deque<Frame> frames_;     // recent ones, of all other agents
   std::optional<EgoTest> test_;
   std::optional<RecordedAttack> recorded_;  // in the bag on replay
   ros::Publisher publisher_;

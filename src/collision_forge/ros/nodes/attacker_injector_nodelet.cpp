@@ -48,7 +48,7 @@ class AttackerInjectorNodelet : public QueuedNodelet {
     try {
       injector_->setAttack(message);
     } catch (const std::exception& error) {
-      NODELET_ERROR_STREAM("attack left out: " << printable(error.what()));
+      NODELET_ERROR_STREAM("attack ignored: " << printable(error.what()));
     }
   }
 
@@ -57,7 +57,7 @@ class AttackerInjectorNodelet : public QueuedNodelet {
       requireMapFrame(message->header, names::kAgents);
       injector_->addFrame(message);
     } catch (const std::exception& error) {
-      NODELET_ERROR_STREAM_THROTTLE(1.0, "frame left out: " << printable(error.what()));
+      NODELET_ERROR_STREAM_THROTTLE(1.0, "frame ignored: " << printable(error.what()));
     }
   }
 

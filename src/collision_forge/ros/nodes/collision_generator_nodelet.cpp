@@ -34,17 +34,17 @@
 
 namespace forge {
 
-/// The front door: answers generate_collision and publishes the attack; lists what is possible,
-/// and answers for many types and times at once. An attacker that sees and reacts is driven here,
-/// too. With the private parameter `keep_attack` an attack is tested again when its replay starts
-/// again; without, a new replay begins without it.
+/// Serves generate_collision and publishes the attack; serves list_collisions and
+/// generate_collisions for many types and times at once. Drives adaptive attackers, too. With the
+/// private parameter `keep_attack` an attack is tested again when its replay restarts; without, a
+/// restart drops it.
 class CollisionGeneratorNodelet : public QueuedNodelet {
  private:
   using Request = collision_forge::GenerateCollision::Request;
   using Response = collision_forge::GenerateCollision::Response;
 
   static constexpr double kWatchInterval = 0.5;      // s of the wall clock
-  static constexpr std::uint32_t kSceneQueue = 100;  // scenes that may wait for an attacker's look
+  static constexpr std::uint32_t kSceneQueue = 100;  // scenes queued for an attacker's update step
 
   void start(ros::NodeHandle node) override {
     config_ = loadNodeConfig(getPrivateNodeHandle());
@@ -78,7 +78,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     services_.emplace_back(node, names::kReset, &CollisionGeneratorNodelet::reset, this);
   }
 
-  /// With its path; where there is none any more, the ego's path goes, too.
+  /// Publishes the attack and its path; for an empty attack clears both paths.
   void publish(const collision_forge::Attack& attack) {
     attacks_.publish(attack);
     if (isNone(attack)) {
@@ -103,7 +103,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
 
   void receive(const collision_forge::EncodedScene::ConstPtr& message) {
     const double clock = ros::Time::now().toSec();
-    // A scene may be faster than the /clock of its time, which comes over another connection.
+    // A scene may arrive before the /clock message of the same time: separate connections.
     scenes_->add(boost::make_shared<collision_forge::SceneSnapshot>(message->snapshot),
                  std::max(clock, message->header.stamp.toSec()));
     attempt([&] { live_->see(newestFrame(fromMessage(message->snapshot)), clock); });
@@ -114,11 +114,12 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     try {
       look();
     } catch (const std::exception& error) {
-      NODELET_ERROR_STREAM_THROTTLE(1.0, "the attacker cannot look: " << printable(error.what()));
+      NODELET_ERROR_STREAM_THROTTLE(
+          1.0, "update step of the attacker failed: " << printable(error.what()));
     }
   }
 
-  /// The moment of the newest scene, or of that of a stamp.
+  /// Returns the moment of the newest scene, or of the scene at a stamp.
   std::variant<Moment, Status> momentAt(const ros::Time& stamp) const {
     const auto scene =
         stamp.isZero() ? scenes_->newest(ros::Time::now().toSec()) : scenes_->at(stamp);
@@ -126,9 +127,9 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     return finder_->momentOf(*std::get<SceneMemory::Scene>(scene));
   }
 
-  /// What is shown is the answer to the last request: one that the scene does not allow shows
-  /// nothing. A request that is wrong in itself changes nothing, nor does any where the bag on
-  /// replay has an attack.
+  /// Serves generate_collision. The published attack is the result of the last request: none if the
+  /// scene does not allow it. An invalid request, or a bag that already contains an attack, changes
+  /// nothing.
   bool generate(Request& message, Response& response) {
     const std::lock_guard<std::mutex> lock(shown_);
     answerWith(response, [&] { return generateOne(message, response); });
@@ -146,8 +147,9 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     CollisionRequest request = std::get<CollisionRequest>(parsed);
     if (message.alternative == 1) request.alternatives = 1;
     if (message.adaptive && request.mode == Mode::kReplay) {
-      return {StatusCode::kInvalidInput,
-              "adaptive = true is not for mode = replay, which knows what comes"};
+      return {
+          StatusCode::kInvalidInput,
+          "adaptive = true cannot be combined with mode = replay, which uses the recorded future"};
     }
     const auto found = momentAt(message.stamp);
     if (const Status* none = std::get_if<Status>(&found)) return *none;
@@ -187,8 +189,8 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     has_patterns_ = !message.patterns.empty();
   }
 
-  /// What the ego is to drive while the attack lasts: as the default method expects, else as
-  /// recorded, where that is known.
+  /// Publishes the expected path of the ego during the attack: predicted by the default method,
+  /// else as recorded if available, else empty.
   void showEgoPath(const Moment& moment, const Track* expected,
                    const AttackerTrajectory& attacker) {
     if (!expected && moment.recorded) expected = &moment.recorded->ego;
@@ -221,8 +223,8 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     return answerWith(response, [&]() -> Status {
       if (modeFromString(message.request.mode) == Mode::kAdaptive) {
         return {StatusCode::kInvalidInput,
-                "mode = adaptive is not for generate_collisions: one attacker sees and reacts, "
-                "that of generate_collision"};
+                "mode = adaptive is not supported by generate_collisions: call "
+                "generate_collision"};
       }
       return askForEach(message, response, response.answers);
     });
@@ -238,7 +240,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     });
   }
 
-  /// For each type and time of the message.
+  /// Runs one request per type and time of the message.
   template <typename Asked, typename Response>
   Status askForEach(const Asked& message, Response& response,
                     std::vector<collision_forge::CollisionAnswer>& answers) const {
@@ -257,7 +259,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     return {};
   }
 
-  /// After the answer to a request that is being searched for.
+  /// Serves reset: waits for a running request, then drops the attack.
   bool reset(std_srvs::Trigger::Request& /*message*/, std_srvs::Trigger::Response& response) {
     const std::lock_guard<std::mutex> lock(shown_);
     response.success = static_cast<std::uint8_t>(true);
@@ -265,7 +267,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     return true;
   }
 
-  /// True when there was an attack of its own.
+  /// Returns true if this node had published an attack.
   bool forget() {
     if (has_patterns_) showPatterns({}, 0.0);
     return live_->forget();
@@ -273,8 +275,8 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
 
   Config config_;
   std::string configuration_;  // its fingerprint
-  std::mutex shown_;           // of what is shown: one request or reset after the other
-  bool has_patterns_ = false;  // published, and not forgotten since
+  std::mutex shown_;           // serialises requests and resets
+  bool has_patterns_ = false;  // patterns are published and not cleared
   std::unique_ptr<AttackFinder> finder_;
   std::unique_ptr<SceneMemory> scenes_;
   ros::Publisher patterns_;

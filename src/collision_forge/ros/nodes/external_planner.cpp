@@ -9,8 +9,8 @@
 namespace forge {
 namespace {
 
-constexpr std::uint32_t kQueue = 100;  // answers; one a tick is expected
-constexpr double kPoll = 0.02;         // s between two looks whether anybody is there
+constexpr std::uint32_t kQueue = 100;  // messages; one per tick is expected
+constexpr double kPoll = 0.02;         // s between two checks of the connection
 constexpr double kRepeat = 0.2;        // s between two publications of a test's first state
 
 std::string seconds(double value) { return numberText(value) + " s"; }
@@ -54,7 +54,7 @@ void ExternalPlanner::initialize(const DrivingTask& task) {
   const Deadline deadline(options_.timeout);
   while (!isConnected()) {
     if (deadline.isPast()) {
-      throw PlannerTimeout("no node hears " + publisher_.getTopic() + " and publishes " +
+      throw PlannerTimeout("no node subscribes to " + publisher_.getTopic() + " and publishes " +
                            subscriber_.getTopic());
     }
     ros::WallDuration(kPoll).sleep();
@@ -89,11 +89,10 @@ std::vector<TrajectoryPoint> ExternalPlanner::plan(const Observation& observatio
   awaitAnswer(state);
   const auto answer = answers_.front();
   answers_.pop_front();
-  if (current_ == first_) answers_.clear();  // to the repetitions
+  if (current_ == first_) answers_.clear();  // replies to repeated states
   if (answer->header.stamp != state.header.stamp) {
-    throw LatePlan("the answer is to the tick " +
-                   seconds((answer->header.stamp - state.header.stamp).toSec()) +
-                   " from the one asked for");
+    throw LatePlan("the stamp of planned_trajectory differs from that of planning_state by " +
+                   seconds((answer->header.stamp - state.header.stamp).toSec()));
   }
   std::vector<TrajectoryPoint> plan = fromMessage(*answer);
   checkPlan(plan, limits_, names::kPlannedTrajectory);

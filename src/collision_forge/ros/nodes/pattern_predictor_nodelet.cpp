@@ -12,7 +12,7 @@
 
 namespace forge {
 
-/// Answers predict_pattern.
+/// Serves predict_pattern with the built-in predictor.
 class PatternPredictorNodelet : public QueuedNodelet {
  private:
   void start(ros::NodeHandle node) override {

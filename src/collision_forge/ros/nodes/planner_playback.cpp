@@ -11,7 +11,7 @@ namespace forge {
 namespace {
 
 constexpr double kPictureRate = 20.0;  // Hz, of the wall clock
-constexpr double kEndShown = 3.0;      // s that the end of the rollout stands still
+constexpr double kEndShown = 3.0;      // s for which the last frame is held
 constexpr double kStill = 0.5;         // s without a new time on /clock: the replay is paused
 
 std_msgs::Header mapHeader() {
@@ -69,7 +69,8 @@ void PlannerPlayback::repeat(const ros::WallTimerEvent& /*event*/) {
   ways_.repeat();
 }
 
-/// By a replay that goes on.
+/// Returns true if the replay is running and has resumed from a pause, or the animation, `duration`
+/// s long, has ended.
 bool PlannerPlayback::isReplaceable(double since, double duration) {
   const ros::Time clock = ros::Time::now();
   const ros::WallTime now = ros::WallTime::now();

@@ -39,7 +39,8 @@ using Response = collision_forge::TestPlanner::Response;
   throw TestRefusal(code, message);
 }
 
-/// A node's working folder is not that of who starts it.
+/// Throws unless `path` is absolute or empty: the working directory of a node differs from the
+/// user's shell.
 void requireAbsolute(const std::string& parameter, const std::string& path) {
   if (path.empty() || std::filesystem::path(path).is_absolute()) return;
   throw std::invalid_argument("parameter " + parameter + " = \"" + path + "\" is no absolute path");
@@ -66,8 +67,8 @@ PolicyKind policyOf(const std::string& name) {
 
 }  // namespace
 
-/// Answers test_planner: drives a planner in closed loop through a generated crash, and shows how
-/// it went. Private parameters: `source`, `version` and `scenarios` for lines of scenario files,
+/// Serves test_planner: drives a planner in closed loop through a generated crash and shows the
+/// rollout. Private parameters: `source`, `version` and `scenarios` for lines of scenario files,
 /// `recording` (a bag) for trajectories, `config_dir`.
 class PlannerTesterNodelet : public QueuedNodelet {
  private:
@@ -112,7 +113,7 @@ class PlannerTesterNodelet : public QueuedNodelet {
 
   void receiveAttack(const collision_forge::AttackConstPtr& message) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    // What an attacker made of its plan later, it did not know when it set out.
+    // A test starts from the first plan: later updates use observations made during the attack.
     const bool goes_on = attack_ && message->adaptive && message->plans > 1 &&
                          message->header.stamp == attack_->header.stamp &&
                          message->trajectory.attacker_id == attack_->trajectory.attacker_id;
@@ -162,7 +163,8 @@ class PlannerTesterNodelet : public QueuedNodelet {
     playback_->play(trial, scenario, request.planner);
   }
 
-  /// Without a planner of its own for the external one, which is there all the time.
+  /// Creates the planner `name`; for the external one, returns the options alone, since that object
+  /// is shared by all tests.
   PlannerUnderTest makeByName(const std::string& name, const PlannerOptions& options,
                               const std::string& attacker_id) {
     if (name == kExternalPlanner) {
@@ -205,13 +207,13 @@ class PlannerTesterNodelet : public QueuedNodelet {
     return one;
   }
 
-  /// With request and pattern where the trajectory is that of the newest attack.
+  /// Includes request and pattern if the trajectory belongs to the newest attack.
   PlannerCase caseOfTrajectory(const Request& request, PolicyKind policy) {
     const collision_forge::AttackConstPtr newest = newestAttack();
     const bool is_given = !request.trajectory.points.empty();
     if (is_given && policy == PolicyKind::kAdaptive) {
       refuse(Response::INVALID_INPUT,
-             "attacker_policy = adaptive: of a trajectory alone nobody knows when it is to hit; "
+             "attacker_policy = adaptive: a trajectory alone has no planned contact time; "
              "give a scenario, or leave the trajectory out to test the newest attack");
     }
     if (!is_given && (!newest || newest->trajectory.points.empty())) {
@@ -250,7 +252,7 @@ class PlannerTesterNodelet : public QueuedNodelet {
     return attack_;
   }
 
-  /// The map around the test, and a frame at the ego for RViz to look at.
+  /// Publishes the map around the test, and a frame at the ego as the target of RViz.
   void showPlace(const CrashScenario& scenario) {
     const Pose2& ego = scenario.snapshot.ego.states.back().pose;
     std::vector<Vector2> around;

@@ -20,11 +20,10 @@
 
 namespace forge {
 
-/// agents + lane_map + tf -> encoded_scene, once a frame of agents.
+/// Publishes encoded_scene from agents, lane_map and /tf, once per frame of agents.
 class SceneEncoderNodelet : public QueuedNodelet {
  private:
-  static constexpr int kPublished =
-      100;  // scenes that a slow subscriber may lag behind; each is large
+  static constexpr int kPublished = 100;  // scenes queued for a slow subscriber; each is large
 
   void start(ros::NodeHandle node) override {
     config_ = loadNodeConfig(getPrivateNodeHandle());
@@ -61,7 +60,7 @@ class SceneEncoderNodelet : public QueuedNodelet {
     encode();
   }
 
-  /// Frames wait for their transforms and for the map: each comes over a connection of its own.
+  /// Processes the frames whose transform and map have arrived (separate connections).
   void encode() {
     const auto lanes = map_->lanes();
     if (!lanes) return;
@@ -109,7 +108,7 @@ class SceneEncoderNodelet : public QueuedNodelet {
     const Snapshot snapshot = history_->snapshot();
     const SceneEncoding encoding =
         encodeScene(snapshot, lanes, config_.attack.prediction.history_frames, config_.encoding);
-    // As a pointer: nodelets of one process share what it points to.
+    // Published as a pointer: nodelets of one process share the message.
     publisher_.publish(
         boost::make_shared<const collision_forge::EncodedScene>(toMessage(snapshot, encoding)));
   }

@@ -52,7 +52,7 @@ std::variant<SceneMemory::Scene, Status> SceneMemory::at(const ros::Time& asked)
   if (!has_come) {
     return Status{
         StatusCode::kStaleScene,
-        formatted("no scene of stamp %.3f or later has come within %g s; the newest has stamp "
+        formatted("no scene with stamp %.3f or later arrived within %g s; the newest has stamp "
                   "%.3f",
                   stamp.toSec(), options_.wait_for, scenes_.back()->header.stamp.toSec())};
   }
@@ -60,8 +60,8 @@ std::variant<SceneMemory::Scene, Status> SceneMemory::at(const ros::Time& asked)
                                   [&](const Scene& scene) { return scene->header.stamp > stamp; });
   if (after != scenes_.begin()) return *std::prev(after);
   return Status{StatusCode::kNoScene,
-                formatted("stamp %.3f is from before the oldest scene that is "
-                          "kept, of stamp %.3f",
+                formatted("stamp %.3f is earlier than the oldest stored scene, "
+                          "stamp %.3f",
                           stamp.toSec(), scenes_.front()->header.stamp.toSec())};
 }
 

@@ -26,10 +26,9 @@
 
 namespace forge {
 
-/// Shows map, scene and attack in RViz. All but the map is a function of the time, the newest
-/// scene, the poses of the ego and the attack: it is right again after any jump of the clock. The
-/// contact is found here (ContactWatch), because tested_report comes later: it waits for the next
-/// agents.
+/// Publishes markers of map, scene and attack for RViz. Markers depend only on time, newest scene,
+/// ego poses and attack, so a jump of the clock needs no reset. The contact is detected here
+/// (ContactWatch), because tested_report is published only after the next agents.
 class SceneVisualizerNodelet : public QueuedNodelet {
  private:
   static constexpr double kPictureRate = 20.0;  // Hz, of the wall clock
@@ -66,14 +65,14 @@ class SceneVisualizerNodelet : public QueuedNodelet {
                              [this](const ros::WallTimerEvent& /*event*/) { repeat(); });
   }
 
-  /// For an RViz that has dropped its markers.
+  /// Publishes all markers again, for an RViz that was reset.
   void repeat() const {
     for (const auto* markers : {&map_markers_, &pattern_markers_, &attack_markers_}) {
       markers->repeat();
     }
   }
 
-  /// False, and logged, where `check` throws.
+  /// Returns false and logs the exception if `check` throws.
   template <typename Check>
   bool isUsable(const char* topic, const Check& check) {
     try {
@@ -118,8 +117,7 @@ class SceneVisualizerNodelet : public QueuedNodelet {
     if (!is_planner_test_shown_) pattern_markers_.publish(patterns);
   }
 
-  /// The rollout of a planner's test takes the place of scene and attack: its ego, attacker and
-  /// agents are the same vehicles at other places.
+  /// Hides scene and attack while a planner rollout is shown: it draws the same vehicles elsewhere.
   void onPlannerTest(const std_msgs::BoolConstPtr& message) {
     const bool is_shown = message->data != 0;
     if (is_planner_test_shown_ == is_shown) return;
@@ -159,7 +157,7 @@ class SceneVisualizerNodelet : public QueuedNodelet {
     shown_ = Shown::kOutdated;
   }
 
-  /// The clock's time; the newest scene's where that comes first, or where there is no clock.
+  /// Returns the ROS time; the time of the newest scene if that is ahead or there is no clock.
   ros::Time pictureTime() const {
     const ros::Time clock = ros::Time::now();
     const ros::Time& newest = scene_->header.stamp;
@@ -185,7 +183,7 @@ class SceneVisualizerNodelet : public QueuedNodelet {
     if (const auto area = shownArea(live)) areas_.publish(toMessage(*area, live.scene->header));
   }
 
-  /// The words of an attack take a place when the attack comes, and another one at its contact.
+  /// Labels are positioned once when the attack arrives, and again at its contact.
   void placeWords(LiveScene& live) {
     if (!live.attack) return;
     const WordsOf words_of{live.attack->header.stamp, live.attack->trajectory.attacker_id,
@@ -195,9 +193,9 @@ class SceneVisualizerNodelet : public QueuedNodelet {
     live.words_obstacles = words_obstacles_;
   }
 
-  /// Empty before the contact, and where both drive on after it. A contact that only the verdict
-  /// knows, as that of a replay that was joined later, is shown where the boxes touched: nobody
-  /// knows the speed of the ego.
+  /// Returns the motion after the contact; nullopt before it, or if both continue driving. If the
+  /// contact is only known from the report (node started later), both stand where the boxes
+  /// touched, because the speed of the ego is unknown.
   std::optional<PostCrashMotion> crashBy(const LiveScene& live,
                                          const std::optional<AgentState>& ego) const {
     if (after_contact_ == AfterContact::kDriveOn) return std::nullopt;
@@ -216,7 +214,7 @@ class SceneVisualizerNodelet : public QueuedNodelet {
     return PostCrashMotion(standing_ego, attacker, drivable_);
   }
 
-  /// Where something changed.
+  /// Publishes only if something changed.
   void showPlan(const LiveScene& live) {
     const Shown due = !live.attack ? Shown::kNothing : !live.verdict ? Shown::kPlan : Shown::kPast;
     if (due == shown_) return;
@@ -227,12 +225,12 @@ class SceneVisualizerNodelet : public QueuedNodelet {
                                 : pastAttackMarkers(*live.attack, *live.verdict));
   }
 
-  /// A scene from before they were predicted means that the recording started anew.
+  /// Clears the patterns if the scene is older than they are: the replay restarted.
   void clearFuturePatterns(const collision_forge::EncodedScene& scene) {
     if (scene.header.stamp < patterns_start_) showPatterns(noMarkers(scene.header), ros::Time());
   }
 
-  using WordsOf = std::tuple<ros::Time, std::string, bool>;  // attack, attacker, after the contact
+  using WordsOf = std::tuple<ros::Time, std::string, bool>;  // t0, attacker, after the contact
   enum class Shown { kNothing, kPlan, kPast, kOutdated };
 
   InputLimits limits_;

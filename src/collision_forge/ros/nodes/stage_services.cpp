@@ -29,8 +29,8 @@ collision_forge::RealizeTrajectory::Request messageOf(const RealizationTask& tas
   return message;
 }
 
-/// The futures of the ego, the one first in which the ego is nearest to where the answer says that
-/// it is at the contact.
+/// Returns the predicted ego futures; first the one in which the ego is closest to the contact
+/// position of the response.
 std::vector<const Track*> nearestFirst(std::vector<const Track*> egos,
                                        const collision_forge::CollisionReport& claimed) {
   if (!claimed.contact) return egos;
@@ -82,7 +82,7 @@ Attack TrajectoryRealizerService::realize(const RealizationTask& task) const {
   attack.effort = answer.effort;
   if (!(attack.effort >= 0.0 && std::isfinite(attack.effort))) {
     throw MessageError("effort of realize_trajectory = " + numberText(attack.effort) +
-                       " is no number from 0 on");
+                       " is not a finite number >= 0");
   }
   const auto& agents = task.input.snapshot.agents;
   const auto attacker = std::find_if(agents.begin(), agents.end(), [&](const Track& agent) {
@@ -90,7 +90,7 @@ Attack TrajectoryRealizerService::realize(const RealizationTask& task) const {
   });
   if (attacker == agents.end()) {
     throw MessageError("attacker_id of realize_trajectory = \"" + attack.trajectory.attacker_id +
-                       "\" is nobody in the scene");
+                       "\" is not in the scene");
   }
   attack.trajectory = {attacker->id, attacker->agent_class, attacker->size,
                        std::move(attack.trajectory.points)};

@@ -9,7 +9,7 @@
 
 namespace forge {
 
-/// Answers realize_trajectory.
+/// Serves realize_trajectory with the built-in realizer.
 class TrajectoryRealizerNodelet : public QueuedNodelet {
  private:
   void start(ros::NodeHandle node) override {

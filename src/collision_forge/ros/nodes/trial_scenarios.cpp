@@ -26,8 +26,7 @@ std::string whereOf(const std::string& path, std::size_t line) {
   return path + ": line " + std::to_string(line);
 }
 
-/// Hands over the scenarios that can be read, and the numbers of their lines, until `take` returns
-/// false.
+/// Calls `take` with each readable scenario and its line number, until `take` returns false.
 void readScenarios(const std::string& path, const InputLimits& limits,
                    const std::function<bool(const Scenario& scenario, std::size_t line)>& take) {
   std::ifstream file(path, std::ios::binary);
@@ -38,7 +37,7 @@ void readScenarios(const std::string& path, const InputLimits& limits,
       readInputLine(file, line, where, limits);
       if (!take(readScenarioLine(where, line, limits), number)) return;
     } catch (const JsonLineError&) {
-      continue;  // told when it is asked for
+      continue;  // reported when requested
     } catch (const InputError&) {
       continue;
     }
@@ -54,7 +53,7 @@ std::set<std::string> scenesIn(const std::string& path, const InputLimits& limit
   return scenes;
 }
 
-/// The frame of the recording at that time; a bag's clock may differ by its resolution.
+/// Returns the recorded frame at `time`; tolerates the resolution of a bag's clock.
 double frameAt(const Scene& scene, double time) {
   constexpr double kFrameTolerance = 1e-3;  // s
   const auto frame = lastFrameTime(scene, time + kFrameTolerance);

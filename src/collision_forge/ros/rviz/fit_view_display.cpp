@@ -16,7 +16,7 @@ namespace {
 
 constexpr char kTopDown[] = "rviz/TopDownOrtho";
 
-// The properties of that view.
+// Names of its properties.
 constexpr char kTargetFrame[] = "Target Frame";
 constexpr char kX[] = "X";
 constexpr char kY[] = "Y";

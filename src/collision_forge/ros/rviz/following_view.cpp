@@ -7,8 +7,8 @@ namespace forge {
 
 namespace {
 
-constexpr double kSettling = 0.35;     // s in which two thirds of the way to the goal are made
-constexpr double kLongestPan = 150.0;  // m; the view jumps to what is farther
+constexpr double kSettling = 0.35;     // s, time constant of the motion to the goal
+constexpr double kLongestPan = 150.0;  // m; the view jumps to a goal farther away
 constexpr double kSamePlace = 0.01;    // m; the properties of RViz are floats
 constexpr double kSameScale = 1e-3;    // relative
 
@@ -41,7 +41,7 @@ TopView FollowingView::next(const TopView& shown, const TopView& goal, double du
   return *set_;
 }
 
-/// What is not as it was set, the user changed.
+/// Adds the difference between `shown` and the last result to the user's offset and zoom.
 void FollowingView::takeOver(const TopView& shown) {
   if (std::hypot(shown.x - set_->x, shown.y - set_->y) > kSamePlace) {
     user_.x += shown.x - set_->x;

@@ -24,15 +24,15 @@ class FollowingView {
   /// Returns the view `duration` seconds after the last call. `shown` is the view in the picture,
   /// `goal` the view of the area. The first call returns `goal`.
   TopView next(const TopView& shown, const TopView& goal, double duration);
-  /// Forgets the user's zoom and offset.
+  /// Drops the user's zoom and offset; the next call returns its goal.
   void reset() { set_.reset(); }
 
  private:
   void takeOver(const TopView& shown);
 
-  std::optional<TopView> set_;  ///< what the last call returned
+  std::optional<TopView> set_;  ///< result of the last call
   TopView fitted_;              ///< the same without the user's zoom and offset
-  TopView user_;                ///< offset and zoom
+  TopView user_;                ///< offset (m) and zoom factor of the user
 };
 
 }  // namespace forge

@@ -38,7 +38,7 @@ constexpr int kCrashLines = 3;
 constexpr int kSpacing = 4;  // pixels
 constexpr int kTableLines = 6;
 constexpr int kStatusLines = 2;
-constexpr int kTextLines = 16;             // of all three
+constexpr int kTextLines = 16;             // of the three texts together
 constexpr char kPlannerKey[] = "Planner";  // in the .rviz file
 
 QLabel* label(const char* name, int lines) {
@@ -57,7 +57,7 @@ QPushButton* button(const char* name, const char* text) {
   return button;
 }
 
-/// Why there is no answer; empty for one with code OK.
+/// Returns the failure as rich text; empty for a response with code OK.
 template <typename Answer>
 QString problemOf(const Answer& answer, const char* service) {
   if (!answer) return QString("<b>No answer</b> from ") + ros::names::resolve(service).c_str();
@@ -69,7 +69,7 @@ QString firstLine(const std::string& text) {
   return QString::fromStdString(text.substr(0, text.find('\n'))).toHtmlEscaped();
 }
 
-/// The answer and its alternatives, as if they had been asked for one by one.
+/// Returns the attack and its alternatives as table rows.
 std::vector<collision_forge::PossibleCollision> attacksIn(
     const GenerateCollision::Response& response, double tta) {
   collision_forge::CollisionAnswer answer;
@@ -118,14 +118,15 @@ void GeneratePanel::createWidgets() {
   planner_->setObjectName("planner");
   for (const std::string& name : testablePlanners()) planner_->addItem(name.c_str());
   test_ = button("test_planner", "Test planner");
-  test_->setToolTip("Pauses the player and drives the planner through the newest attack");
+  test_->setToolTip(
+      "Pauses the player and tests the planner in closed loop against the newest attack");
   test_->setEnabled(false);
   table_ = new PossibleTable;
   table_->setObjectName("possible");
   table_->setToolTip("Select a row to request it");
   table_->setMinimumHeight(kTableLines * table_->fontMetrics().lineSpacing());
   status_ = label("status", kStatusLines);
-  say("Choose what to ask for, then Generate.");
+  say("Set the request, then press Generate.");
   crash_ = label("crash", kCrashLines);
   QFont large = crash_->font();
   large.setPointSizeF(1.2 * large.pointSizeF());
@@ -154,7 +155,7 @@ void GeneratePanel::createLayout() {
   column->addWidget(createTexts(), 1);
 }
 
-/// What is said, which may be long, scrolls, so that all else stays in its place.
+/// The texts scroll, so that a long one does not move the other widgets.
 QWidget* GeneratePanel::createTexts() {
   auto* texts = new QWidget;
   auto* column = new QVBoxLayout(texts);
@@ -226,7 +227,7 @@ void GeneratePanel::showAnswer(const ServiceCall<GenerateCollision>::Answer& ans
   say(problem.isEmpty() ? "An attack was found." : problem);
   if (!problem.isEmpty() || answer->alternatives.empty()) return;
   const auto attacks = attacksIn(*answer, asked_.tta);
-  say(QString("%1 attacks, the first is driven.").arg(attacks.size()));
+  say(QString("%1 attacks; the first is injected.").arg(attacks.size()));
   setTable(attacks, asked_, answer->attack.header.stamp);
 }
 
@@ -239,12 +240,12 @@ void GeneratePanel::list() {
   askWhatIsPossible(each, {});
 }
 
-/// Of all types.
+/// Calls list_collisions for all types.
 void GeneratePanel::askWhatIsPossible(GenerateCollision::Request each,
                                       const std::vector<double>& ttas) {
   player_->pause();
   for (QPushButton* button : {list_, generate_}) button->setEnabled(false);
-  say("Looking for what is possible ...");
+  say("Listing possible collisions ...");
   each.collision_type.clear();
   each.tta = 0.0;
   each.alternatives = 1;
@@ -265,11 +266,11 @@ void GeneratePanel::showPossible(const ServiceCall<ListCollisions>::Answer& answ
   if (answer->collisions.empty()) {
     return say(firstLine(answer->message), QString::fromStdString(answer->message));
   }
-  say("Possible now; choose one, then Generate.");
+  say("Select a collision, then press Generate.");
   if (is_surest_wanted_) askForSurest();
 }
 
-/// Of the table.
+/// Requests the table row with the highest confidence.
 void GeneratePanel::askForSurest() {
   const auto& collisions = table_->collisions();
   const auto surest =
@@ -278,7 +279,7 @@ void GeneratePanel::askForSurest() {
   table_->mark(static_cast<int>(std::distance(collisions.begin(), surest)));
   GenerateCollision::Request request = requestOf(*surest);
   request.alternatives = form_->request().alternatives;
-  request.alternative = 0;  // with all others beside it
+  request.alternative = 0;  // returned together with its alternatives
   ask(request);
 }
 

@@ -17,9 +17,9 @@ namespace forge {
 namespace {
 
 constexpr int kMargin = 8;               // pixels
-constexpr float kRecordedAlpha = 0.35F;  // of who drives on as recorded beside the attack
+constexpr float kRecordedAlpha = 0.35F;  // of vehicles as recorded, beside the attack
 
-/// As it looks on the white of the picture.
+/// CSS colour, blended with the white background.
 QString cssColor(const colors::MarkerColor& color) {
   const auto on_white = [&color](float value) { return 1.0 - color.alpha * (1.0 - value); };
   return QColor::fromRgbF(on_white(color.red), on_white(color.green), on_white(color.blue)).name();
@@ -48,7 +48,7 @@ QString legendText() {
 
 LegendDisplay::~LegendDisplay() { delete legend_; }
 
-/// A window of its own inside that of the picture, which OpenGL paints past Qt.
+/// A native child window: OpenGL draws the 3D view without Qt.
 void LegendDisplay::onInitialize() {
   legend_ = new QLabel(legendText(), context_->getViewManager()->getRenderPanel());
   legend_->setAttribute(Qt::WA_NativeWindow);

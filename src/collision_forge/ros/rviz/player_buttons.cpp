@@ -16,11 +16,11 @@ namespace forge {
 
 namespace {
 
-constexpr int kLookPeriod = 500;     // ms, for players that come and go
+constexpr int kLookPeriod = 500;     // ms between two checks for a player
 constexpr double kSliderStep = 0.1;  // s
 constexpr char kLongestClock[] = "000.0 s of 000.0 s";
 
-/// A click moves the slider to its place, not by a page.
+/// A click moves the slider to the clicked position, not by a page.
 class SliderStyle : public QProxyStyle {
  public:
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
@@ -30,7 +30,7 @@ class SliderStyle : public QProxyStyle {
   }
 };
 
-/// Why the player did not do it; empty where it did.
+/// Returns the reason of a failed command; empty on success.
 template <typename Answer>
 QString problemOf(const Answer& answer) {
   if (!answer) return "The player does not answer.";
@@ -53,7 +53,7 @@ PlayerButtons::PlayerButtons(QWidget* parent)
   connect(back_, &QPushButton::clicked, this, [this] { trigger(names::kPlayerBackToNow); });
   connect(slider_, &QSlider::sliderReleased, this, &PlayerButtons::seek);
   connect(slider_, &QSlider::actionTriggered, this, [this] {
-    if (!slider_->isSliderDown()) seek();  // by a key or the wheel
+    if (!slider_->isSliderDown()) seek();  // moved by a key or the wheel
   });
   subscribers_ = {node_.subscribe(names::kPlayerPosition, 1, &PlayerButtons::showPosition, this),
                   node_.subscribe(names::kPlayerLength, 1, &PlayerButtons::showLength, this)};
@@ -69,7 +69,7 @@ void PlayerButtons::createLayout() {
   pause_->setObjectName("pause");
   step_ = new QPushButton("Step");
   step_->setObjectName("step");
-  step_->setToolTip("To the next frame of agents");
+  step_->setToolTip("Plays up to the next frame of agents");
   back_ = new QPushButton("Back to now");
   back_->setObjectName("back_to_now");
   back_->setToolTip("To t0 of the newest attack");

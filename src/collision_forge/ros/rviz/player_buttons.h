@@ -56,7 +56,7 @@ class PlayerButtons : public QWidget {
   QLabel* clock_ = nullptr;
   QLabel* said_ = nullptr;
   bool is_paused_ = false;
-  double position_ = 0.0;  ///< s
+  double position_ = 0.0;  ///< s from the start of the bag
 
   ros::NodeHandle node_;
   ros::Subscriber paused_subscriber_;

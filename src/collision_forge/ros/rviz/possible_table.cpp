@@ -9,7 +9,7 @@ namespace forge {
 
 namespace {
 
-constexpr int kLetters = 58;  // of a row
+constexpr int kLetters = 58;  // characters per row
 
 }  // namespace
 

@@ -28,7 +28,7 @@ class PossibleTable : public QTableWidget {
   void choose();
   void addRow(int row, const collision_forge::PossibleCollision& collision);
 
-  std::vector<collision_forge::PossibleCollision> collisions_;  ///< by row
+  std::vector<collision_forge::PossibleCollision> collisions_;  ///< index: row
 };
 
 }  // namespace forge

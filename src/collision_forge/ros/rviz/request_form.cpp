@@ -23,9 +23,9 @@ namespace {
 
 constexpr char kAny[] = "any";
 constexpr char kDefaultMethod[] = "default";
-constexpr int kFieldLetters = 12;      // of a field whose items change
-constexpr int kMostAlternatives = 16;  // as in GenerateCollision.srv
-constexpr double kShortestTta = 0.5;   // s, as there
+constexpr int kFieldLetters = 12;      // width of a field whose items change
+constexpr int kMostAlternatives = 16;  // limit of GenerateCollision.srv
+constexpr double kShortestTta = 0.5;   // s; limits of GenerateCollision.srv
 constexpr double kLongestTta = 9.0;
 
 // Keys in the .rviz file.
@@ -41,13 +41,13 @@ constexpr char kMethodKey[] = "Method";
 constexpr char kAlternativesKey[] = "Alternatives";
 constexpr char kSeedKey[] = "Seed";
 
-/// Empty for the first item, which stands for any.
+/// Returns the selected text; empty for the item `any`.
 std::string chosenIn(const QComboBox& box, const char* any = kAny) {
   const QString text = box.currentText().trimmed();
   return text == any ? std::string() : text.toStdString();
 }
 
-/// What was chosen stays if it is still there, or can be typed.
+/// Replaces the items; keeps the selection if it is still an item, or editable.
 void offer(QComboBox& box, const char* any, const QStringList& items) {
   const QSignalBlocker no_change_of_settings(&box);
   const QString chosen = box.currentText();
@@ -57,7 +57,7 @@ void offer(QComboBox& box, const char* any, const QStringList& items) {
   box.setCurrentText(chosen);
 }
 
-/// Whatever items come.
+/// Keeps the width of the box independent of its items.
 void keepWidth(QComboBox& box) {
   box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box.setMinimumContentsLength(kFieldLetters);
@@ -114,7 +114,7 @@ void RequestForm::createFields() {
   choice_->setToolTip("existing: a recorded vehicle; new: an added vehicle");
   believable_ = new QCheckBox("believable");
   believable_->setChecked(true);
-  adaptive_ = new QCheckBox("sees and reacts");
+  adaptive_ = new QCheckBox("adaptive");
   mode_ = new QComboBox;
   for (const Mode mode : {Mode::kHistory, Mode::kReplay}) mode_->addItem(toString(mode));
   method_ = new QComboBox;
@@ -153,7 +153,7 @@ void RequestForm::connectFields() {
   }
 }
 
-/// Those of the type.
+/// Offers the manoeuvres of the selected type.
 void RequestForm::offerManoeuvres() {
   QStringList names;
   for (const Manoeuvre manoeuvre : kManoeuvres) {
@@ -189,7 +189,7 @@ void RequestForm::choose(const collision_forge::PossibleCollision& collision) {
       toString(collision.added ? AttackerChoice::kNew : AttackerChoice::kExisting));
 }
 
-/// The short form; the whole id where another agent has the same short form.
+/// Returns the short id; the full id if another agent has the same short id.
 QString RequestForm::shownId(const QString& id) {
   const QString shown = QString::fromStdString(shortId(id.toStdString()));
   const QString& known = ids_.contains(shown) ? ids_[shown] : ids_[shown] = id;

@@ -13,7 +13,7 @@
 
 namespace forge {
 
-/// Calls a service outside the thread of the GUI, one call at a time.
+/// Calls a ROS service in a worker thread, one call at a time.
 template <typename Service>
 class ServiceCall {
  public:
