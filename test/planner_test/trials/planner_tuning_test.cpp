@@ -131,7 +131,7 @@ TEST(VariantScores, CountOnlyAvoidableCrashes) {
       result("a", {row("default", End::kAttacker, 2.0), row("1", End::kFree, 8.0)}),
       result("b", {row("default", End::kFree, 6.0), row("1", End::kFree, 10.0)}),
       result("c", {row("default", End::kAttacker, 90.0), row("1", End::kAttacker, 90.0)}, false),
-      rejection};
+      declined};
   const auto scores = scoreVariants(results, named({"default", "1"}));
   ASSERT_EQ(scores.size(), 2u);
   EXPECT_EQ(scores[0].collision.trials, 2);

@@ -21,8 +21,8 @@ struct DrivingStyle {
 };
 
 /// The calmest first: a driver takes the first style that arrives in time. The first three were
-/// chosen so that a classifier can hardly separate attackers from recorded vehicles (docs/results.md);
-/// the last one is for drivers in trouble.
+/// chosen so that a classifier can hardly separate attackers from recorded vehicles
+/// (docs/results.md); the last one is for drivers in trouble.
 inline constexpr std::array<DrivingStyle, 4> kDrivingStyles{{{0.4, 1.0, 2.0, 0.5, 0.0},
                                                              {1.0, 1.0, 2.0, 1.0, 0.06},
                                                              {2.0, 2.5, 2.8, 3.0, 0.14},

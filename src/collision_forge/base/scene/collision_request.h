@@ -10,8 +10,8 @@
 
 namespace forge {
 
-/// Information that a request may use: kHistory the frames up to t0, kReplay the recorded future as well,
-/// kAdaptive as kHistory, and the attacker replans at every later frame.
+/// Information that a request may use: kHistory the frames up to t0, kReplay the recorded future as
+/// well, kAdaptive as kHistory, and the attacker replans at every later frame.
 enum class Mode { kHistory, kReplay, kAdaptive };
 const char* toString(Mode mode);
 std::optional<Mode> modeFromString(const std::string& name);

@@ -292,8 +292,8 @@ std::vector<PlannerTable> plannerTables(const std::vector<PlannerTestResult>& re
 std::string describeCases(const std::vector<PlannerTestResult>& results) {
   std::map<std::string, int> counts;
   for (const PlannerTestResult& result : results) ++counts[result.status];
-  std::string text = counted(results.size(), "case") +
-                     ", tested: " + std::to_string(counts["OK"]) + "\n";
+  std::string text =
+      counted(results.size(), "case") + ", tested: " + std::to_string(counts["OK"]) + "\n";
   for (const auto& [status, count] : counts) {
     if (status != "OK") text += "- not tested, " + status + ": " + std::to_string(count) + "\n";
   }

@@ -226,7 +226,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
                 "mode = adaptive is not supported by generate_collisions: call "
                 "generate_collision"};
       }
-      return askForEach(message, response, response.answers);
+      return generateForEach(message, response, response.answers);
     });
   }
 
@@ -234,7 +234,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
             collision_forge::ListCollisions::Response& response) {
     return answerWith(response, [&]() -> Status {
       std::vector<collision_forge::CollisionAnswer> answers;
-      const Status status = askForEach(message, response, answers);
+      const Status status = generateForEach(message, response, answers);
       if (status.code != StatusCode::kOk) return status;
       return listPossible(answers, response.collisions);
     });
@@ -242,8 +242,8 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
 
   /// Runs one request per type and time of the message.
   template <typename Asked, typename Response>
-  Status askForEach(const Asked& message, Response& response,
-                    std::vector<collision_forge::CollisionAnswer>& answers) const {
+  Status generateForEach(const Asked& message, Response& response,
+                         std::vector<collision_forge::CollisionAnswer>& answers) const {
     const auto requests = requestsForEach(message.request, message.collision_types, message.ttas,
                                           config_.requests.ttas, config_.crash);
     if (const Status* refusal = std::get_if<Status>(&requests)) return *refusal;

@@ -27,7 +27,7 @@ void SceneMemory::add(const Scene& scene, double clock) {
     }
     came_ = clock;
   }
-  came_one_.notify_all();
+  scene_added_.notify_all();
 }
 
 std::variant<SceneMemory::Scene, Status> SceneMemory::newest(double clock) const {
@@ -45,9 +45,9 @@ std::variant<SceneMemory::Scene, Status> SceneMemory::newest(double clock) const
 std::variant<SceneMemory::Scene, Status> SceneMemory::at(const ros::Time& asked) const {
   const ros::Time stamp = stampOf(asked.toSec());
   std::unique_lock<std::mutex> lock(mutex_);
-  const bool has_come =
-      came_one_.wait_for(lock, std::chrono::duration<double>(options_.wait_for),
-                         [&] { return !scenes_.empty() && scenes_.back()->header.stamp >= stamp; });
+  const bool has_come = scene_added_.wait_for(
+      lock, std::chrono::duration<double>(options_.wait_for),
+      [&] { return !scenes_.empty() && scenes_.back()->header.stamp >= stamp; });
   if (scenes_.empty()) return noScene();
   if (!has_come) {
     return Status{

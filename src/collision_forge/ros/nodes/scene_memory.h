@@ -38,7 +38,7 @@ class SceneMemory {
  private:
   LiveOptions options_;
   mutable std::mutex mutex_;  // guards all members below
-  mutable std::condition_variable came_one_;
+  mutable std::condition_variable scene_added_;
   std::deque<Scene> scenes_;  // oldest first
   double came_ = 0.0;         // s, clock at which the newest was received
 };

@@ -87,7 +87,7 @@ PlannerCase TrialScenarios::ofLine(const std::string& line) {
     PlannerCase one = caseOfScenario(scenario, *scene, config_);
     if (one.status.code != StatusCode::kOk) {
       throw TestRefusal(static_cast<std::uint8_t>(one.status.code),
-                        where + ": " + one.status.message + (is_number ? firstAnswered() : ""));
+                        where + ": " + one.status.message + (is_number ? firstWithAttack() : ""));
     }
     return one;
   } catch (const JsonLineError& error) {
@@ -99,7 +99,7 @@ PlannerCase TrialScenarios::ofLine(const std::string& line) {
   }
 }
 
-std::string TrialScenarios::firstAnswered() const {
+std::string TrialScenarios::firstWithAttack() const {
   std::string found = "; no line has an attack";
   readScenarios(sources_.scenarios, config_.input_limits,
                 [&](const Scenario& scenario, std::size_t line) {

@@ -48,7 +48,7 @@ class TrialScenarios {
  private:
   std::string numberedLine(const std::string& number) const;
   /// Returns a hint for error messages: the first line of the file with a testable attack.
-  std::string firstAnswered() const;
+  std::string firstWithAttack() const;
   std::shared_ptr<const IndexedScene> sceneOf(const std::string& name);
 
   TrialSources sources_;

@@ -183,8 +183,8 @@ void GeneratePanel::generate() {
   if (row_) return ask(requestOf(*row_));
   const GenerateCollision::Request request = form_->request();
   if (!request.collision_type.empty()) return ask(request);
-  is_surest_wanted_ = true;
-  askWhatIsPossible(request, {request.tta});
+  requests_most_confident_ = true;
+  listPossibleCollisions(request, {request.tta});
 }
 
 void GeneratePanel::say(const QString& text, const QString& whole) {
@@ -232,17 +232,17 @@ void GeneratePanel::showAnswer(const ServiceCall<GenerateCollision>::Answer& ans
 }
 
 void GeneratePanel::list() {
-  is_surest_wanted_ = false;
+  requests_most_confident_ = false;
   GenerateCollision::Request each = form_->request();
   each.attacker_id.clear();
   each.choice.clear();
   each.manoeuvre.clear();
-  askWhatIsPossible(each, {});
+  listPossibleCollisions(each, {});
 }
 
 /// Calls list_collisions for all types.
-void GeneratePanel::askWhatIsPossible(GenerateCollision::Request each,
-                                      const std::vector<double>& ttas) {
+void GeneratePanel::listPossibleCollisions(GenerateCollision::Request each,
+                                           const std::vector<double>& ttas) {
   player_->pause();
   for (QPushButton* button : {list_, generate_}) button->setEnabled(false);
   say("Listing possible collisions ...");
@@ -267,11 +267,11 @@ void GeneratePanel::showPossible(const ServiceCall<ListCollisions>::Answer& answ
     return say(firstLine(answer->message), QString::fromStdString(answer->message));
   }
   say("Select a collision, then press Generate.");
-  if (is_surest_wanted_) askForSurest();
+  if (requests_most_confident_) requestMostConfident();
 }
 
 /// Requests the table row with the highest confidence.
-void GeneratePanel::askForSurest() {
+void GeneratePanel::requestMostConfident() {
   const auto& collisions = table_->collisions();
   const auto surest =
       std::max_element(collisions.begin(), collisions.end(),

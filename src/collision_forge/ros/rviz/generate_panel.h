@@ -46,9 +46,9 @@ class GeneratePanel : public rviz::Panel {
   void generate();
   void ask(collision_forge::GenerateCollision::Request request);
   void list();
-  void askWhatIsPossible(collision_forge::GenerateCollision::Request each,
-                         const std::vector<double>& ttas);
-  void askForSurest();
+  void listPossibleCollisions(collision_forge::GenerateCollision::Request each,
+                              const std::vector<double>& ttas);
+  void requestMostConfident();
   void testPlanner();
   void choose(const collision_forge::PossibleCollision& collision);
   void setTable(const std::vector<collision_forge::PossibleCollision>& collisions,
@@ -78,7 +78,7 @@ class GeneratePanel : public rviz::Panel {
   /// The request behind the rows of the table, without type, time and number of a row.
   collision_forge::GenerateCollision::Request listed_;
   std::optional<collision_forge::PossibleCollision> row_;  ///< selected row
-  bool is_surest_wanted_ = false;  ///< the running list_collisions should select one
+  bool requests_most_confident_ = false;  ///< the running list_collisions should select one
   collision_forge::GenerateCollision::Request asked_;  ///< newest generate_collision
   collision_forge::GenerateCollision::Request each_;   ///< newest list_collisions
 
