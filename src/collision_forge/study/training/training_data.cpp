@@ -41,8 +41,7 @@ std::vector<double> drawTtas(const Track& ego, double now, double longest, int c
 }
 
 TimedSample timedSample(const EgoPathSet& ways, const LaneIndex& lanes, const Track& ego,
-                        double now, double tta, const LearningOptions& options,
-                        const PatternFeatureOptions& features) {
+                        double now, double tta, const PatternFeatureOptions& features) {
   const Pose2 there = stateAt(ego, now + tta)->pose;
   return {tta, anchorFeatures(ways, lanes, tta, features), relativeTo(ways.ego.state.pose, there)};
 }
