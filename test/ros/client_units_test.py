@@ -168,7 +168,7 @@ class ResultsTest(unittest.TestCase):
             fields_of({'manoeuver': 'drift'})
 
     def test_a_malformed_range_is_named_with_its_value(self):
-        with self.assertRaisesRegex(TypeError, r'impact_speed = 5.0 is no pair \(least, greatest\)'):
+        with self.assertRaisesRegex(TypeError, r'impact_speed = 5.0 is not a pair \(least, greatest\)'):
             fields_of({'impact_speed': 5.0})
 
     def test_a_scene_contains_the_agents_present_at_t0(self):

@@ -367,7 +367,7 @@ class GenerateTest(road.RoadTest):
         begun = b''.join(self.expected.read_bytes().splitlines(keepends=True)[:4])
         road.leave_part(self.out, begun)
         shutil.copy(str(self.expected) + '.options', str(self.out) + '.options')
-        self.assert_refused([self.part, 'mode = history, not mode = replay'], '--mode', 'replay')
+        self.assert_refused([self.part, 'mode = history, not replay'], '--mode', 'replay')
         other = self.path('other.jsonl')
         other.write_text('\n'.join(lines_of(self.requests)[:-1]) + '\n')
         self.assert_refused([self.part, 'requests = '], requests=other)

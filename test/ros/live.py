@@ -31,11 +31,11 @@ CLOCK_LEAD = 0.5  # s from the first /clock to the first message: tf2 drops what
 
 # What every node of the suite publishes, hears and answers.
 NODES = {
-    'scene_encoder': (['/encoded_scene'], ['/agents', '/lane_map', '/tf', '/tf_static'], []),
+    'scene_encoder': (['/encoded_scene'], ['/agents', '/ego_vehicle', '/lane_map', '/tf', '/tf_static'], []),
     'pattern_predictor': ([], ['/lane_map'], ['/predict_pattern']),
     'trajectory_realizer': ([], ['/lane_map'], ['/realize_trajectory']),
     'attack_verifier': (['/tested_report'],
-                        ['/agents', '/attack', '/attack_request', '/lane_map', '/tf', '/tf_static'], []),
+                        ['/agents', '/attack', '/attack_request', '/ego_vehicle', '/lane_map', '/tf', '/tf_static'], []),
     'planner_tester': (['/planner_markers', '/planner_outcome', '/planner_path', '/planner_scene_markers',
                         '/planner_test_shown', '/planning_state', '/shown_area', '/tested_map', '/tf_static'],
                        ['/attack', '/planned_trajectory'], ['/test_planner']),
@@ -43,11 +43,11 @@ NODES = {
                              '/predicted_patterns'],
                             ['/encoded_scene', '/lane_map'],
                             ['/generate_collision', '/generate_collisions', '/list_collisions', '/reset']),
-    'attacker_injector': (['/injected_agents', '/injected_objects'], ['/agents', '/attack', '/tf', '/tf_static'], []),
+    'attacker_injector': (['/injected_agents', '/injected_objects'], ['/agents', '/attack', '/ego_vehicle', '/tf', '/tf_static'], []),
     'scene_visualizer': (['/attack_markers', '/map_markers', '/pattern_markers', '/scene_markers',
                           '/shown_area'],
-                         ['/attack', '/encoded_scene', '/lane_map', '/planner_test_shown', '/predicted_patterns',
-                          '/tested_report', '/tf', '/tf_static'], []),
+                         ['/attack', '/ego_vehicle', '/encoded_scene', '/lane_map', '/planner_test_shown',
+                          '/predicted_patterns', '/tested_report', '/tf', '/tf_static'], []),
 }
 MANAGER = 'collision_forge_manager'
 PLAYED = ['/agents', '/lane_map', '/tf']  # what the suite hears of a bag

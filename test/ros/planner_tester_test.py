@@ -339,7 +339,7 @@ class PlannerTesterTest(road.RoadTest):
         self.assert_failed(self.odd('nan'), 'not_finite', 'point 3')
 
     def test_external_planner_that_sends_an_older_stamp(self):
-        self.assert_failed(self.odd('late'), 'late', 'to the tick -0.1')
+        self.assert_failed(self.odd('late'), 'late', 'differs from that of planning_state by -0.1 s')
 
     def test_trajectories_for_another_test_or_a_repeated_state_are_ignored(self):
         for mode in ('stranger', 'twice'):

@@ -157,7 +157,7 @@ class TunePlannerTest(road.RoadTest):
         train.write_text('no scenario\n')
         result = self.mpirun(*self.words(out, train=train))
         self.assertNotEqual(result.returncode, 0)
-        self.assertIn('no avoidable crash', result.stderr)
+        self.assertIn('no avoidable collision', result.stderr)
 
 
 if __name__ == '__main__':

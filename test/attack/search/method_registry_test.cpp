@@ -56,7 +56,7 @@ TEST(MethodRegistry, MethodsWithNetworksNeedThem) {
   for (const MethodRegistry::Entry& entry : methods.entries()) {
     const std::string complaint = complaintOf([&] { entry.make(withoutLearning()); });
     const bool needs = entry.name.rfind("network", 0) == 0;
-    EXPECT_EQ(complaint.find("has no file in") != std::string::npos, needs) << entry.name;
+    EXPECT_EQ(complaint.find("names no file for") != std::string::npos, needs) << entry.name;
   }
 }
 

@@ -142,7 +142,7 @@ TEST_F(RunTest, RejectsOtherOptionsAndKeepsTheFile) {
   leavePartOf(expected(7));
   forge::Run run = squares();
   run.options = {{"power", "3"}};
-  expectComplaint(run, "power = 2, not power = 3");
+  expectComplaint(run, "power = 2, not 3");
   run.options = {};
   expectComplaint(run, "power = 2");
   if (isMaster()) {

@@ -276,7 +276,7 @@ TEST_F(SpoiltConfig, WrongValuesAreReportedWithTheAllowedRange) {
   expectComplaint("prediction.yaml", "history_frames: 8", "history_frames: 0",
                   {"prediction.history_frames", "= 0", "within 1"});
   expectComplaint("crash_definition.yaml", "rules: full", "rules: some",
-                  {"crash_definition.rules", "some", "none of full, angle"});
+                  {"crash_definition.rules", "some", "not one of full, angle"});
   expectComplaint("crash_definition.yaml", "min_confidence: 0.05", "min_confidence: 1.1",
                   {"crash_definition.min_confidence", "1.1", "within 0 to 1"});
   expectComplaint("ego_vehicle.yaml", "length: 4.084", "length: .inf",

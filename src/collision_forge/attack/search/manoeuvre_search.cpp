@@ -132,15 +132,16 @@ class ManoeuvreSearch {
   void draftFor(const Contender& contender) {
     const double meant = contender.aims.front().pattern->time - input_.snapshot.now;
     const bool has_way = input_.ways.count(contender.track->id) > 0;
+    const bool is_new = input_.underway == nullptr;
     for (const RouteDriver& route : contender.routes) {
       for (const std::size_t ego : sampler_.egos()) {
         for (const double early : kContacts) {
-          if (isGood()) return;
+          if (is_new && isGood()) return;
           const double contact = std::clamp(meant + early, sampler_.earliest(), sampler_.latest());
           draftAt(contender, route, ego, contact);
-          // Other contact times are tried against the first of the ego's futures alone, and not by
-          // a vehicle that was added for this contact time.
-          if (has_way || ego != sampler_.egos().front()) break;
+          // A new attack tries other contact times against the first of the ego's futures alone. A
+          // vehicle that was added for this contact time tries no other.
+          if (has_way || (is_new && ego != sampler_.egos().front())) break;
         }
       }
     }

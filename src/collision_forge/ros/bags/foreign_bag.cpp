@@ -19,6 +19,8 @@
 namespace forge {
 namespace {
 
+constexpr std::int64_t kClockGap = 10000000;  // us; stamps farther apart are of different clocks
+
 /// The fields of a topic that are wanted, and what its newest message has there. A field that is
 /// not there is NaN, empty or 0.
 class TopicValues {
@@ -152,13 +154,13 @@ class RecordingBuilder {
   }
 
  private:
-  /// Throws BagError if the stamps of agents and ego do not overlap.
+  /// Throws BagError if the stamps of agents and ego are kClockGap apart.
   void requireOneClock() const {
     const auto& poses = recording_.ego_poses;
     const auto& frames = recording_.frames;
     if (poses.empty() || frames.empty()) return;
-    if (frames.front().timestamp_us <= poses.back().timestamp_us &&
-        poses.front().timestamp_us <= frames.back().timestamp_us) {
+    if (frames.front().timestamp_us <= poses.back().timestamp_us + kClockGap &&
+        poses.front().timestamp_us <= frames.back().timestamp_us + kClockGap) {
       return;
     }
     const auto range = [](std::int64_t first_us, std::int64_t last_us) {
