@@ -11,7 +11,7 @@ import live
 import road
 from live import until
 
-TYPE, TTA, NOW = 'lane_change', 4.0, 4.0
+TYPE, TTA, NOW = 'lane_change', 5.0, 4.0
 FRAME = 0.5  # s
 LOOK = 0.2  # s of the wall clock; more than a look takes
 

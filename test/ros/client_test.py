@@ -56,9 +56,9 @@ class ClientTest(road.RoadTest):
     def play(self, instant=NOW):
         return self.forge.play(self.bag(SCENE)).until(instant)
 
-    def offline(self, *arguments):
+    def offline(self, *arguments, tta=TTA):
         out = self.path('offline.bag')
-        result = road.inject(self.bag(SCENE), out, TYPE, TTA, NOW, *(arguments or ('--mode', 'history')))
+        result = road.inject(self.bag(SCENE), out, TYPE, tta, NOW, *(arguments or ('--mode', 'history')))
         self.assertEqual(road.code_of(result), 'OK')
         return road.read_one(out, '/attack'), road.read_one(out, '/tested_report')
 
@@ -173,9 +173,9 @@ class ClientTest(road.RoadTest):
         self.assert_close(reports[1].message, reports[0].message, tolerance=0.0)
 
     def test_an_adaptive_attack_equals_the_offline_one(self):
-        expected, expected_report = self.offline('--mode', 'adaptive')
+        expected, expected_report = self.offline('--mode', 'adaptive', tta=5.0)
         self.play()
-        drive = self.forge.adaptive(TYPE, TTA)
+        drive = self.forge.adaptive(TYPE, 5.0)
         seen = list(drive)
         self.assertEqual((seen[0].decision, seen[0].plans), ('initial plan', 1))
         self.assertGreater(len(seen), 3)

@@ -134,7 +134,7 @@ TEST(ClipEvaluation, AnAdaptiveAttackerReactsToTheClip) {
   evaluation.lanes = std::make_shared<const LaneIndex>(twoLaneRoad());
   evaluation.plan.method = "search";
   evaluation.plan.mode = Mode::kAdaptive;
-  const CollideClip clip = brakingEgo(2.0);
+  const CollideClip clip = brakingEgo(1.5);
   const ResultRow adaptive = evaluation.row(clip, "search");
   const ResultRow fixed = evaluation.row(clip, "first_plan");
   EXPECT_FALSE(meets(fixed, Protocol::kStrict, "contact"));

@@ -31,7 +31,7 @@ namespace {
 
 using Fields = std::map<std::string_view, std::string_view>;
 
-/// What of a bag leads out of itself.
+/// Damage of a bag: a length or a position that leads out of the file.
 struct Damage {
   std::string problem;
 };
@@ -91,8 +91,8 @@ struct Record {
 
 using Types = std::map<std::string, std::unique_ptr<const MessageFields>, std::less<>>;
 
-/// What readers make of bytes, by md5sum: memory is taken for as many elements as an array says to
-/// have, whether or not they are there.
+/// Readers of messages by md5sum. A reader allocates as many elements as an array claims to have,
+/// present or not.
 Types readTypes() {
   Types types;
   const auto add = [&](auto message) {

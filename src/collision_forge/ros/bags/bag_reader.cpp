@@ -117,7 +117,7 @@ class SceneBuilder {
     append(scene_.ego, state);
   }
 
-  /// Of states at one instant the first is kept.
+  /// Appends a state; keeps the first of several states at one instant.
   void append(Track& track, const AgentState& state) {
     if (track.states.empty() || isLater(state.time, track.states.back().time)) {
       track.states.push_back(state);

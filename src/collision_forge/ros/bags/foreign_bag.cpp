@@ -108,7 +108,7 @@ class TopicValues {
   const TopicFields& topic_;
   std::vector<FieldPath> paths_;
   std::map<std::string, std::size_t> columns_;  ///< of `paths_`, by path
-  /// By the header of their connection, of which there is one.
+  /// By the header of their connection, which is shared.
   std::map<boost::shared_ptr<ros::M_string>, std::unique_ptr<MessageFields>> readers_;
   std::vector<std::uint8_t> bytes_;
   std::vector<FieldRows> values_;
@@ -184,7 +184,7 @@ class RecordingBuilder {
     }
   }
 
-  /// Of a transform.
+  /// Returns true if the row is the transform of the ego.
   bool isOfEgo(std::size_t row) const {
     return ego_values_.frameId(row) == mapping_.ego.fields.frame_id &&
            ego_values_.text(mapping_.ego.child_frame_id_path, row) == mapping_.ego.child_frame_id;

@@ -35,7 +35,7 @@ std::string agentsTopic(const Connections& connections) {
   return is_live ? injected : bagTopic(names::kAgents);
 }
 
-/// What a connection's header says beyond what channel and schema have fields for.
+/// Returns the fields of a connection's header that channel and schema do not have.
 std::map<std::string, std::string> metadataOf(const rosbag::ConnectionInfo& connection) {
   std::map<std::string, std::string> metadata = *connection.header;
   for (const char* field : {"topic", "type", "message_definition"}) metadata.erase(field);
@@ -54,7 +54,7 @@ class BagConversion {
     for (const rosbag::ConnectionInfo* connection : bag.getConnections()) addChannel(*connection);
   }
 
-  /// What is not shown.
+  /// Returns warnings about messages that are not shown.
   std::vector<std::string> write(const std::function<void(double)>& on_progress) {
     const double count = bag_.size();
     double done = 0.0;
@@ -89,7 +89,7 @@ class BagConversion {
   rosbag::View& bag_;
   McapWriter& writer_;
   CrashTopics crash_;
-  /// By the header of their connection, of which there is one.
+  /// By the header of their connection, which is shared.
   std::map<boost::shared_ptr<ros::M_string>, std::uint16_t> channels_;
   std::string message_;  ///< the one that is being copied
 };

@@ -116,7 +116,7 @@ void MessageDefinition::resolve(MessageType& type) {
   }
 }
 
-/// Sizes and height of a type and of those in it, once.
+/// Computes sizes and height of a type and of its member types, once.
 void MessageDefinition::measure(MessageType& type, int depth) {
   if (type.height > 0) return;
   int height = 1;

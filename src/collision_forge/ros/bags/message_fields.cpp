@@ -137,7 +137,7 @@ class MessageFields::Cursor {
     }
   }
 
-  /// Those of the ways that lead to this element.
+  /// Returns the paths that lead to this element.
   Taken waysInto(std::size_t element, std::size_t depth, const Taken& ways) {
     Taken taken;
     for (const std::size_t way : ways) {
@@ -208,7 +208,7 @@ class MessageFields::Cursor {
     for (const std::size_t way : ways) rows_[way].back().push_back(value);
   }
 
-  /// An array of uint8, which begins at the cursor, for those of the ways that want it as one text.
+  /// Adds an array of uint8 that begins at the cursor to the paths that read it as one text.
   void addBytes(std::size_t count, std::size_t depth, Taken& ways) {
     constexpr char kDigits[] = "0123456789abcdef";
     Taken of_elements;

@@ -65,7 +65,7 @@ PoseFields poseIn(Section& section, const std::string& prefix) {
   return pose;
 }
 
-/// What every message has in its header, unless the mapping says more.
+/// Reads the fields of a topic; by default the fields of the message header.
 TopicFields topicIn(Section& section) {
   TopicFields fields;
   fields.topic = wordIn(section, "topic");

@@ -6,7 +6,7 @@
 namespace forge {
 namespace {
 
-/// Of points and vectors.
+/// Returns true if a point or vector is finite.
 template <typename Vector>
 bool isFinite(const Vector& vector) {
   return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);

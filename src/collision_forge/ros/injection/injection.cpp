@@ -36,7 +36,7 @@ constexpr EnumWord<AfterContact> kAfterContactWords[] = {
     {AfterContact::kDriveOn, "drive_on"},
 };
 
-/// What a bag has once an attack is in it.
+/// Topics of a bag with an attack.
 constexpr const char* kAttackTopics[] = {names::kAttack,        names::kTestedReport,
                                          names::kAttackRequest, names::kAttackPath,
                                          names::kAttackEgoPath, names::kAttackMarkers};
@@ -98,7 +98,7 @@ class Injection {
     next_frame_ = frames_.begin();
   }
 
-  /// What was left out.
+  /// Returns warnings about messages that were left out.
   std::vector<std::string> write(const std::function<void(double)>& on_progress) {
     rosbag::View view(source_);
     const double count = view.size();
@@ -184,7 +184,7 @@ class Injection {
     frames_[{frame.agents.header.stamp, frame.recorded}] = frame;
   }
 
-  /// None in a gap in which nobody knows how the others moved.
+  /// Adds no frames in a gap without known motion of the other agents.
   void addFramesBetween(const collision_forge::AgentArray& before,
                         const collision_forge::AgentArray& after, AttackerInjector& injector) {
     const double gap = (after.header.stamp - before.header.stamp).toSec();
@@ -198,7 +198,7 @@ class Injection {
     }
   }
 
-  /// What is new in the bag and recorded before `time`: an attack at now, and with every frame.
+  /// Writes the new messages recorded before `time`: the attack at t0 and with every frame.
   void writeMadeBefore(const ros::Time& time) {
     while (next_frame_ != frames_.end() && next_frame_->second.recorded < time) {
       const AttackedFrame& frame = (next_frame_++)->second;
@@ -273,7 +273,7 @@ class Injection {
     return crashMarkers(view);
   }
 
-  /// Whether the attack changes messages with this stamp.
+  /// Returns true if the attack changes messages with this stamp.
   bool isChangedAt(const ros::Time& stamp) const {
     const auto& past = attack_.attack.trajectory.past;
     return past.empty() ? stamp > now_ : stamp >= past.front().stamp;
@@ -362,7 +362,7 @@ class Injection {
     return true;
   }
 
-  /// Those of the newest frame: messages of one time come in any order.
+  /// Copies the markers of the newest frame: messages of one time come in any order.
   bool copyAnnotationMarkers(const rosbag::MessageInstance& instance, const ros::Time& stamp) {
     markers_header_ = instance.getConnectionHeader();
     const auto after = frames_.upper_bound({stamp, ros::TIME_MAX});
@@ -372,7 +372,7 @@ class Injection {
     return true;
   }
 
-  /// Of a message that is not finite.
+  /// Returns true if nothing is left of a message after its non-finite parts were removed.
   static bool isEmpty(const tf2_msgs::TFMessage& message) { return message.transforms.empty(); }
   static bool isEmpty(const nav_msgs::Odometry& /*message*/) { return true; }
 

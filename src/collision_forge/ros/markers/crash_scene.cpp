@@ -91,7 +91,7 @@ bool isDrawable(const OrientedBox& box) {
          box.size.length > 0.0 && box.size.width > 0.0;
 }
 
-/// What a box is shown with.
+/// Appearance of a box.
 struct BoxLook {
   double height = kVehicleHeight;  ///< m
   colors::MarkerColor color;

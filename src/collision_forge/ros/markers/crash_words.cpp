@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-/// Of a contact that is not as asked.
+/// Returns the condition that a contact violates.
 std::string shortcoming(const collision_forge::CollisionReport& tested) {
   if (!tested.type_kept) return "of another type";
   if (!tested.on_time) return "at another time";

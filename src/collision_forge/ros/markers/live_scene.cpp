@@ -102,7 +102,7 @@ OrientedBox framedBox(const AgentTrack& track) {
   return {fromMessage(track.states.back()).pose, sizeOf(track.size)};
 }
 
-/// Of those near the ego that can be an attacker.
+/// Adds the ids of the agents near the ego that can attack.
 void addIds(const LiveScene& live, double scale, MarkerList& markers) {
   std::vector<OrientedBox> obstacles;
   for (const AgentTrack& agent : live.scene->agents) {

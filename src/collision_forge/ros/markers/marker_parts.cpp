@@ -19,7 +19,7 @@ constexpr double kEgoWay = 40.0;         // m before the contact that words leav
 // What most words of an attack fill: letters and lines.
 constexpr char kMostWords[] = "contact not as asked:\n\n";
 
-/// What the words of an attack are not to cover, as far as the attack alone says.
+/// Returns the boxes of an attack that its text must not cover.
 std::vector<OrientedBox> obstaclesOf(const collision_forge::Attack& attack,
                                      std::vector<OrientedBox> obstacles) {
   const auto& report = attack.report;

@@ -114,7 +114,7 @@ std::vector<TrajectoryPoint> pointsOf(const collision_forge::AttackerTrajectory&
   return points;
 }
 
-/// What was driven until `now`, as a line; returns what is to be driven then, to `end`.
+/// Adds a line along the points until `now`; returns the points from then to `end`.
 std::vector<TrajectoryPoint> addDriven(const std::vector<TrajectoryPoint>& points, double now,
                                        double end, MarkerList& markers) {
   std::vector<Vector2> path;

@@ -96,7 +96,7 @@ OrientedBox egoBox(const ShownRollout& shown, double time) {
   return {pose, shown.scenario.ego.size};
 }
 
-/// What the words are not to cover: the ways of everybody up to the stand.
+/// Returns the boxes that the text must not cover: the paths of all vehicles until they stop.
 std::vector<OrientedBox> waysOf(const ShownRollout& shown) {
   std::vector<OrientedBox> ways;
   const std::vector<Track> agents = agentsFromT0(shown.scenario);
@@ -110,7 +110,7 @@ std::vector<OrientedBox> waysOf(const ShownRollout& shown) {
   return ways;
 }
 
-/// What the outcome in words fills: beside the place where the ego comes to a stand.
+/// Returns the box of the outcome text, beside the place where the ego stops.
 OrientedBox outcomeBox(const ShownRollout& shown, double scale) {
   const BoxSize size = textSize(words(shown, ""), scale * kWordsLetterHeight);
   const Vector2 middle = placeBeside(egoBox(shown, shown.standTime()), size, shown.words_side);

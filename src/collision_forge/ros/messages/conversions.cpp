@@ -93,7 +93,7 @@ bool readWord(const std::string& word, FromString from_string, Value& value) {
   return meaning.has_value();
 }
 
-/// What the word of a field of a report means. Throws MessageError if it means nothing.
+/// Converts the word of a field of a report. Throws MessageError for an unknown word.
 template <typename FromString>
 auto wordIn(const std::string& word, const char* field, FromString from_string) {
   const auto meaning = from_string(word);
@@ -110,7 +110,7 @@ std::string noneOf(const Values& values) {
   return "none of " + words;
 }
 
-/// What is asked for beyond type, time and attacker; returns what is wrong with it, or nothing.
+/// Reads the constraints besides type, time and attacker; returns the problem, or "".
 std::string readControls(const collision_forge::CollisionRequest& message,
                          CollisionRequest& request) {
   const auto unknown = [](const char* field, const std::string& value, const std::string& problem) {

@@ -48,7 +48,7 @@ inline constexpr char kCrashMap[] = "collision_forge/map";        // the same, l
 inline constexpr char kEgoSpeed[] = "collision_forge/ego_speed";  // std_msgs/Float64, m/s
 inline constexpr char kAttackerSpeed[] = "collision_forge/attacker_speed";  // the same
 
-// Of the node player.
+// Topics of the node player.
 inline constexpr char kPlayerPaused[] = "player/paused";          // std_msgs/Bool, latched
 inline constexpr char kPlayerPosition[] = "player/position";      // std_msgs/Float64, s
 inline constexpr char kPlayerLength[] = "player/length";          // std_msgs/Float64, s, latched

@@ -18,8 +18,8 @@ namespace forge {
 /// kRestart means that the replay restarted. Late and non-finite transforms are dropped.
 class EgoPoses {
  public:
-  /// Receives the state of the ego's box and its size: that of the topic `ego_vehicle`, or else of
-  /// the configured vehicle.
+  /// Receives the state of the ego's box and its size, from the topic `ego_vehicle` or else from
+  /// the configuration.
   using Callback = std::function<void(const AgentState& ego, const BoxSize& size)>;
 
   /// Calls `callback` in the thread that receives /tf.

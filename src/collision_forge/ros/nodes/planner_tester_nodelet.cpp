@@ -275,7 +275,7 @@ class PlannerTesterNodelet : public QueuedNodelet {
   Config config_;
   std::string planners_text_;
   std::unique_ptr<TrialScenarios> scenarios_;
-  PredictionModels foresight_;  // of attackers that see and react
+  PredictionModels foresight_;  // of adaptive attackers
   std::unique_ptr<ExternalPlanner> external_;
   std::mutex mutex_;
   collision_forge::AttackConstPtr attack_;  // the newest, behind the mutex

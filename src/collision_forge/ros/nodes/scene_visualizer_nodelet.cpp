@@ -57,7 +57,7 @@ class SceneVisualizerNodelet : public QueuedNodelet {
                                               watch_->setEgoSize(size);
                                               watch_->addEgo(ego);
                                             });
-    // Of the wall clock: whoever comes while the replay is paused sees the picture, too.
+    // A wall timer: subscribers that start while the replay is paused receive the picture, too.
     timer_ = node.createWallTimer(ros::WallDuration(1.0 / kPictureRate),
                                   &SceneVisualizerNodelet::show, this);
     repeat_timer_ =
@@ -102,7 +102,7 @@ class SceneVisualizerNodelet : public QueuedNodelet {
     if (attack_ && attack_->adaptive) shown_ = Shown::kOutdated;
   }
 
-  /// Of the newest scene, as requests are.
+  /// Shows the patterns of the newest scene, which requests refer to.
   void onPredicted(const collision_forge::PredictedPatternsConstPtr& predicted) {
     if (predicted->patterns.empty()) {
       showPatterns(noMarkers(predicted->header), ros::Time());
