@@ -30,8 +30,8 @@ refuse_arguments() {
 
 # ---- packages ----
 
-# listed_packages forge|all|interop|pictures|sanitize: those of the first part of the list, of the first two, or of these and the
-# part of that name.
+# listed_packages forge|all|interop|pictures|sanitize: prints the packages of the first part of the list, of the first two, or
+# of these and the part of that name.
 listed_packages() {
   local parts=forge
   [[ $1 == forge ]] || parts="forge|rest|$1"
@@ -92,7 +92,7 @@ build_folder_is_stale() {
     $(cached CATKIN_DEVEL_PREFIX) != "$DEVEL_DIR" || ! -e $BUILD_DIR/build.ninja ]]
 }
 
-# configure OPTION...: with these options of CMake beside those of every build.
+# configure OPTION...: runs CMake with these options besides the options of every build.
 configure() {
   if build_folder_is_stale; then
     say "removing $BUILD_DIR and $DEVEL_DIR: configured for another folder, in another way, or not to the end"

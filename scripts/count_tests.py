@@ -19,7 +19,7 @@ from pathlib import Path
 
 
 def ctest_outcomes(junit_file):
-    """What ctest says of each test, by name."""
+    """Return the outcome of each test by name, from ctest."""
     outcomes = {}
     for case in ElementTree.parse(junit_file).iter('testcase'):
         skipped = case.find('skipped')

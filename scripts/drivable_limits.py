@@ -4,22 +4,22 @@ import math
 from limit_checks import BACKWARDS, ROUNDING, Worst, turn
 from scenario_files import steps_to_contact
 
-# What differences over samples 0.1 s apart may be off. A second difference of ways or positions is a mean of the
+# Tolerances of differences over samples 0.1 s apart. A second difference of paths or positions is a mean of the
 # acceleration over its two steps and a third one a mean of the jerk, so neither exceeds a limit that is kept at every
-# instant but for what the arc of a step is told wrong where the steering angle changes within it.
+# instant, except for the error of an arc whose steering angle changes within the step.
 SPEED_ERROR = 1e-3           # m/s; rounding
-ACCELERATION_ERROR = 0.05    # m/s2; also: the fall of the forward acceleration is told at a mean of the speed
+ACCELERATION_ERROR = 0.05    # m/s2; also: the decrease of the forward acceleration is evaluated at a mean speed
 JERK_ERROR = 0.2             # m/s3; fast swings of the steering
 SLIP = 0.1                   # m/s across the heading, 10 mm a step; more only where steering explains it, slip_limit()
 SLIP_SPREAD = 1.05           # what speed and steering angle differ from their means within such a step
-# A step tells a mean of the steering angle over its way, and that where its speed changes not halfway in time.
-SHORT_STEP = 0.05            # m; a shorter step tells no steering angle
+# A step gives the mean steering angle over its path, which is not at half its time if the speed changes.
+SHORT_STEP = 0.05            # m; a shorter step gives no steering angle
 STEERING_ERROR = 1e-3        # rad; rounding
 STEERING_RATE_ERROR = 0.05   # times max_steering_rate
 SHORT_TURN = 2e-3            # rad that a short step may turn beyond what the greatest steering angle allows
 # What is written at a sample is held against means over the steps around it. They are off where the acceleration
 # changes there, by less than the means are apart themselves, or where the steering angle turns back there, by less than
-# half of what it may change in a step. That is allowed with these.
+# half of the change allowed in a step. These tolerances allow it.
 WRITTEN_SPEED = 0.05         # m/s
 WRITTEN_ACCELERATION = 0.2   # m/s2
 WRITTEN_STEERING = 1e-3      # rad
@@ -34,7 +34,7 @@ class Step:
         self.turn = turn(a['yaw'], b['yaw'])
         half = 0.5 * self.turn
         heading = a['yaw'] + half
-        # What the middle moves, less what the turn moves it around the rear axle.
+        # The motion of the box centre without its rotation around the rear axle.
         dx = b['x'] - a['x'] - 0.5 * wheelbase * (math.cos(b['yaw']) - math.cos(a['yaw']))
         dy = b['y'] - a['y'] - 0.5 * wheelbase * (math.sin(b['yaw']) - math.sin(a['yaw']))
         self.velocity = (dx / self.duration, dy / self.duration)
@@ -47,7 +47,7 @@ class Step:
 
 
 def between(before, after):
-    """s from the middle of one step to that of another."""
+    """Return the time (s) from the middle of one step to the middle of another."""
     return after.middle - before.middle
 
 
@@ -73,7 +73,7 @@ def total_limit(limits):
 
 
 class Attacker:
-    """From now to contact: its limits, its steps and what they say."""
+    """The motion from t0 to contact: limits, steps and the values derived from them."""
 
     def __init__(self, scenario, limits):
         attacker = scenario['attacker']
@@ -112,7 +112,7 @@ class Attacker:
             check('max_total_acceleration', total, total_limit(limits), time, ACCELERATION_ERROR)
 
     def steering_rates(self):
-        """(rate, s from now) between each two steps that tell a steering angle, with none between them that does."""
+        """Return (rate, s from t0) between successive steps with a steering angle."""
         told = [step for step in self.steps if step.steering is not None]
         return [((after.steering - before.steering) / between(before, after), before.b['t'])
                 for before, after in zip(told, told[1:])]
@@ -149,7 +149,7 @@ class Attacker:
             check('written max_total_acceleration', math.hypot(a, lateral), total_limit(limits), time)
 
     def check_agreement(self):
-        """What is written at the samples against the means over the steps around them."""
+        """Compare the values written at the samples with the means over the steps around them."""
         along = accelerations_of(self.all_steps)
         for i, (before, after) in enumerate(zip(self.all_steps[:self.count], self.all_steps[1:])):
             point, near = after.a, along[max(i - 1, 0):i + 2]

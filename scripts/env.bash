@@ -37,7 +37,7 @@ _collision_forge_environment() {
   mkdir -p "$ROS_HOME"
 }
 
-# The words of forge, asked for when they are first needed; 124 tells bash to try again with them.
+# The words of forge, asked for when they are first needed; status 124 makes bash try again with them.
 _collision_forge_completion() {
   # shellcheck disable=SC1090
   source <(forge completion bash) && return 124

@@ -28,7 +28,7 @@ def inputs(folder):
 
 
 def commands(folder):
-    """The words of every command but --out and --config, by its name; what they read is in `folder`."""
+    """The words of every command but --out and --config, by its name; their input is in `folder`."""
     asked, answered = ['--requests', folder / 'both_requests.jsonl'], folder / 'both.jsonl'
     clips = ['--dataroot', DATA, '--collide', folder / 'clips', '--split', 'train']
     return {

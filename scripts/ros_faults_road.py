@@ -50,7 +50,7 @@ def children(parent):
 
 
 def in_time(what, work):
-    """What `work` returns, which may take ANSWERS_IN."""
+    """Return the result of `work`, which may take ANSWERS_IN."""
     results = []
     thread = threading.Thread(target=lambda: results.append(work()), daemon=True)
     thread.start()
@@ -144,7 +144,7 @@ class Road:
         self.graph = in_time('a node', self.look)[1]
 
     def processes(self):
-        """Of the launch, by the names of their nodes; but for the one that the launch ends with."""
+        """Return the processes of the launch by node, except the one that ends the launch."""
         named = [(word[len('__name:='):], pid) for pid, words in children(self.running['suite'].pid)
                  for word in words if word.startswith('__name:=')]
         return {name: pid for name, pid in named if name != 'master_watch'}
@@ -203,7 +203,7 @@ class Road:
         return last_bad - begin
 
     def look(self):
-        """Processes by node, and what they publish, hear and answer, as the master says; nothing while one is away."""
+        """Return processes by node, with their topics and services from the master; nothing while a node is missing."""
         master = rosgraph.Master('/ros_faults')
         try:
             pids = {name: ServerProxy(master.lookupNode('/' + name)).getPid('/ros_faults')[2]
@@ -214,6 +214,6 @@ class Road:
             return {}, set()
 
     def is_registered(self):
-        """Every node is a living process, and publishes, hears and answers what it did at first."""
+        """Return True if every node is alive and has its first topics and services."""
         pids, graph = in_time('a node', self.look)
         return pids == self.processes() and graph >= self.graph

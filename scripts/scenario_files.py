@@ -14,7 +14,7 @@ STRICT = ('max_forward_acceleration', 'max_braking', 'max_total_acceleration', '
 DRIVABLE = ('wheelbase_share', 'max_steering_angle', 'max_steering_rate', 'max_lateral_acceleration',
             'max_forward_acceleration', 'switching_speed', 'max_braking', 'max_jerk', 'max_speed')
 LENGTHS = ('car', 'van', 'truck')
-# The row of limits for each class that has one; some are told further by length.
+# The row of limits for each class that has one; some are divided further by length.
 ROWS = {'car': 'car', 'truck': 'truck', 'bus': 'bus', 'construction_vehicle': 'construction',
         'emergency_vehicle': 'van', 'motorcycle': 'motorcycle'}
 

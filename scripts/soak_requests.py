@@ -45,7 +45,7 @@ class Requests:
         return self.random.random() < 0.3
 
     def fill(self, request):
-        """What is asked for, in a request that has the fields of CollisionRequest."""
+        """Fill the fields of CollisionRequest in a request at random."""
         choose = self.random.choice
         request.collision_type, request.tta = choose(TYPES), choose([1.0, 2.0, 4.0, 6.0])
         request.seed = self.random.randrange(2 ** 32)

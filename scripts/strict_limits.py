@@ -4,7 +4,7 @@ import math
 from limit_checks import BACKWARDS, ROUNDING, Worst, turn
 from scenario_files import steps_to_contact
 
-# What differences over samples 0.1 s apart may be off. A second difference is a mean of the acceleration over its two
+# Tolerances of differences over samples 0.1 s apart. A second difference is a mean of the acceleration over its two
 # steps and a turn over a way a mean of the curvature, so neither exceeds a limit that is kept at every instant but for
 # the turning of the heading within the steps and for the chord, which is shorter than the arc.
 ACCELERATION_ERROR = 0.05    # m/s2
@@ -15,7 +15,7 @@ SLIP = 0.02                  # rad between a step and the heading halfway
 WRITTEN_SPEED = 0.33         # m/s between v and a step's speed; 13 m/s2 from full braking to full throttle
 WRITTEN_ACCELERATION = 0.1   # m/s2 between a and a second difference
 WRITTEN_CURVATURE = 0.002    # 1/m between kappa and a turn over a step
-# Around curvature_min_speed a step's speed does not tell which of the two rules for turning holds.
+# Around curvature_min_speed the speed of a step does not determine which of the two rules for turning holds.
 SURELY_FAST = 1.1            # times curvature_min_speed
 SURELY_SLOW = 0.85
 
@@ -89,12 +89,12 @@ def check_written(points, limits, worst):
 
 
 def outside(value, around):
-    """How far a value is from all of those around it."""
+    """Return the distance of a value from the range of its neighbours."""
     return max(min(around) - value, value - max(around), 0.0)
 
 
 def check_agreement(steps, count, limits, worst):
-    """What is written at the points within the first `count` steps against the differences before, at and after it."""
+    """Compare the values at the points of the first `count` steps with the differences before, at and after them."""
     along = [acceleration(before, after)[0] for before, after in zip(steps, steps[1:])]
     for i, (before, after) in enumerate(zip(steps[:count], steps[1:])):
         point = after.a

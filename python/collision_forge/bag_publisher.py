@@ -19,8 +19,8 @@ CLOCK = '/clock'
 GLOBAL = (CLOCK, '/tf', '/tf_static')  # topics that are the same in every namespace
 MADE_BY_SUITE = ('/attack_markers', '/map_markers', '/tested_report')  # in an attacked bag: the suite publishes these,
                                                                        # too, from the bag's attack and lane map
-CLOCK_LEAD = 0.5  # s of the wall clock from the first /clock to the first message: whoever keeps transforms drops those
-                  # that come before it has seen time jump back
+CLOCK_LEAD = 0.5  # s of the wall clock from the first /clock to the first message: tf2 buffers drop
+                  # transforms that arrive before they have observed the jump of time
 UNREADABLE = (OSError, RuntimeError, ValueError, struct.error, rosbag.ROSBagException,
               DeserializationError)  # what the library says of a damaged bag
 
@@ -33,7 +33,7 @@ def published(topic: str) -> str:
 class BagPublisher:
     """Publishes a bag's messages in order; must be the only publisher of `/clock`.
 
-    Instants are in s from the bag's first frame of agents, as `--now` of `forge inject`; times are those of the bag.
+    Instants are in s from the bag's first frame of agents, as `--now` of `forge inject`; times are the bag's.
     Call `begin()` first, then `publish_until()` repeatedly.
     """
 

@@ -264,7 +264,7 @@ class PlannerOutcome:
 
     @property
     def hit(self) -> bool:
-        """Whether the first contact is with the attacker."""
+        """Return True if the first contact is with the attacker."""
         return self.contact is not None and self.contact.is_attacker
 
     def __repr__(self) -> str:

@@ -87,7 +87,7 @@ def distances_of(first: Motion, second: Motion, quantity: str) -> Optional[Tuple
 
 
 def scene_halves(rng: np.random.Generator, *samples: np.ndarray) -> np.ndarray:
-    """The scenes of a random half: of those that have windows of the same samples, half (rounded up)."""
+    """Return a random half (rounded up) of the scenes with windows of the same samples."""
     scenes = rng.permutation(np.unique(np.concatenate(samples)))
     return scenes[np.lexsort([np.isin(scenes, sample) for sample in samples])][::2]
 
@@ -137,7 +137,7 @@ def areas_of(first: Motion, second: Motion, seed: int) -> Optional[Areas]:
     under the curve of a logistic regression and of boosted trees of depth two.
 
     Both are trained on one half of the scenes and tested on the other, both ways; pairs are counted within a half, for
-    the scores of two classifiers have no common zero. None if a half lacks one of the samples."""
+    the scores of two classifiers have no common zero. Return None if a half lacks one of the samples."""
     features = np.concatenate([features_of(first), features_of(second)])
     labels = np.repeat([1, 0], [len(first.scene), len(second.scene)])
     half = np.isin(np.concatenate([first.scene, second.scene]),
@@ -205,9 +205,9 @@ def areas_of_matched(attacks: Motion, recorded: Motion, seed: int) -> Optional[A
 
 
 def two_sample_test(attacks: Motion, noisy: Motion, recorded: Motion) -> Optional[TwoSampleTest]:
-    """Can a classifier tell the attacks from recorded windows of the same class and speed? `noisy` are the same attacks
+    """Return how well a classifier separates the attacks from recorded windows of the same class and speed. `noisy` are the same attacks
     with the noise of recordings. The floor replaces them by recorded windows, with other scenes on the other side.
-    None for too few windows."""
+    Return None for too few windows."""
     areas = []
     for sample in (attacks, noisy):  # with the same matches and halves
         rng = np.random.default_rng(SEED)

@@ -48,7 +48,7 @@ class Motion(NamedTuple):
     scene: np.ndarray
     group: np.ndarray
     band: np.ndarray  # of speed; empty below the first one
-    states: Dict[str, np.ndarray]  # by quantity; NaN where a vehicle is too slow to tell its steering
+    states: Dict[str, np.ndarray]  # by quantity; NaN where a vehicle is too slow to derive its steering
 
     def of(self, chosen: np.ndarray) -> 'Motion':
         """The windows at these indices, or where a mask is true."""
@@ -127,7 +127,7 @@ def motion_of(drives: Drives) -> Motion:
 
 
 def moves(drives: Drives) -> np.ndarray:
-    """Whether a drive has a window, and is at MIN_SPEED or faster at every sample of it."""
+    """Return which drives have a window with a speed of at least MIN_SPEED at every sample."""
     found = ~np.isnan(drives.windows[:, 0, 0])
     found[found] = (states_of(drives.windows[found], drives.length[found])['speed'] >= MIN_SPEED).all(axis=1)
     return found
@@ -138,7 +138,7 @@ def with_recorded_noise(drives: Drives, recorded: Drives, rng: np.random.Generat
     random order, to the positions of the generated samples, in vehicle axes.
 
     In their own order, the fit would remove the residuals again. They are scaled by sqrt(7 / 3), because the fit of a
-    cubic to seven samples removes four sevenths of the variance. Yaws are kept: those of annotators are smooth."""
+    cubic to seven samples removes four sevenths of the variance. Yaws are kept: annotated yaws are smooth."""
     if len(recorded.scene) == 0:
         return drives
     residuals = fit(recorded.windows)[3][:, :, :2] * np.sqrt(7.0 / 3.0)

@@ -179,7 +179,7 @@ def add_comparisons(report: Report, drives: Dict[str, Drives]) -> None:
 
 
 def in_group(motion: Motion, group: str) -> np.ndarray:
-    """Whether the vehicles are of a class group."""
+    """Return which vehicles are of a class group."""
     return (motion.group == group) | (group == 'all')
 
 

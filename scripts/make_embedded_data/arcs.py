@@ -102,7 +102,7 @@ def fit(points, headings):
 
 
 def merged(pieces):
-    """Neighbouring straight pieces, and those of almost one curvature, as one."""
+    """Join neighbouring straight pieces and pieces of almost the same curvature."""
     result = [pieces[0]]
     for piece in pieces[1:]:
         last = result[-1]

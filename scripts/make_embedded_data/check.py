@@ -111,7 +111,7 @@ def area_faults(name, roads):
 
 
 def mask_faults(folder, data, maps):
-    """Map masks that are missing, or not those of the drivable area."""
+    """Return map masks that are missing or differ from the drivable area."""
     for row in data.tables["map"]:
         path = folder / row["filename"]
         if not path.is_file() or path.read_bytes() != mask_png(maps[path.stem]):
@@ -152,7 +152,7 @@ class SceneCheck:
         return self.data.get("category", instance["category_token"])["name"]
 
     def is_moving(self, row):
-        """Whether an annotated vehicle moves between this keyframe and a neighbour."""
+        """Return True if an annotated vehicle moves between this keyframe and a neighbour."""
         other = row["next"] or row["prev"]
         if not other or self.category(row) == KINDS[PEDESTRIAN].category:
             return False

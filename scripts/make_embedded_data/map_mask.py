@@ -4,7 +4,7 @@ import struct
 import zlib
 
 PIXELS_PER_METRE = 10
-# Of a pixel. One would do, but is read as true and false instead of 255 and 0.
+# Bits per pixel. One bit would be read as true and false instead of 255 and 0.
 BITS = 2
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
 AS_IT_IS, LESS_THE_ROW_ABOVE = b"\0", b"\2"   # filters of rows

@@ -115,7 +115,7 @@ def record(spec, track, first, tracks, parked):
 
 
 def is_clean(recording):
-    """Whether nobody touches the ego car, nor another, and the drive is smooth."""
+    """Return True if no vehicles touch each other and the drive is smooth."""
     boxes = {}
     for step in recording.keyframes():
         present = [recording.ego, *recording.near(step)]
@@ -128,7 +128,7 @@ def is_clean(recording):
 
 
 def is_smooth(motion, recording):
-    """Whether a motion keeps the limits over the scene (pedestrians may turn on the spot)."""
+    """Return True if a motion keeps the limits over the scene (pedestrians may turn on the spot)."""
     if motion.kind == PEDESTRIAN:
         return True
     steps = [step for step in recording.steps() if motion.has(step)]

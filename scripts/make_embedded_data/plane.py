@@ -111,7 +111,7 @@ def box_corners(x, y, yaw, length, width):
 
 
 def boxes_overlap(a, b):
-    """Whether two boxes (x, y, yaw, length, width) overlap, by separating axes."""
+    """Return True if two boxes (x, y, yaw, length, width) overlap, by separating axes."""
     reach = (math.hypot(a[3], a[4]) + math.hypot(b[3], b[4])) / 2.0
     if math.hypot(a[0] - b[0], a[1] - b[1]) > reach:
         return False
@@ -126,7 +126,7 @@ def boxes_overlap(a, b):
 
 
 def inside_polygon(point, polygon):
-    """Whether a point lies in a polygon, by counting crossings of a ray."""
+    """Return True if a point lies in a polygon, by counting crossings of a ray."""
     x, y = point
     inside = False
     for (x0, y0), (x1, y1) in zip(polygon, polygon[1:] + polygon[:1]):

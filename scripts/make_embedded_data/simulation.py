@@ -1,4 +1,4 @@
-"""Runs SUMO's command line tools and reads back what they write."""
+"""Runs SUMO's command line tools and reads back their output."""
 import math
 import subprocess
 import xml.etree.ElementTree as ElementTree
@@ -12,7 +12,7 @@ STEP = 0.1          # seconds
 
 @dataclass
 class RawTrack:
-    """What SUMO says of one road user: front points on consecutive steps."""
+    """One road user of SUMO: front points on consecutive steps."""
     name: str
     kind: str
     first_step: int

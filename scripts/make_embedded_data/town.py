@@ -156,7 +156,7 @@ def ring_roads():
 
 
 def all_nodes():
-    """The named nodes and those of the roundabout: name -> (x, y, type)."""
+    """Return the named nodes and the nodes of the roundabout: name -> (x, y, type)."""
     nodes = dict(NODES)
     for road in ring_roads():
         nodes[road.start] = (*road.line[0], "priority")

@@ -1,4 +1,4 @@
-"""Who drives where: vehicle types, trips and walks, as a SUMO route file."""
+"""Traffic of the towns: vehicle types, trips and walks, as a SUMO route file."""
 import random
 from dataclasses import dataclass
 

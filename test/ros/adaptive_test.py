@@ -11,7 +11,8 @@ import live
 import road
 from live import until
 
-TYPE, TTA, NOW = 'lane_change', 5.0, 4.0
+TYPE, TTA, NOW = 'lane_change', 4.0, 4.0
+ADAPTIVE_TTA = 5.0  # s; the adaptive attack of this request succeeds
 FRAME = 0.5  # s
 LOOK = 0.2  # s of the wall clock; more than a look takes
 
@@ -35,12 +36,12 @@ class AdaptiveTest(live.LiveTest):
     ARGUMENTS = {'keep_attack': 'true'}
     HEARD = ['/encoded_scene', '/attack', '/injected_agents', '/tested_report', '/attack_markers']
 
-    def ask(self, **controls):
+    def ask(self, tta=TTA, **controls):
         """At NOW; the answer."""
         end = self.play_to(NOW).header.stamp
         for listener in self.heard.values():
             listener.clear()
-        return self.ask_until(lambda answer: answer.code == 0 and answer.attack.header.stamp == end, TYPE, TTA,
+        return self.ask_until(lambda answer: answer.code == 0 and answer.attack.header.stamp == end, TYPE, tta,
                               believable='true', **controls)
 
     def play_on(self, until_seconds):
@@ -55,7 +56,7 @@ class AdaptiveTest(live.LiveTest):
     def offline(self):
         """The attack and the tested report of forge inject."""
         out = self.path('adaptive.bag')
-        result = road.inject(self.bag(self.SCENES[0]), out, TYPE, TTA, NOW, '--mode', 'adaptive', '--believable', 'true')
+        result = road.inject(self.bag(self.SCENES[0]), out, TYPE, ADAPTIVE_TTA, NOW, '--mode', 'adaptive', '--believable', 'true')
         self.assertEqual(road.code_of(result), 'OK')
         return road.read_one(out, '/attack'), road.read_one(out, '/tested_report')
 
@@ -64,7 +65,7 @@ class AdaptiveTest(live.LiveTest):
 
     def test_live_adaptive_attack_equals_offline_attack(self):
         expected, expected_report = self.offline()
-        answer = self.ask(adaptive=True)
+        answer = self.ask(ADAPTIVE_TTA, adaptive=True)
         first = answer.attack
         self.assertEqual((first.adaptive, first.phase, first.decision, first.plans), (True, 'attacking', 'initial plan', 1))
         self.assertEqual(first.decided, first.header.stamp)
