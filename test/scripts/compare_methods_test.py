@@ -63,7 +63,7 @@ elif words[0] == 'tune':
     if value('--test-method') != 'network+search':
         sys.exit('not compared on ours')
     if 'none' in value('--config') and train == 'c_strive':
-        sys.exit('forge tune: there is no avoidable crash')
+        sys.exit('forge tune: there is no avoidable collision')
     sys.stdout = open(value('--out') + '/table.md', 'w')
     print('Training: 9 cases, tested: 7\\n\\nTest: 8 cases, tested: 6')
     table('Collisions with the attacker', {{'default': 70.0, 'tuned': 30.0 if train == 'c_strive' else 20.0}})
