@@ -2,7 +2,7 @@
 
 #include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/attack/verify/verification.h"
-#include "collision_forge/io/answers/request_answerer.h"
+#include "collision_forge/io/answers/request_solver.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
 
 namespace forge {

@@ -98,6 +98,10 @@ class ConversionTest(road.RoadTest):
         self.assertEqual(result.returncode, 1, result.stderr)
         self.assertIn('not read: scene-0002: ' + str(broken), result.stderr)
         self.assertEqual({json.loads(line)['scene'] for line in listed.read_text().splitlines()}, {'scene-0001'})
+        result = road.run('requests', '--source', logs, '--out', listed, '--min-ego-speed', 100)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn('with an ego below 100 m/s', result.stderr)
+        self.assertIn('not read: scene-0002', result.stderr, 'the reason is named if no request is listed, too')
 
 
 class ResumeTest(road.RoadTest):

@@ -10,7 +10,7 @@
 #include "collision_forge/app/report.h"
 #include "collision_forge/app/run_config.h"
 #include "collision_forge/base/scene/number_words.h"
-#include "collision_forge/io/answers/request_answerer.h"
+#include "collision_forge/io/answers/request_solver.h"
 #include "collision_forge/io/batch/dispatch.h"
 #include "collision_forge/io/batch/output.h"
 #include "collision_forge/io/batch/progress_line.h"

@@ -151,10 +151,11 @@ int makeRequests(const Arguments& arguments) {
   });
   if (unreadable.size() == names.size()) return exitAfterUnreadable(unreadable);
   if (requests.empty()) {
-    throw std::runtime_error(counts.empty()
-                                 ? whyNoRequest(tally, options)
-                                 : "the road geometry of these scenes allows no request with these "
-                                   "options; omit --allowed-only to list them");
+    const std::string reason =
+        counts.empty() ? whyNoRequest(tally, options)
+                       : "the road geometry of these scenes allows no request with these options; "
+                         "omit --allowed-only to list them";
+    throw std::runtime_error(reason + unreadableText(unreadable));
   }
   writeRequests(arguments.out, requests, config.crash);
   std::cout << counted(requests.size(), "request") << " over "

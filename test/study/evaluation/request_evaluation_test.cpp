@@ -8,7 +8,7 @@
 #include "collision_forge/attack/search/request_list.h"
 #include "collision_forge/attack/verify/believability.h"
 #include "collision_forge/attack/verify/strict_outcome.h"
-#include "collision_forge/io/answers/request_answerer.h"
+#include "collision_forge/io/answers/request_solver.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
 #include "collision_forge/study/settings/study_config.h"
 

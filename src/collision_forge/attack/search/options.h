@@ -25,31 +25,31 @@ struct RouteDriverOptions {
 /// A kind of vehicle that may be added.
 struct AddedKind {
   AgentClass agent_class = AgentClass::kCar;
-  double share = 0.0;
-  double length = 0.0;  ///< m
-  double length_deviation = 0.0;
-  double width = 0.0;  ///< m
+  double share = 0.0;             ///< 0..1 of the added vehicles; 0: only if a request names it
+  double length = 0.0;            ///< m, median
+  double length_deviation = 0.0;  ///< m, standard deviation
+  double width = 0.0;             ///< m
 };
 
 /// config/search.yaml, section added
 struct AddedVehicleOptions {
   std::vector<AddedKind> kinds;
-  int candidates = 0;
-  int predicted_candidates = 0;
-  double preference = 0.0;
-  double sensing_range = 0.0;
-  double least_past = 0.0;
-  std::vector<double> speeds;
+  int candidates = 0;            ///< vehicles searched if the ego's future is known
+  int predicted_candidates = 0;  ///< vehicles searched if it is predicted
+  double preference = 0.0;       ///< score (0..1) by which it must exceed a recorded attacker
+  double sensing_range = 0.0;    ///< m from the ego, beyond which a vehicle may appear
+  double least_past = 0.0;       ///< s that it is visible before t0
+  std::vector<double> speeds;    ///< m/s, tried in this order
 };
 
 /// config/search.yaml, section search; fields with a default are not in the file. The study and
 /// tests change them for searches with another objective or a smaller budget.
 struct SearchOptions {
-  double step = 0.0;
-  double tail = 0.0;
-  double time_margin = 0.0;
-  int max_attackers = 0;
-  double good_share = 0.0;
+  double step = 0.0;         ///< s between trajectory points
+  double tail = 0.0;         ///< s of trajectory after the impact
+  double time_margin = 0.0;  ///< s kept to either end of the time tolerance
+  int max_attackers = 0;     ///< candidates that are searched
+  double good_share = 0.0;   ///< share 0..1 of the futures at which a candidate ends the search
   std::vector<double> confidence_curve;  ///< at shares evenly spread over [0, 1]
 
   /// m; attacker and ego overlap by at least twice this, other agents are passed with it to spare.

@@ -54,8 +54,8 @@ struct RouteSpeed {
   double speed = 0.0;     ///< m/s, chosen speed
 };
 
-/// Cache of the distance (m along the route) that each style reaches at lowest and highest speed;
-/// empty entries are not computed yet.
+/// Cache of the distances (m along the route) at the arrival, per style by the chosen speed (m/s).
+/// Known speeds bracket the search for the next one.
 struct RouteReach {
   std::vector<std::map<double, double>> styles;
 };
@@ -71,7 +71,7 @@ struct RouteCourse {
 /// bends and with a small variation, and leaves the lane only for the contact. Immutable.
 class RouteDriver {
  public:
-  /// `now`: the vehicle's state at t0; `limits`: its vehicle's. `options` must outlive this object.
+  /// `now`: the vehicle's state at t0; `limits`: its vehicle's.
   RouteDriver(ReferencePath path, const DriveState& now, const DriveLimits& limits,
               const SpeedVariation& variation = {});
 

@@ -63,9 +63,9 @@ void deriveVelocities(NuScenesRecording& recording);
 
 /// Projects the recording to the ground plane. Times are timestamp_us * 1e-6 s. Ego states are the
 /// box centre, `ego.center_offset` ahead of the recorded poses; their size is the recording's
-/// ego_size, or else `ego.size`. Agent ids are instance tokens, in
-/// order of appearance; an agent keeps the size of its first annotation. An unknown category
-/// becomes a static object and adds a line to `warnings`, if given.
+/// ego_size, or else `ego.size`. Agent ids are instance tokens, in order of appearance; an agent
+/// keeps the size of its first annotation. An unknown category becomes a static object and adds a
+/// line to `warnings`, if given.
 Scene toScene(const NuScenesRecording& recording, const EgoVehicle& ego,
               std::shared_ptr<const LaneMap> map, std::vector<std::string>* warnings = nullptr);
 

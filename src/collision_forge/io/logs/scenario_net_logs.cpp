@@ -6,26 +6,24 @@
 #include <filesystem>
 #include <map>
 #include <stdexcept>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
 #include "collision_forge/base/config/section.h"
-#include "collision_forge/base/geometry/polyline.h"
 #include "collision_forge/base/scene/input_limits.h"
 #include "collision_forge/base/scene/number_words.h"
 #include "collision_forge/base/scene/request_words.h"
 #include "collision_forge/io/logs/pickle_field.h"
+#include "collision_forge/io/logs/scenario_net_lanes.h"
 
 namespace forge {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kEarliest = 1.0;          // s, earliest start of a scene
-constexpr double kMicroseconds = 1e6;      // per second
-constexpr double kKilometresAnHour = 3.6;  // km/h in 1 m/s
-constexpr double kLongestCar = 6.5;        // m; longer vehicles are trucks
+constexpr double kEarliest = 1.0;      // s, earliest start of a scene
+constexpr double kMicroseconds = 1e6;  // per second
+constexpr double kLongestCar = 6.5;    // m; longer vehicles are trucks
 
 std::int64_t microseconds(double seconds) { return std::llround(seconds * kMicroseconds); }
 
@@ -54,7 +52,7 @@ AgentClass classOf(const std::string& type, const std::optional<PickleField>& me
   return AgentClass::kStaticObject;
 }
 
-/// Typical sizes of tracks without a size, m: means of nuScenes by class.
+/// Sizes for tracks without a size, m; chosen near the sizes of nuScenes.
 BoxSize typicalSize(const std::string& type) {
   if (type == "PEDESTRIAN") return {0.73, 0.67};
   if (type == "CYCLIST") return {1.70, 0.60};
@@ -113,121 +111,6 @@ RecordedTrack::RecordedTrack(const std::string& id, const PickleField& field,
   if (has_typical_size) track.size = typicalSize(type);
   if (speeds.empty()) deriveVelocities(track);
   track.agent_class = classOf(type, field.find("metadata"), track.size.length);
-}
-
-/// Returns the outlines in the dict's "interiors".
-std::vector<std::vector<Vector2>> holesOf(const PickleField& polygon) {
-  std::vector<std::vector<Vector2>> holes;
-  const auto interiors = polygon.find("interiors");
-  if (!interiors) return holes;
-  for (const PickleField& hole : interiors->list()) holes.push_back(hole.points());
-  return holes;
-}
-
-/// Reads lanes and walkways of map_features. Lanes of bicycles are no lanes of motor vehicles and
-/// are left out, a feature that cannot be read as well.
-class MapReader {
- public:
-  LaneMap read(const PickleField& features) {
-    for (const auto& [id, feature] : features.entries()) {
-      try {
-        add(id, feature);
-      } catch (const std::runtime_error& error) {
-        if (problems_++ == 0) first_problem_ = error.what();
-      }
-    }
-    link();
-    return std::move(map_);
-  }
-
-  int problems() const { return problems_; }
-  const std::string& firstProblem() const { return first_problem_; }
-
- private:
-  void add(const std::string& id, const PickleField& feature) {
-    const std::string type = feature.at("type").text();
-    if (type.rfind("LANE_", 0) == 0 && type != "LANE_BIKE_LANE") addLane(id, type, feature);
-    if (type == "ROAD_EDGE_SIDEWALK") addWalkway(feature);
-  }
-
-  void addLane(const std::string& id, const std::string& type, const PickleField& feature) {
-    Lane lane;
-    lane.id = id;
-    lane.is_connector = type == "LANE_SURFACE_UNSTRUCTURE";
-    const auto inside = feature.find("is_intersection");
-    lane.is_intersection = inside && inside->flag();
-    lane.centerline = centerline(feature.at("polyline").points());
-    if (const auto outline = feature.find("polygon")) lane.polygon = outline->points();
-    if (lane.polygon.size() < 3) lane.polygon = stripAlong(lane.centerline, kLaneWidth);
-    if (const auto limit = feature.find("speed_limit_kmh")) {
-      const double speed = limit->rawNumber();
-      if (std::isfinite(speed) && speed > 0.0) lane.speed_limit = speed / kKilometresAnHour;
-    }
-    if (const auto entries = feature.find("entry_lanes")) lane.incoming = entries->words();
-    if (const auto exits = feature.find("exit_lanes")) lane.outgoing = exits->words();
-    map_.lanes.push_back(std::move(lane));
-  }
-
-  void addWalkway(const PickleField& feature) {
-    const auto outline = feature.find("polygon");
-    if (!outline || outline->points().size() < 3) return;
-    map_.walkways.push_back({outline->points(), holesOf(feature)});
-  }
-
-  /// Returns an empty list for a line of length 0.
-  static std::vector<Pose2> centerline(const std::vector<Vector2>& points) {
-    constexpr double kCoincidence = 1e-6;  // m, as Polyline
-    const auto differs = [&](const Vector2& point) {
-      return (point - points.front()).norm() > kCoincidence;
-    };
-    if (std::none_of(points.begin(), points.end(), differs)) return {};
-    const Polyline line(points);
-    std::vector<Pose2> poses;
-    for (std::size_t i = 0; i < line.points().size(); ++i) {
-      const Vector2& point = line.points()[i];
-      poses.push_back({point.x(), point.y(), line.poseAt(line.arcLengths()[i]).yaw});
-    }
-    return poses;
-  }
-
-  /// Makes links mutual and drops links to lanes that are not in the file.
-  void link() {
-    std::unordered_map<std::string, std::size_t> places;
-    for (const Lane& lane : map_.lanes) places.emplace(lane.id, places.size());
-    std::vector<std::vector<std::string>> incoming(map_.lanes.size());
-    std::vector<std::vector<std::string>> outgoing(map_.lanes.size());
-    const auto add = [&](const std::string& from, const std::string& to) {
-      const auto before = places.find(from);
-      const auto after = places.find(to);
-      if (before == places.end() || after == places.end()) return;
-      std::vector<std::string>& out = outgoing[before->second];
-      if (std::find(out.begin(), out.end(), to) != out.end()) return;
-      out.push_back(to);
-      incoming[after->second].push_back(from);
-    };
-    for (const Lane& lane : map_.lanes) {
-      for (const std::string& next : lane.outgoing) add(lane.id, next);
-    }
-    for (const Lane& lane : map_.lanes) {
-      for (const std::string& before : lane.incoming) add(before, lane.id);
-    }
-    for (std::size_t i = 0; i < map_.lanes.size(); ++i) {
-      map_.lanes[i].incoming = std::move(incoming[i]);
-      map_.lanes[i].outgoing = std::move(outgoing[i]);
-    }
-  }
-
-  LaneMap map_;
-  int problems_ = 0;
-  std::string first_problem_;
-};
-
-std::vector<Polygon> areasOf(const PickleField& areas) {
-  std::vector<Polygon> polygons;
-  for (const PickleField& area : areas.list()) {
-    polygons.push_back({area.at("exterior").points(), holesOf(area)});
-  }
-  return polygons;
 }
 
 DrivingSide sideOf(const std::optional<PickleField>& own, const std::string& location,
@@ -364,11 +247,11 @@ class DescriptionReader {
   }
 
   LaneMap readMap(const std::string& location) {
-    MapReader reader;
-    LaneMap map = reader.read(root_.at("map_features"));
-    if (reader.problems() > 0) {
-      warn(counted(static_cast<std::size_t>(reader.problems()), "map feature") +
-           " that cannot be read left out (first: " + reader.firstProblem() + ")");
+    std::vector<std::string> problems;
+    LaneMap map = lanesOf(root_.at("map_features"), problems);
+    if (!problems.empty()) {
+      warn(counted(problems.size(), "map feature") +
+           " that cannot be read left out (first: " + problems.front() + ")");
     }
     map.location = location;
     map.driving_side = sideOf(own_, location, options_);

@@ -73,4 +73,10 @@ SceneSource::ReadScene SceneSource::read(const std::string& name,
   return scene;
 }
 
+std::string unreadableText(const std::vector<std::string>& problems) {
+  std::string text;
+  for (const std::string& problem : problems) text += "; not read: " + problem;
+  return text;
+}
+
 }  // namespace forge

@@ -46,4 +46,8 @@ class SceneSource {
   std::list<std::pair<std::string, ReadScene>> scenes_;  // by name, most recently used first
 };
 
+/// Returns "" or "; not read: PROBLEM" for each problem of SceneSource::forEach(), as the end of
+/// the message of an error.
+std::string unreadableText(const std::vector<std::string>& problems);
+
 }  // namespace forge

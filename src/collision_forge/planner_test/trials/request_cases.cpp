@@ -78,7 +78,8 @@ RequestCases::RequestCases(SceneSource& scenes, const MethodMaker& method,
   if (requests_.empty()) {
     throw std::runtime_error(
         "no collision request is possible in these scenes: each is too short, "
-        "its ego too slow, or the road allows none");
+        "its ego too slow, or the road allows none" +
+        unreadableText(unreadable_));
   }
 }
 

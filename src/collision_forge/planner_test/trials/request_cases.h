@@ -8,7 +8,7 @@
 
 #include "collision_forge/attack/network/method_maker.h"
 #include "collision_forge/attack/search/options.h"
-#include "collision_forge/io/answers/request_answerer.h"
+#include "collision_forge/io/answers/request_solver.h"
 #include "collision_forge/io/scenarios/scenario_file.h"
 #include "collision_forge/planner_test/trials/planner_cases.h"
 

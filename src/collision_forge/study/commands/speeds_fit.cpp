@@ -84,16 +84,17 @@ SpeedSituations collect(const LogSource& logs, const StudyConfig& config,
   return SpeedSituations(std::move(rows));
 }
 
-/// Fits the model; adds the path of the logs to error messages.
-SpeedModel fitTo(const SpeedSituations& recorded, const Arguments& arguments,
-                 const StudyConfig& config) {
+/// Fits the model; adds the path of the logs and `unreadable` to error messages.
+SpeedModel fitTo(const SpeedSituations& recorded, const std::vector<std::string>& unreadable,
+                 const Arguments& arguments, const StudyConfig& config) {
   ProgressLine progress("models");
   try {
     return fitSpeedModelWithFolds(
         recorded, arguments.folds, config.speed_model_fit, arguments.seed,
         [&](std::size_t done, std::size_t all) { progress.show(done, all); });
   } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(arguments.logs.path + ": no model can be fitted: " + error.what());
+    throw std::runtime_error(arguments.logs.path + ": no model can be fitted: " + error.what() +
+                             unreadableText(unreadable));
   }
 }
 
@@ -102,7 +103,7 @@ int fit(const Arguments& arguments) {
   const OutputLock lock = OutputLock::ofFile(arguments.out);
   std::vector<std::string> unreadable;
   const SpeedSituations recorded = collect(arguments.logs, config, unreadable);
-  const SpeedModel fitted = fitTo(recorded, arguments, config);
+  const SpeedModel fitted = fitTo(recorded, unreadable, arguments, config);
   writeSpeedModel(fitted, arguments.out);
   std::printf("%d intervals of %zu scenes\n", static_cast<int>(fitted.weights().gains.cols()),
               recorded.scenes().size());

@@ -7,7 +7,7 @@
 
 #include "collision_forge/attack/search/judge.h"
 #include "collision_forge/base/scene/find_track.h"
-#include "collision_forge/io/answers/request_answerer.h"
+#include "collision_forge/io/answers/request_solver.h"
 
 namespace forge {
 namespace {

@@ -1,4 +1,4 @@
-#include "collision_forge/io/answers/request_answerer.h"
+#include "collision_forge/io/answers/request_solver.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 const std::string kDataroot = COLLISION_FORGE_SOURCE_DIR "/data/embedded";
 
-class RequestAnswererTest : public testing::Test {
+class RequestSolverTest : public testing::Test {
  protected:
   /// A request 4 s after the first frame of scene-0001.
   SceneRequest asked(CollisionType type) {
@@ -29,7 +29,7 @@ class RequestAnswererTest : public testing::Test {
   RequestSolver answerer_{scenes_, method_, config_.crash, config_.ego_vehicle, config_.adaptive};
 };
 
-TEST_F(RequestAnswererTest, AgreesWithGenerateCollision) {
+TEST_F(RequestSolverTest, AgreesWithGenerateCollision) {
   const auto indexed = scenes_.at("scene-0001");
   for (const CollisionType type : kCollisionTypes) {
     const SceneRequest request = asked(type);
@@ -43,7 +43,7 @@ TEST_F(RequestAnswererTest, AgreesWithGenerateCollision) {
   }
 }
 
-TEST_F(RequestAnswererTest, AnAdaptiveAttackIsTheRequestedCrashOrRejected) {
+TEST_F(RequestSolverTest, AnAdaptiveAttackIsTheRequestedCrashOrRejected) {
   int attacks = 0;
   for (const CollisionType type : kCollisionTypes) {
     SceneRequest request = asked(type);
@@ -65,7 +65,7 @@ TEST_F(RequestAnswererTest, AnAdaptiveAttackIsTheRequestedCrashOrRejected) {
   EXPECT_GT(attacks, 0);
 }
 
-TEST_F(RequestAnswererTest, RejectsATimeWithoutFrameNamingTheNearest) {
+TEST_F(RequestSolverTest, RejectsATimeWithoutFrameNamingTheNearest) {
   SceneRequest request = asked(CollisionType::kRearEnd);
   const double frame = request.now;
   for (const double now : {frame + 0.1, frame - 0.1}) {

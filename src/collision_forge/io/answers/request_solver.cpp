@@ -1,4 +1,4 @@
-#include "collision_forge/io/answers/request_answerer.h"
+#include "collision_forge/io/answers/request_solver.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "collision_forge/attack/search/how_asked.h"
+#include "collision_forge/attack/search/request_constraints.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,134 @@
+#include "collision_forge/io/logs/scenario_net_lanes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <unordered_map>
+#include <utility>
+
+#include "collision_forge/base/geometry/polyline.h"
+
+namespace forge {
+namespace {
+
+constexpr double kKilometresAnHour = 3.6;  // km/h in 1 m/s
+
+/// Returns the outlines in the dict's "interiors".
+std::vector<std::vector<Vector2>> holesOf(const PickleField& polygon) {
+  std::vector<std::vector<Vector2>> holes;
+  const auto interiors = polygon.find("interiors");
+  if (!interiors) return holes;
+  for (const PickleField& hole : interiors->list()) holes.push_back(hole.points());
+  return holes;
+}
+
+class MapReader {
+ public:
+  explicit MapReader(std::vector<std::string>& problems) : problems_(problems) {}
+
+  LaneMap read(const PickleField& features) {
+    for (const auto& [id, feature] : features.entries()) {
+      try {
+        add(id, feature);
+      } catch (const std::runtime_error& error) {
+        problems_.push_back(error.what());
+      }
+    }
+    link();
+    return std::move(map_);
+  }
+
+ private:
+  void add(const std::string& id, const PickleField& feature) {
+    const std::string type = feature.at("type").text();
+    if (type.rfind("LANE_", 0) == 0 && type != "LANE_BIKE_LANE") addLane(id, type, feature);
+    if (type == "ROAD_EDGE_SIDEWALK") addWalkway(feature);
+  }
+
+  void addLane(const std::string& id, const std::string& type, const PickleField& feature) {
+    Lane lane;
+    lane.id = id;
+    lane.is_connector = type == "LANE_SURFACE_UNSTRUCTURE";
+    const auto inside = feature.find("is_intersection");
+    lane.is_intersection = inside && inside->flag();
+    lane.centerline = centerline(feature.at("polyline").points());
+    if (const auto outline = feature.find("polygon")) lane.polygon = outline->points();
+    if (lane.polygon.size() < 3) lane.polygon = stripAlong(lane.centerline, kLaneWidth);
+    if (const auto limit = feature.find("speed_limit_kmh")) {
+      const double speed = limit->rawNumber();
+      if (std::isfinite(speed) && speed > 0.0) lane.speed_limit = speed / kKilometresAnHour;
+    }
+    if (const auto entries = feature.find("entry_lanes")) lane.incoming = entries->words();
+    if (const auto exits = feature.find("exit_lanes")) lane.outgoing = exits->words();
+    map_.lanes.push_back(std::move(lane));
+  }
+
+  void addWalkway(const PickleField& feature) {
+    const auto outline = feature.find("polygon");
+    if (!outline || outline->points().size() < 3) return;
+    map_.walkways.push_back({outline->points(), holesOf(feature)});
+  }
+
+  /// Returns an empty list for a line of length 0.
+  static std::vector<Pose2> centerline(const std::vector<Vector2>& points) {
+    constexpr double kCoincidence = 1e-6;  // m, as Polyline
+    const auto differs = [&](const Vector2& point) {
+      return (point - points.front()).norm() > kCoincidence;
+    };
+    if (std::none_of(points.begin(), points.end(), differs)) return {};
+    const Polyline line(points);
+    std::vector<Pose2> poses;
+    for (std::size_t i = 0; i < line.points().size(); ++i) {
+      const Vector2& point = line.points()[i];
+      poses.push_back({point.x(), point.y(), line.poseAt(line.arcLengths()[i]).yaw});
+    }
+    return poses;
+  }
+
+  /// Makes links mutual and drops links to lanes that are not in the file.
+  void link() {
+    std::unordered_map<std::string, std::size_t> places;
+    for (const Lane& lane : map_.lanes) places.emplace(lane.id, places.size());
+    std::vector<std::vector<std::string>> incoming(map_.lanes.size());
+    std::vector<std::vector<std::string>> outgoing(map_.lanes.size());
+    const auto add = [&](const std::string& from, const std::string& to) {
+      const auto before = places.find(from);
+      const auto after = places.find(to);
+      if (before == places.end() || after == places.end()) return;
+      std::vector<std::string>& out = outgoing[before->second];
+      if (std::find(out.begin(), out.end(), to) != out.end()) return;
+      out.push_back(to);
+      incoming[after->second].push_back(from);
+    };
+    for (const Lane& lane : map_.lanes) {
+      for (const std::string& next : lane.outgoing) add(lane.id, next);
+    }
+    for (const Lane& lane : map_.lanes) {
+      for (const std::string& before : lane.incoming) add(before, lane.id);
+    }
+    for (std::size_t i = 0; i < map_.lanes.size(); ++i) {
+      map_.lanes[i].incoming = std::move(incoming[i]);
+      map_.lanes[i].outgoing = std::move(outgoing[i]);
+    }
+  }
+
+  LaneMap map_;
+  std::vector<std::string>& problems_;
+};
+
+}  // namespace
+
+LaneMap lanesOf(const PickleField& features, std::vector<std::string>& problems) {
+  return MapReader(problems).read(features);
+}
+
+std::vector<Polygon> areasOf(const PickleField& areas) {
+  std::vector<Polygon> polygons;
+  for (const PickleField& area : areas.list()) {
+    polygons.push_back({area.at("exterior").points(), holesOf(area)});
+  }
+  return polygons;
+}
+
+}  // namespace forge

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "collision_forge/base/map/lane_map.h"
+#include "collision_forge/io/logs/pickle_field.h"
+
+namespace forge {
+
+/// Returns the lanes (with mutual links) and walkways of a scenario description's `map_features`,
+/// m, in the frame of the file; without drivable area. Leaves out lanes of bicycles, which are not
+/// lanes of motor vehicles, and features that cannot be read; adds a message for each of these to
+/// `problems`. Throws std::runtime_error if `features` is not a dict.
+LaneMap lanesOf(const PickleField& features, std::vector<std::string>& problems);
+
+/// Returns polygons with holes from a list of dicts with "exterior" and "interiors". Throws
+/// std::runtime_error for an element of another form.
+std::vector<Polygon> areasOf(const PickleField& areas);
+
+}  // namespace forge
