@@ -5,12 +5,6 @@
 namespace forge {
 namespace {
 
-TEST(TestablePlanners, AreThoseThatAreBuiltInAndTheExternalOne) {
-  const std::vector<std::string> names = testablePlanners();
-  EXPECT_EQ(names.front(), "idm");
-  EXPECT_EQ(names.back(), "external");
-}
-
 TEST(PlannedTrajectoryMessage, NeedsItsOrientations) {
   collision_forge::PlannedTrajectory message;
   message.points.resize(2);

@@ -62,6 +62,25 @@ class TestPlannersTest(road.RoadTest):
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), len(results) + tested)
 
+    def run_external(self, mode, *arguments):
+        out = self.path('external_' + mode)
+        node = '/usr/bin/python3 {} {}'.format(Path(__file__).resolve().parent / 'odd_planner.py', mode)
+        result = self.run_on(self.scenarios, out, '--planners', 'external', '--planner-node', node, *arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        left = subprocess.run(['pgrep', '-f', 'odd_planner.py ' + mode], stdout=subprocess.PIPE, check=False)
+        self.assertEqual(left.stdout, b'')
+        return [row for result in lines_of(out) for row in result.get('planners', []) if row['planner'] == 'external']
+
+    def test_a_planner_in_a_node_drives_every_case(self):
+        rows = self.run_external('straight', '--jobs', 2)
+        self.assertGreater(len(rows), 3)
+        self.assertLessEqual({row['failure'] for row in rows}, {'none', 'off_map'})
+
+    def test_a_node_that_dies_is_replaced(self):
+        rows = self.run_external('dies', '--jobs', 1)
+        self.assertEqual({row['failure'] for row in rows}, {'timed_out'})
+        self.assertEqual({row['contact'] for row in rows}, {None})
+
     def test_a_line_for_each_planner_is_printed(self):
         lines = self.result.stdout.splitlines()
         self.assertLessEqual(len(lines), 10)

@@ -1,6 +1,8 @@
 #include "collision_forge/app/options.h"
 
+#include <filesystem>
 #include <memory>
+#include <sstream>
 
 #include "collision_forge/attack/search/method_registry.h"
 #include "collision_forge/attack/search/request_check.h"
@@ -227,24 +229,50 @@ void addMode(CLI::App& app, Mode& mode, bool may_adapt) {
       "t0; adaptive: as history, and the attacker replans at every new frame");
 }
 
-void addPlannerFile(CLI::App& app, std::string& file) {
-  app.add_option("--planner-file", file,
+void addOwnPlanners(CLI::App& app, OwnPlanners& own) {
+  app.add_option("--planner-file", own.file,
                  "TorchScript file of the planner torchscript (default: file of planners.yaml)");
+  CLI::Option* command =
+      app.add_option("--planner-command", own.command,
+                     "shell command of the planner external: a process that uses the line protocol "
+                     "of docs/planners.md");
+  app.add_option("--planner-node", own.node,
+                 "shell command of the planner external: starts a ROS node; each has a master of "
+                 "its own")
+      ->excludes(command);
 }
 
-void usePlannerFile(const std::string& file, const std::vector<std::string>& planners,
+void useOwnPlanners(const OwnPlanners& own, const std::vector<std::string>& planners,
                     Config& config) {
-  if (!file.empty()) config.planners.torchscript.file = allowedWeights(config, file);
+  PlannerOptions& settings = config.planners;
+  if (!own.file.empty()) settings.torchscript.file = allowedWeights(config, own.file);
+  settings.external.is_node = !own.node.empty();
+  settings.external.command = own.node.empty() ? own.command : own.node;
   for (const std::string& name : planners) {
-    if (name == kTorchscript) makePlanner(name, config.planners, "");
+    if (name == kTorchscript) makePlanner(name, settings, "");
+    if (name == kExternal) ProcessPlanner(settings.external).start();
   }
 }
 
-void addPlannerFingerprint(ResumableFile::Options& options,
-                           const std::vector<std::string>& planners,
-                           const PlannerOptions& settings) {
-  if (std::find(planners.begin(), planners.end(), kTorchscript) == planners.end()) return;
-  options["planner_file"] = fingerprintOfFile(settings.torchscript.file);
+void addPlannerFingerprints(ResumableFile::Options& options,
+                            const std::vector<std::string>& planners,
+                            const PlannerOptions& settings) {
+  const auto is_tested = [&](const char* name) {
+    return std::find(planners.begin(), planners.end(), name) != planners.end();
+  };
+  if (is_tested(kTorchscript)) {
+    options["planner_file"] = fingerprintOfFile(settings.torchscript.file);
+  }
+  if (!is_tested(kExternal)) return;
+  const std::string& command = settings.external.command;
+  std::string& found = options[settings.external.is_node ? "planner_node" : "planner_command"];
+  found = command;
+  std::istringstream words(command);
+  for (std::string word; words >> word;) {
+    std::error_code unreadable;
+    if (!std::filesystem::is_regular_file(word, unreadable)) continue;
+    found += ", " + word + ": " + fingerprintOfFile(word);
+  }
 }
 
 void addBackground(CLI::App& app, Background& background) {

@@ -98,17 +98,24 @@ CLI::Option* addMethod(CLI::App& app, std::string& method, const ConfigFolder& c
 /// Throws CLI::ValidationError, naming `option` and the known methods, if `method` is neither built
 /// in nor listed in methods.yaml. Ignores an invalid configuration, which the run itself reports.
 void checkMethod(const std::string& option, const std::string& method, const ConfigFolder& config);
-/// --planner-file: TorchScript file that replaces the file named in planners.yaml.
-void addPlannerFile(CLI::App& app, std::string& file);
-/// Stores `file` (if not empty) in config.planners after checking that its licence is allowed. If
-/// `planners` contains "torchscript", loads the planner once, so that an unusable file throws
-/// PlannerFileError before the work begins.
-void usePlannerFile(const std::string& file, const std::vector<std::string>& planners,
+/// Planners of the user; empty texts: none was given.
+struct OwnPlanners {
+  std::string file;     ///< TorchScript file that replaces the file in planners.yaml
+  std::string command;  ///< of a process that uses the line protocol
+  std::string node;     ///< command that starts a ROS node
+};
+/// --planner-file, --planner-command, --planner-node.
+void addOwnPlanners(CLI::App& app, OwnPlanners& own);
+/// Stores the user's planners in config.planners after checking that the licence of the file is
+/// allowed. Starts each of `planners` that runs outside this process once, so that an unusable one
+/// throws PlannerFileError before the work begins.
+void useOwnPlanners(const OwnPlanners& own, const std::vector<std::string>& planners,
                     Config& config);
-/// Adds the fingerprint of the TorchScript file to `options` if `planners` contains "torchscript".
-void addPlannerFingerprint(ResumableFile::Options& options,
-                           const std::vector<std::string>& planners,
-                           const PlannerOptions& settings);
+/// Adds the fingerprints of the user's planners that are in `planners` to `options`: of the
+/// TorchScript file, and of the command with the files that it names.
+void addPlannerFingerprints(ResumableFile::Options& options,
+                            const std::vector<std::string>& planners,
+                            const PlannerOptions& settings);
 /// --background: how other agents move in a planner test, replay or idm.
 void addBackground(CLI::App& app, Background& background);
 

@@ -83,7 +83,7 @@ TestPlan planOf(const PlannerTestArguments& arguments, const Config& config) {
 
 Config loadTestConfig(const PlannerTestArguments& arguments) {
   Config config = loadRunConfig(arguments.config);
-  usePlannerFile(arguments.planner_file, arguments.planners, config);
+  useOwnPlanners(arguments.own_planners, arguments.planners, config);
   return config;
 }
 
@@ -123,7 +123,7 @@ ResumableFile::Options PlannerTestRun::runOptions(const PlannerCases& cases) con
   options["cases"] = cases.fingerprint();
   options["planners"] = joined(arguments_.planners);
   options["attacker_policy"] = joined(arguments_.policies);
-  addPlannerFingerprint(options, arguments_.planners, config_.planners);
+  addPlannerFingerprints(options, arguments_.planners, config_.planners);
   options["background"] = toString(arguments_.background);
   return options;
 }
@@ -197,7 +197,7 @@ void addPlannerTestOptions(CLI::App& app, PlannerTestArguments& arguments) {
       ->delimiter(',')
       ->transform(oneOf(plannerNames()))
       ->capture_default_str();
-  addPlannerFile(app, arguments.planner_file);
+  addOwnPlanners(app, arguments.own_planners);
   addBackground(app, arguments.background);
   app.add_option("--worst", arguments.worst,
                  "number of pictures per planner, hardest impacts first")

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/app/options.h"
 #include "collision_forge/io/batch/dispatch.h"
 #include "collision_forge/io/batch/output.h"
 #include "collision_forge/io/logs/log_source.h"
@@ -20,7 +21,7 @@ namespace forge {
 struct PlannerTestArguments {
   LogSource logs;
   std::vector<std::string> planners = {"idm", "rule_based", "pdm"};  ///< names of plannerNames()
-  std::string planner_file;                       ///< TorchScript file; empty: planners.yaml's
+  OwnPlanners own_planners;
   std::vector<std::string> policies = {"fixed"};  ///< attacker policies: "fixed", "adaptive"
   Background background = Background::kReplay;    ///< motion of other agents
   std::size_t worst = 3;                          ///< pictures per planner and policy
@@ -30,7 +31,7 @@ struct PlannerTestArguments {
   int jobs = defaultJobs();  ///< threads
 };
 
-/// Adds --planners, --planner-file, --background, --worst, --out, --jobs, --report and --config.
+/// Adds --planners, addOwnPlanners(), --background, --worst, --out, --jobs, --report and --config.
 void addPlannerTestOptions(CLI::App& app, PlannerTestArguments& arguments);
 
 /// One run of a planner test. Holds the configuration and the locks of the output folders.

@@ -54,6 +54,9 @@ Tuning openTuning(const TuningArguments& arguments, const Config& config, Tuning
   for (PlannerVariant& variant : variants) {
     variant.options.torchscript.file = config.planners.torchscript.file;
     variant.options.torchscript.workers = config.planners.torchscript.workers;
+    variant.options.external.command = config.planners.external.command;
+    variant.options.external.is_node = config.planners.external.is_node;
+    variant.options.external.processes = config.planners.external.processes;
   }
   return {arguments, config, file, std::move(variants), std::move(cases)};
 }
@@ -63,7 +66,7 @@ ResumableFile::Options runOptions(const Tuning& tuning) {
   const TuningArguments& arguments = tuning.arguments;
   ResumableFile::Options options = inputsOf(tuning.config, arguments.logs);
   options["planner"] = arguments.planner;
-  addPlannerFingerprint(options, {arguments.planner}, tuning.config.planners);
+  addPlannerFingerprints(options, {arguments.planner}, tuning.config.planners);
   options["background"] = toString(arguments.background);
   std::string found;
   for (const PlannerVariant& variant : tuning.variants) {
@@ -165,7 +168,7 @@ ReportInputs reportInputs(const Tuning& tuning) {
 int tunePlanner(const TuningArguments& arguments,
                 const std::function<TuningCases(const Config&)>& open) {
   Config config = loadRunConfig(arguments.config);
-  usePlannerFile(arguments.planner_file, {arguments.planner}, config);
+  useOwnPlanners(arguments.own_planners, {arguments.planner}, config);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   const Tuning tuning = openTuning(arguments, config, open(config));
   std::vector<PlannerTestResult> train;
@@ -187,7 +190,7 @@ void addTuningOptions(CLI::App& app, TuningArguments& arguments) {
   app.add_option("--planner", arguments.planner, "planner to tune")
       ->transform(oneOf(plannerNames()))
       ->capture_default_str();
-  addPlannerFile(app, arguments.planner_file);
+  addOwnPlanners(app, arguments.own_planners);
   app.add_option("--grid", arguments.grid,
                  "YAML file with the values to try (default: tuning.yaml of --config)")
       ->check(CLI::ExistingFile);

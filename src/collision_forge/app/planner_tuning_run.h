@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/app/options.h"
 #include "collision_forge/base/files/resumable_file.h"
 #include "collision_forge/io/batch/dispatch.h"
 #include "collision_forge/io/logs/log_source.h"
@@ -19,8 +20,8 @@ namespace forge {
 /// The command-line arguments of a tuning run.
 struct TuningArguments {
   std::string planner = "pdm";
-  std::string planner_file;  ///< TorchScript file; empty: planners.yaml's
-  std::string grid;          ///< YAML file with the values; empty: tuning.yaml of the configuration
+  OwnPlanners own_planners;
+  std::string grid;  ///< YAML file with the values; empty: tuning.yaml of the configuration
   LogSource logs;
   Background background = Background::kReplay;  ///< motion of other agents
   std::string out;                              ///< output folder
@@ -44,7 +45,7 @@ struct TuningCases {
 int tunePlanner(const TuningArguments& arguments,
                 const std::function<TuningCases(const Config&)>& open);
 
-/// Adds --planner, --planner-file, --grid, --source, --background, --out, --jobs, --report,
+/// Adds --planner, addOwnPlanners(), --grid, --source, --background, --out, --jobs, --report,
 /// --config.
 void addTuningOptions(CLI::App& app, TuningArguments& arguments);
 

@@ -28,22 +28,30 @@ double steadySeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Starts the program with its stdout redirected to stderr. With a `stream`, which becomes its
-/// kWorkerStream, the program gets its own process group, so that Ctrl-C does not end it: its owner
-/// decides when it ends.
-pid_t spawn(const std::vector<std::string>& command, std::optional<int> stream = {}) {
+constexpr std::size_t kBlock = 1 << 16;  // bytes received at once for a line
+
+/// Starts the program. Its stdout goes to stderr, unless `stream` is both its stdin and stdout.
+/// With a `stream` the program gets its own process group, so that Ctrl-C does not end it: its
+/// owner decides when it ends.
+pid_t spawn(const std::vector<std::string>& command, std::optional<int> stream = {},
+            WorkerStream kind = WorkerStream::kOwn) {
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+  if (kind == WorkerStream::kOwn) {
+    posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+    if (stream) posix_spawn_file_actions_adddup2(&actions, *stream, kWorkerStream);
+  } else {
+    posix_spawn_file_actions_adddup2(&actions, *stream, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, *stream, STDOUT_FILENO);
+  }
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t none;
   sigemptyset(&none);
   if (stream) {
-    posix_spawn_file_actions_adddup2(&actions, *stream, kWorkerStream);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
     posix_spawnattr_setsigmask(&attributes, &none);
   }
@@ -82,14 +90,16 @@ std::optional<std::string> runProgram(const std::vector<std::string>& command) {
   return howEnded(status);
 }
 
-WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
+WorkerProcess::WorkerProcess(const std::vector<std::string>& command, WorkerStream stream,
+                             double grace)
+    : grace_(grace) {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
     throw std::runtime_error(command.front() + ": " + std::strerror(errno));
   }
   stream_ = ends[0];
   try {
-    pid_ = spawn(command, ends[1]);
+    pid_ = spawn(command, ends[1], stream);
   } catch (...) {
     for (const int end : ends) close(end);
     throw;
@@ -99,12 +109,30 @@ WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
 
 WorkerProcess::~WorkerProcess() {
   close(stream_);
+  awaitEnd();
   end();
+}
+
+void WorkerProcess::interrupt() const {
+  if (pid_ > 0) kill(-pid_, SIGINT);
+}
+
+bool WorkerProcess::hasEnded() const {
+  siginfo_t found{};
+  constexpr int kOptions = WEXITED | WNOHANG | WNOWAIT;
+  return pid_ <= 0 || waitid(P_PID, static_cast<id_t>(pid_), &found, kOptions) != 0 ||
+         found.si_pid != 0;
+}
+
+void WorkerProcess::awaitEnd() const {
+  constexpr useconds_t kPoll = 2000;  // us
+  const double last = steadySeconds() + grace_;
+  while (!hasEnded() && steadySeconds() < last) usleep(kPoll);
 }
 
 int WorkerProcess::end() {
   if (pid_ <= 0) return status_;
-  kill(pid_, SIGKILL);
+  kill(-pid_, SIGKILL);
   status_ = statusAtEnd(pid_);
   pid_ = 0;
   return status_;
@@ -145,12 +173,45 @@ void WorkerProcess::send(const void* data, std::size_t size) {
 void WorkerProcess::receive(void* data, std::size_t size) {
   char* bytes = static_cast<char*>(data);
   while (size > 0) {
+    const std::size_t received = receiveSome(bytes, size);
+    bytes += received;
+    size -= received;
+  }
+}
+
+std::size_t WorkerProcess::receiveSome(char* bytes, std::size_t size) {
+  while (true) {
     await(POLLIN);
     const ssize_t received = ::recv(stream_, bytes, size, MSG_DONTWAIT);
     if (received < 0 && (errno == EAGAIN || errno == EINTR)) continue;
     if (received <= 0) failGone();
-    bytes += received;
-    size -= static_cast<std::size_t>(received);
+    return static_cast<std::size_t>(received);
+  }
+}
+
+std::string WorkerProcess::receiveLine(std::size_t longest) {
+  std::size_t searched = 0;
+  while (true) {
+    const std::size_t end = unread_.find('\n', searched);
+    if (std::min(end, unread_.size()) > longest) {
+      throw std::runtime_error("a line of its output has more than " + std::to_string(longest) +
+                               " bytes");
+    }
+    if (end != std::string::npos) {
+      std::string line = unread_.substr(0, end);
+      unread_.erase(0, end + 1);
+      return line;
+    }
+    searched = unread_.size();
+    unread_.resize(searched + kBlock);
+    std::size_t received = 0;
+    try {
+      received = receiveSome(&unread_[searched], kBlock);
+    } catch (...) {
+      unread_.resize(searched);
+      throw;
+    }
+    unread_.resize(searched + received);
   }
 }
 
@@ -162,6 +223,9 @@ double WorkerProcess::processorTime() const {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-void WorkerProcess::failGone() { throw std::runtime_error("the process ended " + howEnded(end())); }
+void WorkerProcess::failGone() {
+  awaitEnd();
+  throw std::runtime_error("the process ended " + howEnded(end()));
+}
 
 }  // namespace forge

@@ -27,13 +27,21 @@ struct WorkerTimeout : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A child process with a byte stream to it (its descriptor kWorkerStream). The destructor kills
-/// it, whatever it is doing. Not thread-safe.
+/// Descriptors of the child process that carry the byte stream.
+enum class WorkerStream {
+  kOwn,       ///< kWorkerStream; the child's stdout goes to stderr
+  kStandard,  ///< stdin and stdout
+};
+
+/// A child process, in a process group of its own, with a byte stream to it. The destructor closes
+/// the stream, waits until the child ends by itself, at most `grace`, and kills the group. Not
+/// thread-safe.
 class WorkerProcess {
  public:
-  /// Starts `command` (program path and arguments). Throws std::runtime_error if it cannot be
-  /// started.
-  explicit WorkerProcess(const std::vector<std::string>& command);
+  /// Starts `command` (program path and arguments); `grace` in s. Throws std::runtime_error if it
+  /// cannot be started.
+  explicit WorkerProcess(const std::vector<std::string>& command,
+                         WorkerStream stream = WorkerStream::kOwn, double grace = 0.0);
   ~WorkerProcess();
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
@@ -44,19 +52,33 @@ class WorkerProcess {
   /// if the process has ended; the message says how it ended.
   void send(const void* data, std::size_t size);
   void receive(void* data, std::size_t size);
+  /// Receives text up to a line end, without it. Throws as receive(), and std::runtime_error for a
+  /// line of more than `longest` bytes.
+  std::string receiveLine(std::size_t longest);
+
+  /// Sends SIGINT to the group.
+  void interrupt() const;
+  /// Returns true if the process has ended.
+  bool hasEnded() const;
 
   /// Returns the CPU time of the process so far, in s; 0 if it has ended.
   double processorTime() const;
 
  private:
   void await(short events);
-  /// Kills the process if it still runs, and returns its wait status.
+  /// Receives at least one and at most `size` bytes; returns their number.
+  std::size_t receiveSome(char* bytes, std::size_t size);
+  /// Waits `grace` at most until the process ends by itself.
+  void awaitEnd() const;
+  /// Kills the process group if the process still runs, and returns its wait status.
   int end();
   [[noreturn]] void failGone();
 
   pid_t pid_ = 0;   // 0: ended
   int status_ = 0;  // wait status
   int stream_ = -1;
+  double grace_ = 0.0;     // s
+  std::string unread_;     // received behind the last line
   double timeout_ = 0.0;   // s, for messages
   double deadline_ = 0.0;  // s, of the steady clock
 };

@@ -128,6 +128,26 @@ std::vector<std::string> JsonObject::texts(const char* key) {
   return texts;
 }
 
+std::vector<std::vector<double>> JsonObject::rows(const char* key, std::size_t least,
+                                                  std::size_t most, int max) {
+  const Value& value = take(key);
+  if (!value.IsArray()) fail(key, "is not an array");
+  checkSize(key, value, max);
+  std::vector<std::vector<double>> rows;
+  rows.reserve(value.Size());
+  for (const Value& row : value.GetArray()) {
+    const auto is_number = [](const Value& number) { return number.IsNumber(); };
+    if (!row.IsArray() || row.Size() < least || row.Size() > most ||
+        !std::all_of(row.Begin(), row.End(), is_number)) {
+      fail(key, "holds " + excerpt(row) + ", which is not an array of " + std::to_string(least) +
+                    (most > least ? " to " + std::to_string(most) : "") + " numbers");
+    }
+    rows.emplace_back();
+    for (const Value& number : row.GetArray()) rows.back().push_back(number.GetDouble());
+  }
+  return rows;
+}
+
 JsonObject JsonObject::object(const char* key) { return {where_, pathOf(key), take(key)}; }
 
 std::optional<JsonObject> JsonObject::objectOrNull(const char* key) {
@@ -148,16 +168,18 @@ std::optional<std::vector<JsonObject>> JsonObject::objectsOrNull(const char* key
 
 std::vector<JsonObject> JsonObject::objectsIn(const char* key, int max, const Value& value) const {
   if (!value.IsArray()) fail(key, "is not an array");
-  if (value.Size() > static_cast<rapidjson::SizeType>(max)) {
-    fail(key,
-         "has " + std::to_string(value.Size()) + " elements, more than " + std::to_string(max));
-  }
+  checkSize(key, value, max);
   std::vector<JsonObject> objects;
   objects.reserve(value.Size());
   for (const Value& element : value.GetArray()) {
     objects.emplace_back(where_, pathOf(key) + "[" + std::to_string(objects.size()) + "]", element);
   }
   return objects;
+}
+
+void JsonObject::checkSize(const char* key, const Value& array, int max) const {
+  if (array.Size() <= static_cast<rapidjson::SizeType>(max)) return;
+  fail(key, "has " + std::to_string(array.Size()) + " elements, more than " + std::to_string(max));
 }
 
 void JsonObject::finish() const {
@@ -220,7 +242,7 @@ void JsonLineWriter::beginObject(const char* key) {
 void JsonLineWriter::endObject() { output_->writer.EndObject(); }
 
 void JsonLineWriter::beginArray(const char* key) {
-  output_->writer.Key(key);
+  if (key != nullptr) output_->writer.Key(key);
   output_->writer.StartArray();
 }
 
@@ -254,8 +276,8 @@ void JsonLineWriter::write(const std::string& value) {
 
 void JsonLineWriter::write(const char* key, double value) {
   if (!std::isfinite(value)) {
-    throw std::invalid_argument("field " + std::string(key) + " = " + std::to_string(value) +
-                                " is not finite");
+    throw std::invalid_argument("field " + std::string(key == nullptr ? "" : key) + " = " +
+                                std::to_string(value) + " is not finite");
   }
   char digits[32];
   const std::to_chars_result end = std::to_chars(digits, digits + sizeof(digits), value);

@@ -2,6 +2,7 @@
 
 #include <rapidjson/fwd.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -41,6 +42,9 @@ class JsonObject {
   bool flag(const char* key);
   std::vector<double> numbers(const char* key);
   std::vector<std::string> texts(const char* key);
+  /// Returns an array of at most `max` arrays of `least` to `most` numbers.
+  std::vector<std::vector<double>> rows(const char* key, std::size_t least, std::size_t most,
+                                        int max);
   JsonObject object(const char* key);
   std::optional<JsonObject> objectOrNull(const char* key);
   /// Returns an array of at most `max` objects; the size is checked before the elements.
@@ -56,6 +60,8 @@ class JsonObject {
  private:
   const rapidjson::Value& take(const char* key);
   std::vector<JsonObject> objectsIn(const char* key, int max, const rapidjson::Value& value) const;
+  /// Throws for an array of more than `max` elements.
+  void checkSize(const char* key, const rapidjson::Value& array, int max) const;
   std::string pathOf(const std::string& key) const;
 
   std::string where_;
@@ -93,7 +99,7 @@ class JsonLineWriter {
   void text(const char* key, const std::string& value);
   /// Throws std::invalid_argument naming the key if the number is not finite: JSON has none.
   void number(const char* key, double value);
-  /// Writes an array; throws as number().
+  /// Writes an array, or an array in an array if `key` is null; throws as number().
   void numbers(const char* key, const std::vector<double>& values);
   void texts(const char* key, const std::vector<std::string>& values);
   /// Writes a field, or an array element if `key` is null.

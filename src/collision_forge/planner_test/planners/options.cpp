@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
+#include <string>
 
 #include "collision_forge/base/config/section.h"
 
@@ -10,6 +12,7 @@ namespace {
 
 constexpr double kMaxOffset = 10.0;  // m
 constexpr double kMaxSpeedShare = 2.0;
+constexpr double kMaxParameter = std::numeric_limits<double>::max();
 constexpr double kMaxSteering = 1.5;  // rad; below 90 degrees
 
 IdmParameters readIdmLaw(Section& section) {
@@ -103,6 +106,11 @@ static void readOptions(Section& section, PublishedIdmOptions& options) {
 static void readOptions(Section& section, ExternalOptions& options) {
   options.interval = section.atLeast("interval", kMinTimeStep);
   options.timeout = section.positive("timeout");
+  options.start_timeout = section.positive("start_timeout");
+  Section parameters = section.section("parameters");
+  for (const std::string& name : std::set<std::string>(parameters.unread())) {
+    options.parameters[name] = parameters.within(name, -kMaxParameter, kMaxParameter);
+  }
 }
 
 static void readOptions(Section& section, TorchscriptOptions& options) {

@@ -5,6 +5,7 @@
 #include "collision_forge/planner_test/planners/kinematic_bicycle.h"
 #include "collision_forge/planner_test/planners/lqr_tracker.h"
 #include "collision_forge/planner_test/planners/pdm_options.h"
+#include "collision_forge/planner_test/planners/planner_process.h"
 #include "collision_forge/planner_test/planners/route.h"
 #include "collision_forge/planner_test/planners/rule_based_options.h"
 #include "collision_forge/planner_test/planners/torchscript_planner.h"
@@ -23,12 +24,6 @@ struct PlanningOptions {
   double history = 0.0;   ///< s of past states in an Observation
   double interval = 0.0;  ///< s between two calls
   RouteOptions route;
-};
-
-/// A planner in a ROS node of its own: config/planners.yaml, section external.
-struct ExternalOptions {
-  double interval = 0.0;  ///< s between two calls
-  double timeout = 0.0;   ///< s of the wall clock for a response
 };
 
 /// All planners: config/planners.yaml, one member per section, except for the sections in

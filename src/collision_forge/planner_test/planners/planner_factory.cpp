@@ -4,6 +4,7 @@
 
 #include "collision_forge/planner_test/planners/idm.h"
 #include "collision_forge/planner_test/planners/pdm_planner.h"
+#include "collision_forge/planner_test/planners/planner_process.h"
 #include "collision_forge/planner_test/planners/rule_based_planner.h"
 #include "collision_forge/planner_test/planners/torchscript_planner.h"
 
@@ -46,6 +47,11 @@ const Entry kEntries[] = {
        return std::make_unique<RuleBasedPlanner>(options.tuned_rule_based);
      },
      [](const PlannerOptions& options) { return options.tuned_rule_based.step; }},
+    {kExternal,
+     [](const PlannerOptions& options, const std::string&) -> std::unique_ptr<Planner> {
+       return std::make_unique<ProcessPlanner>(options.external);
+     },
+     [](const PlannerOptions& options) { return options.external.interval; }},
     {kTorchscript,
      [](const PlannerOptions& options, const std::string&) -> std::unique_ptr<Planner> {
        return std::make_unique<TorchscriptPlanner>(options.torchscript, options.route_centerline);

@@ -26,8 +26,11 @@ struct PlannerUnderTest {
 /// Name of the learned planner, which is loaded from a file.
 inline constexpr const char* kTorchscript = "torchscript";
 
-/// Names of the built-in planners: "idm", "idm_published", "pdm", "rule_based", "rule_based_tuned",
-/// "torchscript".
+/// Name of the user's planner in a process of its own.
+inline constexpr const char* kExternal = "external";
+
+/// Names of all planners: "idm", "idm_published", "pdm", "rule_based", "rule_based_tuned",
+/// "external", "torchscript".
 const std::vector<std::string>& plannerNames();
 
 /// Creates the planner `name` (one of plannerNames()). `attacker_id` is used only by idm_published,

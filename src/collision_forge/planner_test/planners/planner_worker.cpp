@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <system_error>
-#include <utility>
 
 #include "collision_forge/planner_test/planners/planner_contract.h"
 
@@ -31,18 +30,17 @@ std::vector<std::string> commandOf(const TorchscriptFileOptions& options) {
   return {program, options.file, options.device, std::to_string(longest)};
 }
 
-/// Returns a key that changes if the file or the options change.
-std::string keyOf(const TorchscriptFileOptions& options) {
+}  // namespace
+
+std::string workerKey(const TorchscriptFileOptions& options) {
   std::error_code absent;
   const auto written = fs::last_write_time(options.file, absent).time_since_epoch().count();
   return options.device + ' ' + std::to_string(options.timeout) + ' ' +
          std::to_string(options.start_timeout) + ' ' + std::to_string(written) + ' ' + options.file;
 }
 
-}  // namespace
-
 PlannerWorker::PlannerWorker(const TorchscriptFileOptions& options)
-    : options_(options), key_(keyOf(options)), process_(commandOf(options)) {
+    : options_(options), key_(workerKey(options)), process_(commandOf(options)) {
   std::vector<float> none;
   try {
     process_.setTimeout(options_.start_timeout);
@@ -92,26 +90,6 @@ void PlannerWorker::receiveAnswer(std::vector<float>& numbers) {
   std::string text(size, '\0');
   process_.receive(text.data(), size);
   throw std::runtime_error(text);
-}
-
-std::unique_ptr<PlannerWorker> PlannerWorkers::take(const TorchscriptFileOptions& options) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    const auto found = idle_.find(keyOf(options));
-    if (found != idle_.end()) {
-      std::unique_ptr<PlannerWorker> worker = std::move(found->second);
-      idle_.erase(found);
-      return worker;
-    }
-  }
-  return std::make_unique<PlannerWorker>(options);
-}
-
-void PlannerWorkers::giveBack(std::unique_ptr<PlannerWorker> worker) {
-  if (!worker->isUsable()) return;
-  const std::lock_guard<std::mutex> lock(mutex_);
-  std::string key = worker->key();
-  idle_.emplace(std::move(key), std::move(worker));
 }
 
 }  // namespace forge

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <map>
-#include <memory>
-#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "collision_forge/base/files/worker_process.h"
+#include "collision_forge/planner_test/planners/worker_pool.h"
 
 namespace forge {
 
@@ -42,7 +40,7 @@ class PlannerWorker {
 
   /// Returns false after begin() or plan() has thrown; such a worker must be replaced.
   bool isUsable() const { return is_usable_; }
-  /// Identifies the file and its version at load time.
+  /// workerKey() at load time.
   const std::string& key() const { return key_; }
   /// Returns the CPU time of the process, s.
   double processorTime() const { return process_.processorTime(); }
@@ -57,18 +55,10 @@ class PlannerWorker {
   bool is_usable_ = true;
 };
 
-/// Pool of idle workers: reuses loaded files, because loading takes about a second. Thread-safe.
-class PlannerWorkers {
- public:
-  /// Returns an idle worker or starts a new one. A file that has changed is loaded again. Throws
-  /// PlannerFileError.
-  std::unique_ptr<PlannerWorker> take(const TorchscriptFileOptions& options);
-  /// Returns a worker to the pool; one that is not usable is destroyed.
-  void giveBack(std::unique_ptr<PlannerWorker> worker);
+/// Identifies the file, its version and the options.
+std::string workerKey(const TorchscriptFileOptions& options);
 
- private:
-  std::mutex mutex_;
-  std::multimap<std::string, std::unique_ptr<PlannerWorker>> idle_;  // by key()
-};
+/// Reuses loaded files, because loading takes about a second.
+using PlannerWorkers = WorkerPool<PlannerWorker, TorchscriptFileOptions>;
 
 }  // namespace forge

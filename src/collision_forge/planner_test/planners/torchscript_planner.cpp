@@ -35,7 +35,9 @@ TrajectoryPoint nextPoint(const TrajectoryPoint& before, const Pose2& pose) {
 
 TorchscriptPlanner::TorchscriptPlanner(const TorchscriptOptions& options,
                                        const RouteCenterlineOptions& route)
-    : options_(options), route_options_(route), worker_(options.workers->take(options)) {}
+    : options_(options),
+      route_options_(route),
+      worker_(options.workers->take(options, workerKey(options))) {}
 
 TorchscriptPlanner::~TorchscriptPlanner() { options_.workers->giveBack(std::move(worker_)); }
 

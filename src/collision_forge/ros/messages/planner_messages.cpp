@@ -32,12 +32,6 @@ void fillNuplan(const NuplanScore& score, collision_forge::PlannerOutcome& messa
 
 }  // namespace
 
-std::vector<std::string> testablePlanners() {
-  std::vector<std::string> planner_names = plannerNames();
-  planner_names.push_back(kExternalPlanner);
-  return planner_names;
-}
-
 collision_forge::PlanningState toMessage(const Observation& observation, const DrivingTask& task,
                                          std::uint32_t test, double interval) {
   collision_forge::PlanningState message;

@@ -15,12 +15,6 @@
 /// Message conversions for planner tests.
 namespace forge {
 
-/// Name of the planner that runs in an external node.
-inline constexpr char kExternalPlanner[] = "external";
-
-/// Returns the valid values of `planner` in TestPlanner.srv: plannerNames() and kExternalPlanner.
-std::vector<std::string> testablePlanners();
-
 /// Returns the input of an external planner; `test` and `interval` (s) as in the message.
 collision_forge::PlanningState toMessage(const Observation& observation, const DrivingTask& task,
                                          std::uint32_t test, double interval);

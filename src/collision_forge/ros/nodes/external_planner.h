@@ -26,6 +26,9 @@ class ExternalPlanner : public Planner {
   /// Sets the options of the following tests.
   void setOptions(const ExternalOptions& options) { options_ = options; }
 
+  /// Returns true if a node subscribes to planning_state and publishes planned_trajectory.
+  bool isConnected() const;
+
   /// Throws PlannerTimeout if no node subscribes to planning_state and publishes
   /// planned_trajectory within the timeout.
   void initialize(const DrivingTask& task) override;
@@ -35,7 +38,6 @@ class ExternalPlanner : public Planner {
   std::vector<TrajectoryPoint> plan(const Observation& observation) override;
 
  private:
-  bool isConnected() const;
   void awaitAnswer(const collision_forge::PlanningState& state);
   void receive(const collision_forge::PlannedTrajectoryConstPtr& answer);
 

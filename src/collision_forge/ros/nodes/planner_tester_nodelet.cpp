@@ -167,14 +167,14 @@ class PlannerTesterNodelet : public QueuedNodelet {
   /// is shared by all tests.
   PlannerUnderTest makeByName(const std::string& name, const PlannerOptions& options,
                               const std::string& attacker_id) {
-    if (name == kExternalPlanner) {
+    if (name == kExternal) {
       external_->setOptions(options.external);
       return {nullptr, {options.external.interval, false}};
     }
     try {
       return makePlanner(name, options, attacker_id);
     } catch (const std::invalid_argument& error) {
-      refuse(Response::UNKNOWN_PLANNER, std::string(error.what()) + ", " + kExternalPlanner);
+      refuse(Response::UNKNOWN_PLANNER, error.what());
     }
   }
 

@@ -15,9 +15,9 @@
 
 #include <pluginlib/class_list_macros.hpp>
 
+#include "collision_forge/planner_test/planners/planner_factory.h"
 #include "collision_forge/ros/markers/marker_parts.h"
 #include "collision_forge/ros/messages/conversions.h"
-#include "collision_forge/ros/messages/planner_messages.h"
 #include "collision_forge/ros/messages/possible_collisions.h"
 #include "collision_forge/ros/messages/topic_names.h"
 #include "collision_forge/ros/rviz/attack_words.h"
@@ -116,7 +116,7 @@ void GeneratePanel::createWidgets() {
   list_->setToolTip("Pauses the player and lists the feasible collisions at that time");
   planner_ = new QComboBox;
   planner_->setObjectName("planner");
-  for (const std::string& name : testablePlanners()) planner_->addItem(name.c_str());
+  for (const std::string& name : plannerNames()) planner_->addItem(name.c_str());
   test_ = button("test_planner", "Test planner");
   test_->setToolTip(
       "Pauses the player and tests the planner in closed loop against the newest attack");

@@ -15,11 +15,18 @@
 namespace forge {
 namespace {
 
+/// Returns the names of the planners that need no command of the user.
+std::vector<std::string> builtInPlanners() {
+  std::vector<std::string> names = plannerNames();
+  names.erase(std::remove(names.begin(), names.end(), kExternal), names.end());
+  return names;
+}
+
 struct Arguments {
   LogSource logs;
   std::vector<std::string> scenes;
-  std::vector<std::string> planners = plannerNames();
-  std::string planner_file;
+  std::vector<std::string> planners = builtInPlanners();
+  OwnPlanners own_planners;
   ConfigFolder config;
 };
 
@@ -75,7 +82,7 @@ void print(Measurement& measurement) {
 
 int measure(const Arguments& arguments) {
   Config config = loadConfig(arguments.config);
-  usePlannerFile(arguments.planner_file, arguments.planners, config);
+  useOwnPlanners(arguments.own_planners, arguments.planners, config);
   SceneSource scenes(arguments.logs, arguments.scenes, config, 1, {}, showReading());
   const std::vector<std::string> names = scenes.names();
   std::vector<Measurement> measurements;
@@ -105,7 +112,7 @@ void addMeasurePlanners(CommandLine& line) {
       ->delimiter(',')
       ->transform(oneOf(plannerNames()))
       ->capture_default_str();
-  addPlannerFile(app, arguments->planner_file);
+  addOwnPlanners(app, arguments->own_planners);
   addConfig(app, arguments->config);
 }
 
