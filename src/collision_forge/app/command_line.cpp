@@ -16,7 +16,8 @@ namespace forge {
 namespace {
 
 constexpr char kExitCodes[] =
-    "Exit codes: 0 success, 1 error, 2 invalid command line, 3 no collision as requested.";
+    "Exit codes: 0 success, 1 error, 2 invalid command line, 3 no collision as requested, 4 "
+    "a planner fails --fail-if.";
 
 /// Lists the subcommands of a command one per line, unless the command has a description itself.
 class ContentsFormatter : public CLI::Formatter {

@@ -11,7 +11,8 @@ namespace forge {
 
 /// Exit codes of every command. kExitNoAttack: no collision as requested. In this case forge inject
 /// still writes the bag if an attack exists that misses the recorded ego or hits it differently.
-enum ExitCode { kExitOk = 0, kExitError = 1, kExitUsage = 2, kExitNoAttack = 3 };
+/// kExitFailed: a planner fails a criterion of the user.
+enum ExitCode { kExitOk = 0, kExitError = 1, kExitUsage = 2, kExitNoAttack = 3, kExitFailed = 4 };
 
 /// Prints "not read: PROBLEM" for each scene that could not be read. Returns kExitOk if there is
 /// none, else kExitError.

@@ -17,6 +17,7 @@
 #include "collision_forge/io/batch/output.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
 #include "collision_forge/planner_test/planners/planner_factory.h"
+#include "collision_forge/planner_test/report/junit_file.h"
 #include "collision_forge/planner_test/statistics/rate_table.h"
 #include "collision_forge/planner_test/trials/kept_drives.h"
 #include "collision_forge/planner_test/trials/planner_report.h"
@@ -97,6 +98,24 @@ void printSummary(const std::vector<PlannerTestResult>& results, const PlanningT
             << folder
             << ": table.md (rates by type and TTA, reasons of untested cases), results.csv, worst/ "
                "(pictures)\n";
+}
+
+/// --fail-if.
+void addCriteria(CLI::App& app, std::vector<Criterion>& criteria) {
+  std::string text =
+      "criterion under which a planner fails the test, such as 'avoidable_hits > 0', or @FILE with "
+      "one per line; repeatable; exit code 4. Measures:";
+  for (const std::string& measure : measureDescriptions()) text += "\n" + measure;
+  const auto add = [&criteria](const std::vector<std::string>& given) {
+    for (const std::string& one : given) {
+      try {
+        for (Criterion& criterion : parseCriteria(one)) criteria.push_back(std::move(criterion));
+      } catch (const std::invalid_argument& error) {
+        throw CLI::ValidationError("--fail-if", error.what());
+      }
+    }
+  };
+  app.add_option_function<std::vector<std::string>>("--fail-if", add, text)->expected(1, -1);
 }
 
 /// Throws std::runtime_error if no case was tested.
@@ -184,6 +203,17 @@ std::vector<PlannerTestResult> PlannerTestRun::run(
   return results;
 }
 
+int PlannerTestRun::judged(const std::vector<PlannerTestResult>& results, int code) const {
+  const std::vector<std::string> rows = rowNames(plan_);
+  const std::vector<Verdict> verdicts = judge(arguments_.criteria, results, rows);
+  std::cout << verdictText(verdicts);
+  if (!arguments_.junit.empty()) {
+    writeText(arguments_.junit, junitText(results, arguments_.criteria, verdicts, rows));
+  }
+  const auto is_failed = [](const Verdict& verdict) { return verdict.is_failed; };
+  return std::any_of(verdicts.begin(), verdicts.end(), is_failed) ? kExitFailed : code;
+}
+
 void PlannerTestRun::writePage(const std::vector<std::string>& attacks,
                                const LogSource& logs) const {
   if (arguments_.report.empty()) return;
@@ -205,6 +235,9 @@ void addPlannerTestOptions(CLI::App& app, PlannerTestArguments& arguments) {
   addOut(app, arguments.out, "output folder; see docs/planners.md");
   addJobs(app, arguments.jobs, "cases tested in parallel on each MPI rank");
   addReportOption(app, arguments.report);
+  addCriteria(app, arguments.criteria);
+  app.add_option("--junit", arguments.junit,
+                 "JUnit XML file; a case fails if it is counted by a measure of --fail-if");
   addConfig(app, arguments.config);
 }
 

@@ -11,6 +11,7 @@
 #include "collision_forge/planner_test/report/write_report.h"
 #include "collision_forge/planner_test/settings/config.h"
 #include "collision_forge/planner_test/trials/kept_drives.h"
+#include "collision_forge/planner_test/trials/pass_criteria.h"
 #include "collision_forge/planner_test/trials/planner_cases.h"
 #include "collision_forge/planner_test/trials/planner_run.h"
 
@@ -27,11 +28,14 @@ struct PlannerTestArguments {
   std::size_t worst = 3;                          ///< pictures per planner and policy
   std::string out;                                ///< output folder
   std::string report;                             ///< folder of the HTML report; empty: none
+  std::vector<Criterion> criteria;                ///< the planners fail if one of these holds
+  std::string junit;                              ///< JUnit XML file; empty: none
   ConfigFolder config;
   int jobs = defaultJobs();  ///< threads
 };
 
-/// Adds --planners, addOwnPlanners(), --background, --worst, --out, --jobs, --report and --config.
+/// Adds --planners, addOwnPlanners(), --background, --worst, --out, --jobs,
+/// --report, --fail-if, --junit and --config.
 void addPlannerTestOptions(CLI::App& app, PlannerTestArguments& arguments);
 
 /// One run of a planner test. Holds the configuration and the locks of the output folders.
@@ -50,6 +54,10 @@ class PlannerTestRun {
   /// std::runtime_error if no case could be tested.
   std::vector<PlannerTestResult> run(const PlannerCases& cases,
                                      const ResumableFile::Options& fingerprints = {}) const;
+
+  /// Applies the criteria to the results: prints the verdicts, writes the JUnit file. Returns
+  /// kExitFailed if a criterion holds, else `code`.
+  int judged(const std::vector<PlannerTestResult>& results, int code) const;
 
   /// Writes the HTML report of the results and of `attacks` (scenario files over `logs`) if
   /// --report was given.

@@ -7,6 +7,7 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/base/files/output_lock.h"
 #include "collision_forge/base/scene/number_words.h"
+#include "collision_forge/planner_test/trials/planner_comparison.h"
 
 namespace forge {
 namespace {
@@ -14,10 +15,17 @@ namespace {
 struct Arguments {
   ReportInputs inputs;
   std::string out;
+  std::vector<std::string> compared;
   ConfigFolder config;
 };
 
+int compare(const std::vector<std::string>& paths) {
+  std::cout << comparisonText(compareRuns(readResults(paths[0]), readResults(paths[1])));
+  return kExitOk;
+}
+
 int report(const Arguments& arguments, const std::vector<RowFormat>& formats) {
+  if (!arguments.compared.empty()) return compare(arguments.compared);
   const Config config = loadConfig(arguments.config);
   const OutputLock lock = OutputLock::ofFolder(arguments.out);
   writeReport(arguments.inputs, arguments.out, config, formats);
@@ -44,8 +52,23 @@ void addReportCommand(CommandLine& line, const std::string& heading, const std::
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(heading, name, "Writes an HTML report of results.",
                            [arguments, formats] { return report(*arguments, formats); });
-  app.add_option("results", arguments->inputs.files, files)->required()->check(CLI::ExistingFile);
-  addOut(app, arguments->out, "output folder; open its index.html in a browser");
+  CLI::Option* results =
+      app.add_option("results", arguments->inputs.files, files)->check(CLI::ExistingFile);
+  CLI::Option* out =
+      app.add_option("--out", arguments->out, "output folder; open its index.html in a browser");
+  CLI::Option* compared =
+      app.add_option("--compare", arguments->compared,
+                     "instead: prints what changed from run A to run B of forge test (folders or "
+                     "results.jsonl): cases that are newly hit and newly avoided")
+          ->expected(2)
+          ->type_name("A B")
+          ->check(CLI::ExistingPath)
+          ->excludes(results, out);
+  app.final_callback([=] {
+    if (compared->count() > 0) return;
+    if (results->count() == 0) throw CLI::RequiredError("results");
+    if (out->count() == 0) throw CLI::RequiredError("--out");
+  });
   addSource(app, arguments->inputs.logs,
             "recorded scenes of the results, to show map and traffic in the report");
   addConfig(app, arguments->config);

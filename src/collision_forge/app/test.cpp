@@ -55,7 +55,7 @@ int testOnDraw(const Arguments& arguments) {
   } else {
     test.writePage({weaknesses}, arguments.logs);
   }
-  return exitAfterUnreadable(drawn.requests.unreadable());
+  return test.judged(results, exitAfterUnreadable(drawn.requests.unreadable()));
 }
 
 int testOnScenarios(const Arguments& arguments) {
@@ -63,9 +63,10 @@ int testOnScenarios(const Arguments& arguments) {
   const auto cases =
       openScenarioCases(arguments.scenarios, arguments.logs,
                         static_cast<std::size_t>(arguments.jobs) + 1, test.config(), showReading());
-  test.run(*cases);
-  if (isMaster()) test.writePage(arguments.scenarios, arguments.logs);
-  return kExitOk;
+  const std::vector<PlannerTestResult> results = test.run(*cases);
+  if (!isMaster()) return kExitOk;
+  test.writePage(arguments.scenarios, arguments.logs);
+  return test.judged(results, kExitOk);
 }
 
 int test(Arguments arguments) {

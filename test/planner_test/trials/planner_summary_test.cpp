@@ -2,29 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "planner_test/trials/made_results.h"
+
 namespace forge {
 namespace {
-
-PlannerRow row(const std::string& planner, std::optional<double> impact_speed) {
-  PlannerRow found{planner, {}, {}};
-  if (impact_speed) {
-    PlannerContact contact;
-    contact.is_attacker = true;
-    contact.impact_speed = *impact_speed;
-    found.outcome.contact = contact;
-  }
-  return found;
-}
-
-PlannerTestResult result(const std::string& name, const std::string& scene,
-                         std::vector<PlannerRow> rows) {
-  PlannerTestResult one;
-  one.name = name;
-  one.scene = scene;
-  one.status = "OK";
-  one.rows = std::move(rows);
-  return one;
-}
 
 PlannerSummary summaryOf(const std::vector<PlannerTestResult>& results) {
   return summarizePlanners(results, {"idm"}).at(0);

@@ -31,9 +31,10 @@ int testOnClips(const Arguments& arguments) {
   const auto cases =
       openClipCases(paths, arguments.logs.path, arguments.attacker, arguments.method,
                     arguments.unverified ? ClipAnswers::kAll : ClipAnswers::kVerified, config);
-  test.run(*cases, fingerprints);
-  if (isMaster()) test.writePage({}, {});  // the HTML report does not read COLLIDE clips
-  return kExitOk;
+  const std::vector<PlannerTestResult> results = test.run(*cases, fingerprints);
+  if (!isMaster()) return kExitOk;
+  test.writePage({}, {});  // the HTML report does not read COLLIDE clips
+  return test.judged(results, kExitOk);
 }
 
 }  // namespace
