@@ -205,12 +205,12 @@ std::vector<PlannerTestResult> PlannerTestRun::run(
 
 int PlannerTestRun::judged(const std::vector<PlannerTestResult>& results, int code) const {
   const std::vector<std::string> rows = rowNames(plan_);
-  const std::vector<Verdict> verdicts = judge(arguments_.criteria, results, rows);
+  const std::vector<CriterionVerdict> verdicts = judge(arguments_.criteria, results, rows);
   std::cout << verdictText(verdicts);
   if (!arguments_.junit.empty()) {
     writeText(arguments_.junit, junitText(results, arguments_.criteria, verdicts, rows));
   }
-  const auto is_failed = [](const Verdict& verdict) { return verdict.is_failed; };
+  const auto is_failed = [](const CriterionVerdict& verdict) { return verdict.is_failed; };
   return std::any_of(verdicts.begin(), verdicts.end(), is_failed) ? kExitFailed : code;
 }
 

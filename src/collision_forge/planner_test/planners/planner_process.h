@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "collision_forge/base/files/worker_process.h"
+#include "collision_forge/planner_test/planners/idle_workers.h"
 #include "collision_forge/planner_test/planners/planner.h"
 #include "collision_forge/planner_test/planners/planner_worker.h"
-#include "collision_forge/planner_test/planners/worker_pool.h"
 
 namespace forge {
 
@@ -56,7 +56,7 @@ class PlannerProcess {
 /// Identifies a command with its parameters.
 std::string processKey(const PlannerProcessOptions& options);
 
-using PlannerProcesses = WorkerPool<PlannerProcess, PlannerProcessOptions>;
+using PlannerProcesses = IdleWorkers<PlannerProcess, PlannerProcessOptions>;
 
 /// A planner outside this process: config/planners.yaml, section external.
 struct ExternalOptions : PlannerProcessOptions {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "collision_forge/base/files/worker_process.h"
-#include "collision_forge/planner_test/planners/worker_pool.h"
+#include "collision_forge/planner_test/planners/idle_workers.h"
 
 namespace forge {
 
@@ -59,6 +59,6 @@ class PlannerWorker {
 std::string workerKey(const TorchscriptFileOptions& options);
 
 /// Reuses loaded files, because loading takes about a second.
-using PlannerWorkers = WorkerPool<PlannerWorker, TorchscriptFileOptions>;
+using PlannerWorkers = IdleWorkers<PlannerWorker, TorchscriptFileOptions>;
 
 }  // namespace forge

@@ -73,14 +73,15 @@ void addCase(const PlannerTestResult& result, const std::string& name,
 }  // namespace
 
 std::string junitText(const std::vector<PlannerTestResult>& results,
-                      const std::vector<Criterion>& criteria, const std::vector<Verdict>& verdicts,
+                      const std::vector<Criterion>& criteria,
+                      const std::vector<CriterionVerdict>& verdicts,
                       const std::vector<std::string>& rows) {
   pugi::xml_document document;
   const pugi::xml_node root = addElement(document, "testsuites");
   for (const std::string& name : rows) {
     Suite suite(root, name);
     for (const PlannerTestResult& result : results) addCase(result, name, criteria, suite);
-    for (const Verdict& verdict : verdicts) {
+    for (const CriterionVerdict& verdict : verdicts) {
       if (verdict.row != name) continue;
       const pugi::xml_node entry = suite.add("fails if " + verdict.criterion.text, 0.0);
       if (!verdict.is_failed) continue;

@@ -11,7 +11,8 @@ namespace forge {
 /// case per tested case, which fails by failedBy(), and a test case per verdict of the row. Cases
 /// that could not be tested are skipped.
 std::string junitText(const std::vector<PlannerTestResult>& results,
-                      const std::vector<Criterion>& criteria, const std::vector<Verdict>& verdicts,
+                      const std::vector<Criterion>& criteria,
+                      const std::vector<CriterionVerdict>& verdicts,
                       const std::vector<std::string>& rows);
 
 }  // namespace forge

@@ -151,10 +151,10 @@ std::vector<Criterion> parseCriteria(const std::string& text) {
   return criteria;
 }
 
-std::vector<Verdict> judge(const std::vector<Criterion>& criteria,
-                           const std::vector<PlannerTestResult>& results,
-                           const std::vector<std::string>& rows) {
-  std::vector<Verdict> verdicts;
+std::vector<CriterionVerdict> judge(const std::vector<Criterion>& criteria,
+                                    const std::vector<PlannerTestResult>& results,
+                                    const std::vector<std::string>& rows) {
+  std::vector<CriterionVerdict> verdicts;
   for (const std::string& name : rows) {
     Rows found;
     for (const PlannerTestResult& result : results) {
@@ -171,9 +171,9 @@ std::vector<Verdict> judge(const std::vector<Criterion>& criteria,
   return verdicts;
 }
 
-std::string verdictText(const std::vector<Verdict>& verdicts) {
+std::string verdictText(const std::vector<CriterionVerdict>& verdicts) {
   std::string text;
-  for (const Verdict& verdict : verdicts) {
+  for (const CriterionVerdict& verdict : verdicts) {
     text += (verdict.is_failed ? "FAILED  " : "passed  ") + verdict.row + ": fails if " +
             verdict.criterion.text + "; " + verdict.criterion.measure + " = " +
             numberText(verdict.value) + "\n";

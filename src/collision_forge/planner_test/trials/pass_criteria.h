@@ -27,7 +27,7 @@ Criterion parseCriterion(const std::string& text);
 std::vector<Criterion> parseCriteria(const std::string& text);
 
 /// A criterion applied to one row name (rowName()) of a test.
-struct Verdict {
+struct CriterionVerdict {
   Criterion criterion;
   std::string row;
   double value = 0.0;      ///< of the measure over all tested cases
@@ -35,12 +35,12 @@ struct Verdict {
 };
 
 /// Returns one verdict per row name and criterion. A measure of a row without cases is 0.
-std::vector<Verdict> judge(const std::vector<Criterion>& criteria,
-                           const std::vector<PlannerTestResult>& results,
-                           const std::vector<std::string>& rows);
+std::vector<CriterionVerdict> judge(const std::vector<Criterion>& criteria,
+                                    const std::vector<PlannerTestResult>& results,
+                                    const std::vector<std::string>& rows);
 
 /// Returns one line per verdict, "passed" or "FAILED" first, with a line end each.
-std::string verdictText(const std::vector<Verdict>& verdicts);
+std::string verdictText(const std::vector<CriterionVerdict>& verdicts);
 
 /// Returns the first criterion by which a row alone contributes to a failure: it is counted by a
 /// measure that counts, or its own value meets the condition. Empty if there is none.

@@ -11,7 +11,7 @@ namespace forge {
 /// Pool of idle workers, which are costly to start. `Worker` has the constructor Worker(Options),
 /// key() and isUsable(). Thread-safe.
 template <class Worker, class Options>
-class WorkerPool {
+class IdleWorkers {
  public:
   /// Returns an idle worker with this key, or starts one. Throws as the constructor.
   std::unique_ptr<Worker> take(const Options& options, const std::string& key) {
