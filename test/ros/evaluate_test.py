@@ -16,7 +16,6 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent / 'study' / 'evalu
 import collide_clips  # noqa: E402
 import published_reference  # noqa: E402
 
-PNG = b'\x89PNG'
 
 
 def evaluate(collide, out, *arguments):
@@ -64,8 +63,6 @@ class EvaluateTest(road.RoadTest):
         self.assertIn('strict protocol, strict limits, replay mode', result.stdout)
         self.assertNotIn('road_allows', rows[0])
         self.assertIn('All conditions, full definitions, %', result.stdout)
-        for name in ('angle_bands.png', 'full_definitions.png'):
-            self.assertEqual((out / name).read_bytes()[:4], PNG)
         self.assertFalse((out / 'results.csv.part').exists())
 
     def test_times_are_of_every_method_and_clip(self):
@@ -171,7 +168,6 @@ class EvaluateRequestsTest(road.RoadTest):
             if row['method'].startswith('replay') and row['status'] == 'OK':
                 self.assertEqual((row['full_definitions'], row['road_allows'], row['believable']), ('1', '1', '1'), row)
                 self.assertIn(row['class'], ('car', 'truck', 'bus'), row)
-                self.assertGreaterEqual(float(row['on_lane']), 0.9, row)
         table = (self.expected / 'table.md').read_text()
         for title in ('strict protocol, drivable limits, plausible, history mode', 'All conditions, full definitions, %',
                       'All conditions, full definitions, recall against replay mode',
@@ -181,22 +177,6 @@ class EvaluateRequestsTest(road.RoadTest):
                       'Largest difference: '):
             self.assertIn(title, table)
         self.assertNotIn('angle bands', table)
-        for name in ('full_definitions', 'full_definitions_of_allowed', 'full_definitions_given_replay', 'calibration',
-                     'scorecard'):
-            self.assertEqual((self.expected / (name + '.png')).read_bytes()[:4], PNG)
-
-    def test_scorecard_holds_attacks_against_recorded_vehicles(self):
-        with open(str(self.expected / 'scorecard.csv')) as file:
-            lines = {(row['measure'], row['method'], row['group']): row for row in csv.DictReader(file)}
-        answered = [row for row in rows_of(self.expected) if row['method'] == 'replay_full_definitions' and row['attacker']]
-        counted = lines['on_lane', 'replay_full_definitions', 'all']
-        self.assertEqual(int(counted['trials']), len(answered))
-        self.assertAlmostEqual(float(counted['value']), sum(float(row['on_lane']) for row in answered) / len(answered), 3)
-        self.assertGreater(int(lines['on_lane', 'recorded', 'all']['trials']), 100)
-        card = (self.expected / 'scorecard.md').read_text()
-        for title in ('strict protocol, drivable limits, plausible', 'On a lane throughout, %', 'Least gap to anybody',
-                      'Greatest jerk until the contact'):
-            self.assertIn(title, card)
 
     def test_other_limits_and_any_driving_have_both_columns(self):
         out = self.path('out')

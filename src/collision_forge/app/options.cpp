@@ -262,8 +262,7 @@ ResumableFile::Options inputsOf(const Config& config, const LogSource& logs) {
 
 void addWeightsOf(const std::string& method, const Config& config,
                   ResumableFile::Options& options) {
-  const std::string model = generatorOf(method);
-  if (!model.empty()) addWeights(model, generatorWeights(config)[model], options);
+  if (isLearnedBaseline(method)) addWeights(method, generatorWeights(config)[method], options);
 }
 
 NuScenesProgress showReading() {

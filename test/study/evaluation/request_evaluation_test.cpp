@@ -110,8 +110,6 @@ TEST_F(RequestEvaluationTest, HasARowPerMethodAndSeed) {
 
 TEST_F(RequestEvaluationTest, ReplayPlansHaveOneSearchPerColumnAndNoneForBaselines) {
   EXPECT_EQ(requestRowMethods(plan_), kHistoryMethods);
-  EXPECT_THAT(attackingRowMethods(plan_),
-              ElementsAre("search_full_definitions", "replay_full_definitions"));
   plan_.believable = false;
   EXPECT_EQ(requestRowMethods(plan_), kAnyDrivingMethods);
   plan_.mode = Mode::kReplay;
@@ -165,9 +163,8 @@ TEST_F(RequestEvaluationTest, SearchesEqualTheRequestAnswererWithTheRulesOfTheCo
         EXPECT_EQ(row.contact_after.has_value(), outcome.report.contact);
         EXPECT_EQ(row.confidence, answer.report.confidence);
         EXPECT_TRUE(mode == Mode::kHistory || meets(row, column));
-        ASSERT_TRUE(row.request->attack);
-        EXPECT_EQ(row.request->attack->attacker_id, answer.trajectory.attacker_id);
-        EXPECT_EQ(row.request->attack->road.on_lane, answer.report.road.on_lane);
+        EXPECT_EQ(row.request->attacker, answer.trajectory.attacker_id);
+        EXPECT_EQ(row.request->attacker_class, answer.trajectory.agent_class);
         EXPECT_EQ(row.request->believable.has_value(), outcome.report.contact);
         if (!outcome.report.contact) continue;
         EXPECT_EQ(*row.request->believable, outcome.report.believable());
@@ -191,7 +188,6 @@ TEST_F(RequestEvaluationTest, AdaptiveAttackersAreMeasuredBesideFixedOnes) {
   const ResultRow& row = rowOf(evaluated, "adaptive_full_definitions");
   ASSERT_EQ(row.status, "OK") << row.note;
   EXPECT_TRUE(meets(row, "limits_kept"));
-  EXPECT_EQ(row.request->attack.has_value(), meets(row, "contact"));
   const auto looks = std::count_if(
       evaluated.times.begin(), evaluated.times.end(),
       [](const SearchTime& time) { return time.method == "adaptive, per update step"; });
@@ -252,7 +248,7 @@ TEST_F(RequestEvaluationTest, BaselinesAreJudgedOnlyByTheStrictLimits) {
       EXPECT_EQ(linesOf(evaluate(request)), linesOf(by_default));
       for (const ResultRow& row : by_default.rows) {
         kept += meets(row, "contact") && meets(row, "limits_kept");
-        EXPECT_FALSE(row.request->attack);
+        EXPECT_EQ(row.request->attacker, "");
       }
     }
   }

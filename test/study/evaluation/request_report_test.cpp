@@ -108,7 +108,6 @@ TEST(RequestReport, RecallAgainstReplayCountsOnlyRequestsSolvedByReplay) {
   EXPECT_EQ(full.rates[0].back().trials, 1);
   EXPECT_THAT(ratesOf(full), ElementsAre(1.0, 1.0, 1.0));
   EXPECT_THAT(full.methods, ElementsAre("constant_velocity", "nominal", "search"));
-  EXPECT_TRUE(full.measure.is_headline);
 }
 
 TEST(RequestReport, FullDefinitionsHaveATableOfTheRequestsThatTheRoadAllows) {

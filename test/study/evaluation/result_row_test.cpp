@@ -40,7 +40,8 @@ TEST(ResultRow, RequestsHaveMoreColumns) {
   ResultRow row = sampleRow();
   row.request.emplace();
   const std::string header = csvHeader(Protocol::kPublished, RowsOf::kRequests);
-  EXPECT_NE(header.find(",own_off_road_share,road_allows,believable,attacker,"), std::string::npos);
+  EXPECT_NE(header.find(",own_off_road_share,road_allows,believable,attacker,class,note"),
+            std::string::npos);
   const auto commas = [](const std::string& line) {
     return std::count(line.begin(), line.end(), ',');
   };
@@ -49,16 +50,19 @@ TEST(ResultRow, RequestsHaveMoreColumns) {
   ASSERT_TRUE(copy && copy->request);
   EXPECT_FALSE(copy->request->road_allows);
   EXPECT_FALSE(copy->request->believable);
-  EXPECT_FALSE(copy->request->attack);
+  EXPECT_EQ(copy->request->attacker, "");
+  EXPECT_FALSE(copy->request->attacker_class);
   row.request->road_allows = true;
   row.request->believable = false;
-  row.request->attack.emplace().least_gap = 1.5;
+  row.request->attacker = "car-1";
+  row.request->attacker_class = AgentClass::kCar;
   EXPECT_EQ(commas(toCsv(row)), commas(header));
   copy = rowFromCsv(toCsv(row), Protocol::kPublished);
-  ASSERT_TRUE(copy && copy->request && copy->request->attack);
+  ASSERT_TRUE(copy && copy->request);
   EXPECT_EQ(copy->request->road_allows, true);
   EXPECT_EQ(copy->request->believable, false);
-  EXPECT_EQ(copy->request->attack->least_gap, 1.5);
+  EXPECT_EQ(copy->request->attacker, "car-1");
+  EXPECT_EQ(copy->request->attacker_class, AgentClass::kCar);
   EXPECT_EQ(copy->note, row.note);
   EXPECT_EQ(toCsv(*copy), toCsv(row));
   EXPECT_FALSE(rowFromCsv(toCsv(sampleRow()), Protocol::kPublished)->request);

@@ -129,8 +129,6 @@ TEST_F(EpochTableTest, KeepsTheRowsOfFinishedEpochs) {
             "epoch,loss,validation\n1,3.000000,2.000000\n2,2.000000,2.500000\n"
             "3,1.000000,2.000000\n");
   EXPECT_EQ(again.lastRow(), "3,1.000000,2.000000");
-  drawCurves(run_, "A training", {"loss", "validation"});
-  EXPECT_TRUE(std::filesystem::exists(folder_.path() + "/curves.png"));
 }
 
 TEST_F(EpochTableTest, ResumesAfterAKillBetweenTwoFiles) {

@@ -163,11 +163,6 @@ std::string Canvas::fitted(const std::string& text, double width, const TextStyl
   return cut + "…";
 }
 
-void Canvas::image(const Vector2& position, const Image& image) {
-  cairo_set_source_surface(context_.get(), image.surface_.get(), position.x(), position.y());
-  cairo_paint(context_.get());
-}
-
 void Canvas::clip(const PixelRect& rect) {
   cairo_save(context_.get());
   cairo_rectangle(context_.get(), rect.x, rect.y, rect.width, rect.height);

@@ -135,7 +135,7 @@ int buildDataset(const Arguments& arguments) {
     throw std::runtime_error(arguments.out + ": no clip is valid; see attempts.jsonl for reasons");
   }
   std::cout << writeDataset(arguments.out, arguments.attempts(), attempts, chosen, config.dataset,
-                            config.drawing, config.input_limits, scenes);
+                            config.input_limits, scenes);
   if (!arguments.report.empty()) {
     writeReport({{arguments.attempts()}, arguments.logs}, arguments.report, config);
   }

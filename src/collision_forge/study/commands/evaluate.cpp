@@ -104,7 +104,7 @@ void addEvaluate(CommandLine& line) {
   addClips(app, *arguments, collide);
   addScenes(app, arguments->scenes)->needs(requests);
   addOut(app, arguments->out,
-         "output folder for results.csv, table.md and charts; resumes an interrupted run");
+         "output folder for results.csv, table.md and table.csv; resumes an interrupted run");
   addPlan(app, arguments->plan);
   addCrash(app, *arguments, requests);
   addJobs(app, arguments->jobs, "clips or requests evaluated in parallel on each MPI rank");

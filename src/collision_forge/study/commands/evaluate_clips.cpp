@@ -20,7 +20,6 @@
 #include "collision_forge/study/evaluation/clip_methods.h"
 #include "collision_forge/study/evaluation/report_rows.h"
 #include "collision_forge/study/evaluation/row_rates.h"
-#include "collision_forge/study/evaluation/study_program.h"
 
 namespace forge {
 namespace {
@@ -97,7 +96,7 @@ int evaluateClips(const EvaluationArguments& arguments) {
       tabulate(rows, arguments.plan.protocol, methodsOf(arguments.plan));
   for (const RateTable& table : tables) text += "\n" + toMarkdown(table);
   writeText(arguments.out + "/table.md", text);
-  runStudyProgram("charts.py", writeRates(tables, title, arguments.out));
+  writeRates(tables, arguments.out);
   std::cout << text;
   if (!arguments.report.empty()) {
     writeReport({{arguments.out + "/results.csv"}, {}}, arguments.report, config,

@@ -36,9 +36,8 @@ struct EvaluationArguments {
 };
 
 // Run the evaluation; resume an interrupted one. The master prints the tables and writes
-// OUT/results.csv, OUT/table.md, OUT/table.csv and charts; evaluateRequests() also writes
-// OUT/motion.csv, OUT/scorecard.md and OUT/scorecard.csv. Return an exit code; throw ConfigError
-// and std::runtime_error.
+// OUT/results.csv, OUT/table.md and OUT/table.csv. Return an exit code; throw ConfigError and
+// std::runtime_error.
 int evaluateClips(const EvaluationArguments& arguments);
 int evaluateRequests(const EvaluationArguments& arguments);
 
@@ -61,9 +60,7 @@ struct EvaluationRun {
 /// carryOut().
 std::vector<ResultRow> runEvaluation(const EvaluationRun& evaluation);
 
-/// Writes the tables to FOLDER/table.csv. Returns the command-line arguments of charts.py that draw
-/// the headline measures; `title` is the title of the charts.
-std::vector<std::string> writeRates(const std::vector<RateTable>& tables, const std::string& title,
-                                    const std::string& folder);
+/// Writes the tables to FOLDER/table.csv.
+void writeRates(const std::vector<RateTable>& tables, const std::string& folder);
 
 }  // namespace forge

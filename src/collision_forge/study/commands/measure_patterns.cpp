@@ -17,7 +17,6 @@
 #include "collision_forge/io/logs/city_maps.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
 #include "collision_forge/study/commands/clip_options.h"
-#include "collision_forge/study/commands/pattern_timing.h"
 #include "collision_forge/study/commands/study_commands.h"
 #include "collision_forge/study/settings/study_config.h"
 
@@ -36,23 +35,17 @@ struct Arguments {
 /// The prediction errors of one clip.
 struct ClipResult {
   CollisionType type = CollisionType::kRearEnd;
-  double tta = 0.0;           ///< s
-  double displacement = 0.0;  ///< m, error of the network's ego position at impact
-  double kinematic = 0.0;     ///< m, the same error for the mean of KinematicEgoFutures
-  double sampled = 0.0;       ///< m, the same error for the mean of NetworkEgoFutures
-  double heading = 0.0;       ///< rad, absolute error of the network's ego heading
-  double log_density = 0.0;   ///< log of the predicted density (1/m2) at the true position
-  double along_share = 0.0;   ///< predicted probability, 0..1, that the ego drives less far
-  int candidates = 0;
+  double tta = 0.0;             ///< s
+  double displacement = 0.0;    ///< m, error of the network's ego position at impact
+  double kinematic = 0.0;       ///< m, the same error for the mean of KinematicEgoFutures
+  double sampled = 0.0;         ///< m, the same error for the mean of NetworkEgoFutures
+  double heading = 0.0;         ///< rad, absolute error of the network's ego heading
+  double log_density = 0.0;     ///< log of the predicted density (1/m2) at the true position
+  double along_share = 0.0;     ///< predicted probability, 0..1, that the ego drives less far
   int rank = 0;                 ///< rank of the true attacker by score, from 1; 0: not a candidate
   int nearest_rank = 0;         ///< its rank by distance to the ego
   double offset = 0.0;          ///< m, error of the attacker's position, given the true ego pose
   double offset_heading = 0.0;  ///< rad, absolute error of its heading, given the same
-};
-
-struct Totals {
-  std::vector<ClipResult> clips;
-  PatternTiming timing;
 };
 
 /// Returns the predicted probability (0..1) that the ego is less far ahead than `truth`, measured
@@ -97,7 +90,6 @@ void judgeCandidates(const PredictedScene& scene, const CollideClip& clip, const
     nearness.push_back(
         -(agent.states.back().pose.position() - snapshot.ego.states.back().pose.position()).norm());
   }
-  result.candidates = static_cast<int>(candidates.size());
   if (attacker >= candidates.size()) return;
   std::vector<double> scores;
   for (const CandidatePrediction& answer :
@@ -115,7 +107,8 @@ void judgeCandidates(const PredictedScene& scene, const CollideClip& clip, const
 
 void measureClip(const CollideClip& clip, const LaneIndex& lanes, const PatternNetwork& network,
                  const EgoFutureSampler& kinematic, const EgoFutureSampler& sampler,
-                 const StudyConfig& config, const Arguments& arguments, Totals& totals) {
+                 const StudyConfig& config, const Arguments& arguments,
+                 std::vector<ClipResult>& results) {
   const Scene recorded = toScene(clip, config.evaluation.collide, nullptr);
   const Snapshot snapshot =
       snapshotAt(recorded, clip.now(), network.weights().features.history_frames);
@@ -136,8 +129,7 @@ void measureClip(const CollideClip& clip, const LaneIndex& lanes, const PatternN
   result.kinematic = errorOfMean(kinematic, snapshot, lanes, clip.times.back(), place);
   result.sampled = errorOfMean(sampler, snapshot, lanes, clip.times.back(), place);
   judgeCandidates(scene, clip, snapshot, config, expected, truth, result);
-  totals.clips.push_back(result);
-  totals.timing.add(scene, network, lanes, clip.tta(), clip.type, result.candidates);
+  results.push_back(result);
 }
 
 void printRow(const std::string& name, const std::vector<ClipResult>& clips) {
@@ -188,19 +180,19 @@ void printRow(const std::string& name, const std::vector<ClipResult>& clips) {
       100.0 * inside[2] / count);
 }
 
-void print(const Totals& totals) {
+void print(const std::vector<ClipResult>& results) {
   std::printf(
       "| clips | | displacement, m | median | kinematic futures | network futures | heading, deg | "
       "log density | attacker first | in "
       "three | nearest first | offset, m | deg | in central 50 80 90 %% |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-  if (totals.clips.empty()) {
+  if (results.empty()) {
     throw std::runtime_error(
         "the split contains no clip to measure; omit --unseen or change --split");
   }
-  printRow("all", totals.clips);
+  printRow("all", results);
   std::map<std::string, std::vector<ClipResult>> groups;
-  for (const ClipResult& clip : totals.clips) {
+  for (const ClipResult& clip : results) {
     groups[std::string("type ") + toString(clip.type)].push_back(clip);
     const char* tta = clip.tta < 1.25   ? "TTA 0.5-1 s"
                       : clip.tta < 2.75 ? "TTA 1.5-2.5 s"
@@ -209,8 +201,6 @@ void print(const Totals& totals) {
     groups[tta].push_back(clip);
   }
   for (const auto& [name, clips] : groups) printRow(name, clips);
-  std::printf("\n");
-  totals.timing.print();
 }
 
 int measure(const Arguments& arguments) {
@@ -221,7 +211,7 @@ int measure(const Arguments& arguments) {
   }
   CityMaps lanes(arguments.dataroot, config);
   ProgressLine progress("measuring");
-  Totals totals;
+  std::vector<ClipResult> results;
   const auto paths = listCollideClips(arguments.collide, arguments.split);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const CollideClip clip = readCollideClip(paths[i], config.input_limits);
@@ -235,10 +225,10 @@ int measure(const Arguments& arguments) {
     const KinematicEgoFutures kinematic(config.attack.ego_futures, known.speeds);
     const NetworkEgoFutures sampler(config.attack.ego_futures, known);
     measureClip(clip, *lanes.at(clip.city), *known.network, kinematic, sampler, config, arguments,
-                totals);
+                results);
     progress.show(static_cast<double>(i + 1) / static_cast<double>(paths.size()));
   }
-  print(totals);
+  print(results);
   return kExitOk;
 }
 

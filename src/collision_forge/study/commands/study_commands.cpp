@@ -7,18 +7,11 @@ namespace forge {
 
 void addStudyCommands(CommandLine& line) {
   line.addGroup(kOther, "study",
-                "Research commands: measure, compare, make data sets, train; see forge study "
+                "Research commands: measure, make data sets, train; see forge study "
                 "--help.");
   addEvaluate(line);
-  addCompare(line);
-  addMeasureControls(line);
-  addMeasureCoverage(line);
-  addMeasureEgoFutures(line);
   addMeasureLatency(line);
-  addMeasureMethods(line);
   addMeasurePatterns(line);
-  addMeasureAttackers(line);
-  addMeasurePlanners(line);
   addTestOnClips(line);
   addTuneOnClips(line);
   addReportCommand(

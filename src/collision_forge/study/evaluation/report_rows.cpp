@@ -20,7 +20,8 @@ ReportRow rowOfResult(const ResultRow& result) {
                                       : "missed";
   if (!result.request) return row;
   if (result.request->believable) row.believable = *result.request->believable ? "yes" : "no";
-  if (result.request->attack) row.attacker_class = toString(result.request->attack->agent_class);
+  if (result.request->attacker_class)
+    row.attacker_class = toString(*result.request->attacker_class);
   return row;
 }
 

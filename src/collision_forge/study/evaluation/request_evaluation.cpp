@@ -197,15 +197,9 @@ TimedAnswer evaluateMethod(const AttackMethod& method, const RequestCase& reques
 
 }  // namespace
 
-std::vector<std::string> attackingRowMethods(const EvaluationPlan& plan) {
-  std::vector<std::string> names;
-  for (const auto& row : methodRows(plan)) names.push_back(row.name);
-  return names;
-}
-
 std::vector<std::string> requestRowMethods(const EvaluationPlan& plan) {
   std::vector<std::string> names = kBaselines;
-  for (std::string& name : attackingRowMethods(plan)) names.push_back(std::move(name));
+  for (const auto& row : methodRows(plan)) names.push_back(row.name);
   return names;
 }
 
@@ -294,9 +288,8 @@ EvaluatedRequest RequestEvaluator::evaluate(const std::string& name,
       }
       if (answer.status.code != StatusCode::kOk) continue;
       if (method_.isSeeded()) row.confidence = answer.report.confidence;
-      if (answer.report.contact) {
-        row.request->attack = attackFigures(answer, recording->scene, study_);
-      }
+      row.request->attacker = answer.trajectory.attacker_id;
+      row.request->attacker_class = answer.trajectory.agent_class;
     }
   }
   return evaluated;

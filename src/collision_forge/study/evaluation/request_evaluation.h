@@ -26,9 +26,6 @@ namespace forge {
 /// "replay" is the plan's method in replay mode, omitted if that is the plan's mode.
 std::vector<std::string> requestRowMethods(const EvaluationPlan& plan);
 
-/// Returns requestRowMethods() without the baselines.
-std::vector<std::string> attackingRowMethods(const EvaluationPlan& plan);
-
 /// Returns the number of rows of RequestEvaluator::evaluate(), which is the same for every request.
 std::size_t rowsPerRequest(const EvaluationPlan& plan);
 

@@ -119,7 +119,7 @@ bool isHistorySearch(const EvaluationPlan& plan) {
 
 Measure givenReplay(const Column& column) {
   const std::string& title = measuresOf(Protocol::kStrict)[column.headline].title;
-  return {column.given_name, title + ", recall against replay mode", std::nullopt, true};
+  return {column.given_name, title + ", recall against replay mode", std::nullopt};
 }
 
 RateTable givenReplayTable(const std::vector<ResultRow>& rows, const Column& column,
@@ -142,7 +142,7 @@ RateTable offRoadTable(const std::vector<ResultRow>& rows, const std::string& me
     trials[2].second.push_back({row.scene, row.type, row.tta, attack - own});
   }
   const std::string title = "Off the drivable area up to contact, mean share of the box: ";
-  return tabulateTrials({"off_road_" + method, title + method, std::nullopt, false}, trials);
+  return tabulateTrials({"off_road_" + method, title + method, std::nullopt}, trials);
 }
 
 /// Returns the share of requests that the road allows.
@@ -153,7 +153,7 @@ RateTable roadTable(const std::vector<ResultRow>& rows, const EvaluationPlan& pl
     if (row.method != each || !row.request || !row.request->road_allows) continue;
     trials.push_back({row.scene, row.type, row.tta, *row.request->road_allows ? 1.0 : 0.0});
   }
-  return tabulateTrials({"road_allows", "Allowed by the road", std::nullopt, false},
+  return tabulateTrials({"road_allows", "Allowed by the road", std::nullopt},
                         {{"requests", trials}});
 }
 
@@ -170,7 +170,7 @@ RateTable solvedOffRoadTable(const std::vector<ResultRow>& rows, const Evaluatio
     }
   }
   return tabulateTrials(
-      {"answered_of_not_allowed", "Solved, requests not allowed by the road", std::nullopt, false},
+      {"answered_of_not_allowed", "Solved, requests not allowed by the road", std::nullopt},
       trials);
 }
 
@@ -186,7 +186,7 @@ RateTable believableTable(const std::vector<ResultRow>& rows, const EvaluationPl
     }
   }
   return tabulateTrials(
-      {"believable", "Plausible, of the attacks that touch the ego", std::nullopt, false}, trials);
+      {"believable", "Plausible, of the attacks that touch the ego", std::nullopt}, trials);
 }
 
 /// Returns one table per measure, followed by the same over the requests that the road allows.

@@ -56,21 +56,25 @@ bool parse(const std::string& text, std::optional<bool>& answer) {
   return text == "0" || text == "1";
 }
 
-std::string requestHeader() { return "road_allows,believable," + attackHeader(); }
+const char* const kRequestHeader = "road_allows,believable,attacker,class";
+constexpr std::size_t kRequestColumns = 4;
 
 std::vector<std::string> requestColumns(const RequestFacts& facts) {
   std::vector<std::string> columns;
   for (const std::optional<bool>& answer : {facts.road_allows, facts.believable}) {
     columns.push_back(!answer ? "" : *answer ? "1" : "0");
   }
-  for (std::string& column : attackColumns(facts.attack)) columns.push_back(std::move(column));
+  columns.push_back(csvText(facts.attacker));
+  columns.push_back(facts.attacker_class ? toString(*facts.attacker_class) : "");
   return columns;
 }
 
-bool parse(const std::vector<std::string>& columns, const std::string& scene, RequestFacts& facts) {
-  return columns.size() > 2 && parse(columns[0], facts.road_allows) &&
-         parse(columns[1], facts.believable) &&
-         readAttackColumns({columns.begin() + 2, columns.end()}, scene, facts.attack);
+bool parse(const std::vector<std::string>& columns, RequestFacts& facts) {
+  if (columns.size() != kRequestColumns) return false;
+  facts.attacker = columns[2];
+  facts.attacker_class = agentClassFromString(columns[3]);
+  return facts.attacker_class.has_value() != columns[3].empty() &&
+         parse(columns[0], facts.road_allows) && parse(columns[1], facts.believable);
 }
 
 }  // namespace
@@ -78,18 +82,17 @@ bool parse(const std::vector<std::string>& columns, const std::string& scene, Re
 const char* toString(Protocol protocol) { return wordOf(kProtocolWords, protocol); }
 
 const std::vector<Measure>& measuresOf(Protocol protocol) {
-  static const std::vector<Measure> published = {
-      {"collision", "Collision rate", std::nullopt, true},
-      {"similar", "Similarity, of the collisions", 0, true}};
+  static const std::vector<Measure> published = {{"collision", "Collision rate", std::nullopt},
+                                                 {"similar", "Similarity, of the collisions", 0}};
   static const std::vector<Measure> strict = {
-      {"angle_bands", "All conditions, angle bands", std::nullopt, true},
-      {"full_definitions", "All conditions, full definitions", std::nullopt, true},
-      {"contact", "Contact after t0", std::nullopt, false},
-      {"type_angle_bands", "Type, angle bands", std::nullopt, false},
-      {"type_full", "Type, full definitions", std::nullopt, false},
-      {"on_time", "On time", std::nullopt, false},
-      {"limits_kept", "Limits kept", std::nullopt, false},
-      {"nobody_before", "No earlier contact", std::nullopt, false}};
+      {"angle_bands", "All conditions, angle bands", std::nullopt},
+      {"full_definitions", "All conditions, full definitions", std::nullopt},
+      {"contact", "Contact after t0", std::nullopt},
+      {"type_angle_bands", "Type, angle bands", std::nullopt},
+      {"type_full", "Type, full definitions", std::nullopt},
+      {"on_time", "On time", std::nullopt},
+      {"limits_kept", "Limits kept", std::nullopt},
+      {"nobody_before", "No earlier contact", std::nullopt}};
   return protocol == Protocol::kPublished ? published : strict;
 }
 
@@ -97,7 +100,7 @@ std::string csvHeader(Protocol protocol, RowsOf rows_of) {
   std::string text = "name,scene,type,tta,method,seed,status";
   for (const Measure& measure : measuresOf(protocol)) text += "," + measure.name;
   text += ",contact_after,relative_heading,confidence,off_road_share,own_off_road_share";
-  if (rows_of == RowsOf::kRequests) text += "," + requestHeader();
+  if (rows_of == RowsOf::kRequests) text += std::string(",") + kRequestHeader;
   return text + ",note";
 }
 
@@ -153,7 +156,7 @@ std::optional<ResultRow> rowFromCsv(const std::string& line, Protocol protocol) 
   if (row.relative_heading) *row.relative_heading *= kDegree;
   if (parts.size() == columns) return row;
   const auto rest = parts.begin() + static_cast<std::ptrdiff_t>(columns - 1);
-  if (!parse({rest, parts.end() - 1}, row.scene, row.request.emplace())) return std::nullopt;
+  if (!parse({rest, parts.end() - 1}, row.request.emplace())) return std::nullopt;
   return row;
 }
 

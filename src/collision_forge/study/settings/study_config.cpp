@@ -33,17 +33,12 @@ StudyConfig loadStudyConfig(const ConfigFolder& folder) {
                  history_frames);
   readConfigFile(openStudyFile(folder, "network_published"), config.published_network,
                  sectionsOf("published_network"), history_frames);
-  readStudyFile(folder, "evaluation", config.evaluation);
   readStudyFile(folder, "dataset", config.dataset, config.attack.search.time_margin);
   return config;
 }
 
 std::map<std::string, std::string> studyFingerprints(const ConfigFolder& folder) {
-  std::map<std::string, std::string> found;
-  for (const char* name : {"study/dataset.yaml", "study/evaluation.yaml"}) {
-    found[std::string("config/") + name] = fingerprintOfValues(folder, name);
-  }
-  return found;
+  return {{"config/study/dataset.yaml", fingerprintOfValues(folder, "study/dataset.yaml")}};
 }
 
 }  // namespace forge

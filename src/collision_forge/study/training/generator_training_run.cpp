@@ -93,7 +93,6 @@ class GeneratorTrainer {
       clearLine();
       std::cout << table.lastRow() << '\n' << std::flush;
     }
-    drawCurves(run_, "Training of " + run_.generator + ": validation", curves());
   }
 
  private:
@@ -103,15 +102,8 @@ class GeneratorTrainer {
 
   std::vector<std::string> columns() const {
     std::vector<std::string> names = model_->lossNames();
-    for (const std::string& curve : curves()) names.push_back(curve);
+    for (const std::string& name : model_->errorNames()) names.push_back("validation_" + name);
     return names;
-  }
-
-  /// Returns the columns with the validation errors.
-  std::vector<std::string> curves() const {
-    std::vector<std::string> found;
-    for (const std::string& name : model_->errorNames()) found.push_back("validation_" + name);
-    return found;
   }
 
   void load() {

@@ -15,7 +15,6 @@
 #include "collision_forge/base/files/file_fingerprint.h"
 #include "collision_forge/base/files/fingerprint.h"
 #include "collision_forge/io/logs/log_fingerprints.h"
-#include "collision_forge/study/evaluation/study_program.h"
 
 namespace forge {
 namespace {
@@ -216,14 +215,6 @@ void EpochTable::keep(const std::string& state) {
   for (const EpochSums& of_epoch : sums_) text += of_epoch.state + " " + of_epoch.rows + "\n";
   writeText(sumsPath(state_path_), text);
   writeText(state_path_, state);
-}
-
-void drawCurves(const TrainingRun& run, const std::string& title,
-                const std::vector<std::string>& columns) {
-  std::vector<std::string> arguments = {"--title", title, "--curves", run.out + "/metrics.csv",
-                                        "--columns"};
-  arguments.insert(arguments.end(), columns.begin(), columns.end());
-  runStudyProgram("charts.py", arguments);
 }
 
 }  // namespace forge

@@ -9,7 +9,7 @@
 #include "collision_forge/study/training/training_run.h"
 
 /// Helpers of all trainings: the run folder, which can only be resumed with unchanged inputs, the
-/// validation split, the table of metrics and its curves.
+/// validation split, and the table of metrics.
 namespace forge {
 
 /// Returns the text of run.txt: program version, fingerprints of all inputs, options, and the
@@ -79,10 +79,5 @@ class EpochTable {
   std::vector<EpochSums> sums_;
   double best_;
 };
-
-/// Draws columns of metrics.csv to curves.png with charts.py. Throws the exceptions of
-/// runStudyProgram().
-void drawCurves(const TrainingRun& run, const std::string& title,
-                const std::vector<std::string>& columns);
 
 }  // namespace forge

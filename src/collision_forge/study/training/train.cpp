@@ -85,10 +85,6 @@ void trainOn(const std::vector<TrainingSample>& samples, const std::set<std::str
         is_chosen ? trainer.losses(samples, split.validation) : training;
     record(trainer, left_out, run, is_chosen, table, numbersOf(training, validation));
   }
-  if (is_first) {
-    drawCurves(run, "Training: negative log density of the ego position",
-               {"ego", "validation_ego"});
-  }
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace forge {
 std::set<std::string> leftOutScenes(const TrainingRun& run);
 
 /// Trains the collision-pattern network on logs and clips, under mpirun on all ranks; resumes an
-/// interrupted run. Writes weights.bin of the best epoch, metrics, curves and the training state.
+/// interrupted run. Writes weights.bin of the best epoch, metrics and the training state.
 /// Throws std::runtime_error.
 void trainPatternNetwork(const TrainingRun& run);
 
@@ -22,7 +22,7 @@ void trainPatternNetwork(const TrainingRun& run);
 void trainPlanner(const TrainingRun& run);
 
 /// Trains the learned baseline run.generator on clips; resumes an interrupted run. Writes
-/// weights.pt of the best epoch, metrics, curves and the training state. Throws std::runtime_error.
+/// weights.pt of the best epoch, metrics and the training state. Throws std::runtime_error.
 void trainGenerator(const TrainingRun& run);
 
 }  // namespace forge
