@@ -5,7 +5,6 @@ import os
 import re
 import resource
 import subprocess
-import zipfile
 
 import road
 from road import DATAROOT, VERSION
@@ -71,23 +70,6 @@ class TrainTest(road.RoadTest):
             result = road.run('study', 'train', '--config', self.config, '--source', logs, '--out', out, '--stop-after', 1)
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertEqual((whole / 'weights.bin').read_bytes(), (out / 'weights.bin').read_bytes(), kind)
-
-    def test_a_planner_is_trained_that_does_not_know_its_fold(self):
-        out, again = self.folder / 'planner', self.folder / 'planner_again'
-        path = self.config / 'study' / 'planner_training.yaml'
-        shipped = path.read_text()
-        path.write_text(re.sub(r'(?m)^(  epochs: )\S+', r'\g<1>2', re.sub(r'(?m)^(  hidden: )\S+', r'\g<1>8', shipped)))
-        for folder in (out, again):
-            result = self.train(folder, '--planner', '--fold', 1)
-            self.assertEqual(result.returncode, 0, result.stderr)
-            self.assertIn('constant velocity', result.stdout)
-        path.write_text(shipped)
-        for name in ('planner_errors.md', 'planner_metrics.csv'):
-            self.assertEqual((out / name).read_bytes(), (again / name).read_bytes(), name)
-        with zipfile.ZipFile(str(out / 'planner.pt')) as archive:
-            name, = [name for name in archive.namelist() if name.endswith('left_out_scenes')]
-            self.assertEqual(len(archive.read(name).split()), 2)
-        self.assertEqual(self.train(out, '--planner', '--stop-after', 1).returncode, 2)
 
     def test_speeds_that_no_model_fits_are_reported(self):
         result = road.run('study', 'speeds', 'fit', '--source', DATAROOT, '--folds', 11, '--out', self.folder / 'speeds.jsonl')

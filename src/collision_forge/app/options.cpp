@@ -1,5 +1,7 @@
 #include "collision_forge/app/options.h"
 
+#include <ros/package.h>
+
 #include <memory>
 
 #include "collision_forge/attack/search/method_registry.h"
@@ -8,38 +10,20 @@
 #include "collision_forge/base/scene/request_words.h"
 #include "collision_forge/io/batch/dispatch.h"
 #include "collision_forge/io/batch/progress_line.h"
-#include "collision_forge/io/logs/scenario_net_logs.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
 #include "collision_forge/io/weights/traffic_generators.h"
 #include "collision_forge/planner_test/planners/planner_factory.h"
 #include "collision_forge/planner_test/settings/config_fingerprint.h"
-
-#ifndef COLLISION_FORGE_WITHOUT_ROS
-#include <ros/package.h>
-
 #include "collision_forge/ros/bags/log_sources.h"
-#endif
 
 namespace forge {
 namespace {
 
 /// Returns the path of the package, or "" if ROS does not find it.
 const std::string& packageFolder() {
-#ifdef COLLISION_FORGE_WITHOUT_ROS
-  static const std::string folder;
-#else
   static const std::string folder = ros::package::getPath("collision_forge");
-#endif
   return folder;
 }
-
-#ifdef COLLISION_FORGE_WITHOUT_ROS
-/// A build without ROS cannot read bags.
-LogSource logSourceAt(const std::string& path, const std::string& version) {
-  const LogFormat& scenario_net = scenarioNetFormat();
-  return {path, version, scenario_net.accepts(path) ? &scenario_net : &nuScenesFormat()};
-}
-#endif
 
 /// Returns the pairs (name, value) of `values`.
 template <typename Value, typename Values>

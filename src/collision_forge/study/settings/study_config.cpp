@@ -27,7 +27,6 @@ StudyConfig loadStudyConfig(const ConfigFolder& folder) {
   static_cast<Config&>(config) = loadConfig(folder);
   readStudyFile(folder, "speed_model_fit", config.speed_model_fit);
   readConfigFile(openStudyFile(folder, "training"), static_cast<LearningOptions&>(config));
-  readStudyFile(folder, "planner_training", config.planner_training);
   const int history_frames = config.attack.prediction.history_frames;
   readConfigFile(openStudyFile(folder, "generators"), config.generators, sectionsOfGenerators(),
                  history_frames);

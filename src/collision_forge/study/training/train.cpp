@@ -128,11 +128,9 @@ void forgeTrain(const forge::TrainingRun& run) {
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, -1);
   mallopt(M_TOP_PAD, 128 << 20);
-  if (run.is_planner) {
-    forge::trainPlanner(run);
-  } else if (!run.generator.empty()) {
-    forge::trainGenerator(run);
-  } else {
+  if (run.generator.empty()) {
     forge::trainPatternNetwork(run);
+  } else {
+    forge::trainGenerator(run);
   }
 }

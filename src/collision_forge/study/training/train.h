@@ -16,11 +16,6 @@ std::set<std::string> leftOutScenes(const TrainingRun& run);
 /// Throws std::runtime_error.
 void trainPatternNetwork(const TrainingRun& run);
 
-/// Trains the small learned planner on logs. Writes planner.pt, its losses, and its errors on
-/// training scenes and left-out scenes. Takes a minute and is not resumable. Throws
-/// std::runtime_error.
-void trainPlanner(const TrainingRun& run);
-
 /// Trains the learned baseline run.generator on clips; resumes an interrupted run. Writes
 /// weights.pt of the best epoch, metrics and the training state. Throws std::runtime_error.
 void trainGenerator(const TrainingRun& run);
