@@ -1,17 +1,14 @@
 """Commands that scripts/faults disturbs: commands of forge over data/embedded, each of them a few seconds long."""
 import re
-import shutil
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 DATA = ROOT / 'data' / 'embedded'
 SCENES = ['scene-0001', 'scene-0007']
 LOGS = ['--dataroot', DATA, '--version', 'v1.0-embedded']
-OVER_RANKS = ('convert', 'dataset', 'evaluate', 'export', 'generate', 'test', 'train', 'tune')
 SETTINGS = {  # by file of config/, so that commands take seconds
     'study/training.yaml': {'epochs': 3, 'min_vehicle_speed': 30.0},
-    'study/generators.yaml': {'epochs': 3}, 'study/dataset.yaml': {'begin_stride': 2.0, 'junction_crossing': 1, 'ltap': 1},
-    'ranks.yaml': {'max_silence': 3.0, 'max_meeting': 10.0}}
+    'study/generators.yaml': {'epochs': 3}, 'study/dataset.yaml': {'begin_stride': 2.0, 'junction_crossing': 1, 'ltap': 1}}
 GRID = 'idm:\n  idm.standard.min_gap: [1.0, 4.0]\n'
 
 

@@ -2,10 +2,7 @@
 """evaluate: runs on clips made here and on requests over embedded logs, how they go on, and the published protocol twice."""
 import csv
 import json
-import os
-import re
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
@@ -20,14 +17,6 @@ import published_reference  # noqa: E402
 
 def evaluate(collide, out, *arguments):
     return road.run('study', 'evaluate', '--collide', collide, '--dataroot', DATAROOT, '--split', 'val', '--out', out, *arguments)
-
-
-def run_ranks(ranks, *arguments):
-    """evaluate over ranks; Open MPI refuses to run for root unless it is told twice."""
-    command = ['mpirun', '--oversubscribe', '-np', ranks, 'forge', 'study', 'evaluate', *arguments]
-    return subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          stdin=subprocess.DEVNULL, universal_newlines=True, timeout=road.TIMEOUT, check=False,
-                          env=dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1'))
 
 
 def rows_of(out):
@@ -64,16 +53,6 @@ class EvaluateTest(road.RoadTest):
         self.assertNotIn('road_allows', rows[0])
         self.assertIn('All conditions, full definitions, %', result.stdout)
         self.assertFalse((out / 'results.csv.part').exists())
-
-    def test_ranks_do_not_change_a_byte(self):
-        self.assertEqual(evaluate(self.collide, self.path('alone'), '--method', 'search').returncode, 0)
-        for ranks in (1, 2):
-            result = run_ranks(ranks, '--collide', self.collide, '--dataroot', DATAROOT, '--method', 'search', '--out',
-                               self.path(str(ranks)))
-            self.assertEqual(result.returncode, 0, result.stderr)
-            self.assertEqual(result.stdout, (self.path('alone') / 'table.md').read_text(), 'rank 0 alone reports')
-            for name in ('results.csv', 'table.md', 'results.csv.options', 'table.csv'):
-                self.assertEqual((self.path(str(ranks)) / name).read_bytes(), (self.path('alone') / name).read_bytes())
 
     def test_broken_clip_is_named_and_what_was_done_is_kept(self):
         collide, out = self.path('collide'), self.path('out')
@@ -191,17 +170,10 @@ class EvaluateRequestsTest(road.RoadTest):
                                    r'95 % quantile [0-9.]+ ms \({} measurements in this process\)$'.format(len(self.listed)))
         self.assertNotIn(' ms', table)
 
-    def test_threads_and_ranks_do_not_change_a_byte(self):
-        self.assertEqual(self.run_on('--out', self.path('threads'), '--jobs', 2).returncode, 0)
+    def test_threads_do_not_change_a_byte(self):
+        result = self.run_on('--out', self.path('threads'), '--jobs', 2)
+        self.assertEqual(result.returncode, 0, result.stderr)
         self.assert_as_expected(self.path('threads'))
-        for ranks in (1, 2):
-            out = self.path(str(ranks))
-            result = run_ranks(ranks, *self.command('--out', out))
-            self.assertEqual(result.returncode, 0, result.stderr)
-            self.assertEqual(result.stdout.count('strict protocol'), 1, 'rank 0 alone reports')
-            searches = re.search(r'search_\w+: .* \((\d+) measurements in this process\)', result.stdout)
-            self.assertIn(int(searches.group(1)), range(1, len(self.listed) + 1) if ranks > 1 else [len(self.listed)])
-            self.assert_as_expected(out)
 
     def test_interrupted_run_is_resumed(self):
         out = self.path('out')

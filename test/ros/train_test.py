@@ -1,7 +1,6 @@
 #!/usr/bin/python3
-"""train: on embedded logs, alone and over ranks, and how it goes on."""
+"""train: on embedded logs, and how it resumes."""
 import csv
-import os
 import re
 import resource
 import subprocess
@@ -25,41 +24,28 @@ class TrainTest(road.RoadTest):
             assert count == 1, key
         path.write_text(text)
 
-    def train(self, out, *arguments, ranks=1, room=None):
+    def train(self, out, *arguments, room=None):
         """Where `room` is given, files grow no larger, as on a full disk, bytes."""
         command = ['forge', 'study', 'train', '--config', self.config, '--dataroot', DATAROOT, '--version', VERSION,
                    '--out', out, *arguments]
-        if ranks > 1:
-            command = ['mpirun', '--oversubscribe', '-np', ranks, *command]
-        environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1')
 
         def limit():
             if room is not None:
                 resource.setrlimit(resource.RLIMIT_FSIZE, (room, room))
 
-        return subprocess.run([str(word) for word in command], env=environment, stdout=subprocess.PIPE,
+        return subprocess.run([str(word) for word in command], stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, universal_newlines=True, timeout=road.TIMEOUT, check=False,
                               preexec_fn=limit, restore_signals=False)
 
-    def trained(self, name, *arguments, ranks=1):
+    def trained(self, name, *arguments):
         out = self.folder / name
-        result = self.train(out, *arguments, ranks=ranks)
+        result = self.train(out, *arguments)
         self.assertEqual(result.returncode, 0, result.stderr)
         return out
 
     def losses(self, out):
         with open(str(out / 'metrics.csv')) as file:
             return [float(row['ego']) for row in csv.DictReader(file)]
-
-    def test_two_ranks_learn_together(self):
-        out = self.trained('ranks', ranks=2)
-        losses = self.losses(out)
-        self.assertEqual(len(losses), 3)
-        self.assertLess(losses[-1], losses[0] - 0.1)
-        again = self.trained('ranks_again', '--stop-after', 2, ranks=2)
-        self.trained('ranks_again', ranks=2)
-        for name in ('weights.bin', 'metrics.csv'):
-            self.assertEqual((out / name).read_bytes(), (again / name).read_bytes(), name)
 
     def test_logs_of_every_kind_train_the_same_network(self):
         whole = self.trained('tables', '--stop-after', 1)

@@ -250,7 +250,6 @@ void addWeightsOf(const std::string& method, const Config& config,
 }
 
 NuScenesProgress showReading() {
-  if (!isMaster()) return {};
   const auto line = std::make_shared<ProgressLine>("tables");
   return [line](std::uint64_t done, std::uint64_t total) {  // bytes; show the share, not a rate
     line->show(static_cast<double>(done) / static_cast<double>(total));

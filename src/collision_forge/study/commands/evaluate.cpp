@@ -107,7 +107,7 @@ void addEvaluate(CommandLine& line) {
          "output folder for results.csv, table.md and table.csv; resumes an interrupted run");
   addPlan(app, arguments->plan);
   addCrash(app, *arguments, requests);
-  addJobs(app, arguments->jobs, "clips or requests evaluated in parallel on each MPI rank");
+  addJobs(app, arguments->jobs, "clips or requests evaluated in parallel");
   addReportOption(app, arguments->report);
   addConfig(app, arguments->config);
   app.parse_complete_callback([&app, arguments] {

@@ -72,8 +72,7 @@ std::string headline(const EvaluationArguments& arguments, std::size_t clips) {
 }  // namespace
 
 int evaluateClips(const EvaluationArguments& arguments) {
-  const StudyConfig config = loadStudyRunConfig(arguments.config);
-  const bool is_master = isMaster();
+  const StudyConfig config = loadStudyConfig(arguments.config);
   const std::vector<std::string> paths = listClips(arguments, config);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   CityMaps maps(arguments.logs.path, config);
@@ -89,7 +88,6 @@ int evaluateClips(const EvaluationArguments& arguments) {
   const std::vector<ResultRow> rows = runEvaluation(
       {arguments.out, runOptions(arguments, config, paths), arguments.plan.protocol, RowsOf::kClips,
        "clips", namesOf(paths), rowsPerClip(arguments.plan), arguments.jobs, rows_of});
-  if (!is_master) return kExitOk;
   const std::string title = headline(arguments, paths.size());
   std::string text = reportTitle(title);
   const std::vector<RateTable> tables =

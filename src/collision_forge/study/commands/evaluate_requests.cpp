@@ -127,14 +127,12 @@ void report(const EvaluationArguments& arguments, const EvaluationPlan& plan,
 }  // namespace
 
 int evaluateRequests(const EvaluationArguments& arguments) {
-  const StudyConfig config = loadStudyRunConfig(arguments.config);
-  const bool is_master = isMaster();
+  const StudyConfig config = loadStudyConfig(arguments.config);
   const EvaluationPlan plan = planOf(arguments, config);
   const WantedRequests wanted = readWanted(arguments, config);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   SceneSource scenes(arguments.logs, wanted.scenes, config,
-                     static_cast<std::size_t>(arguments.jobs) + 1,
-                     is_master ? OnWarnings(printWarnings) : OnWarnings(), showReading());
+                     static_cast<std::size_t>(arguments.jobs) + 1, printWarnings, showReading());
   const RequestEvaluator evaluator(scenes, config, loadForesight(config), loadMethods(config),
                                    plan);
   SearchTimes times;
@@ -146,7 +144,6 @@ int evaluateRequests(const EvaluationArguments& arguments) {
   const std::vector<ResultRow> rows = runEvaluation(
       {arguments.out, runOptions(arguments, config, plan, wanted), Protocol::kStrict,
        RowsOf::kRequests, "requests", wanted.lines, rowsPerRequest(plan), arguments.jobs, rows_of});
-  if (!is_master) return kExitOk;
   report(arguments, plan, rows, wanted);
   times.print();
   if (!arguments.report.empty()) {

@@ -35,7 +35,7 @@ struct EvaluationArguments {
   int jobs = 1;         ///< threads
 };
 
-// Run the evaluation; resume an interrupted one. The master prints the tables and writes
+// Run the evaluation; resume an interrupted one. Print the tables and write
 // OUT/results.csv, OUT/table.md and OUT/table.csv. Return an exit code; throw ConfigError and
 // std::runtime_error.
 int evaluateClips(const EvaluationArguments& arguments);
@@ -56,8 +56,7 @@ struct EvaluationRun {
 };
 
 /// Runs the evaluation and writes results.csv; resumes an interrupted run. Returns all rows, in the
-/// order of the items, on the master and an empty vector on other ranks. Throws the exceptions of
-/// carryOut().
+/// order of the items. Throws the exceptions of carryOut().
 std::vector<ResultRow> runEvaluation(const EvaluationRun& evaluation);
 
 /// Writes the tables to FOLDER/table.csv.

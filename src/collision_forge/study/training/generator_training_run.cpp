@@ -178,7 +178,7 @@ void trainGenerator(const TrainingRun& run) {
   const std::set<std::string> left_out = leftOutScenes(run);
   const std::string file = configFileOf(run.generator);
   const std::string asked = "generator = " + run.generator + "\n";
-  const OutputLock lock = openRunFolder(run, asked + describeRun(run, 1, file));
+  const OutputLock lock = openRunFolder(run, asked + describeRun(run, file));
   torch::set_num_threads(run.threads);
   GeneratorTrainer trainer(run, {run.generator,
                                  run.config.textOfSections(file, sectionsOf(run.generator)),

@@ -90,7 +90,7 @@ bool hasState(const TrainingRun& run) {
                            sumsPath(path) + "; delete " + path + " to start over");
 }
 
-std::string describeRun(const TrainingRun& run, int ranks, const std::string& config) {
+std::string describeRun(const TrainingRun& run, const std::string& config) {
   std::ostringstream text;
   text << "program = collision_forge " COLLISION_FORGE_VERSION << '\n';
   text << "collide = " << run.sources.collide << "\nsplits =";
@@ -102,7 +102,7 @@ std::string describeRun(const TrainingRun& run, int ranks, const std::string& co
     text << "\nclips = " << fingerprintOfTree(run.sources.collide + "/trajectory", ".csv");
   }
   text << "\nfold = " << run.fold << "\nfolds = " << run.folds << "\nseed = " << run.seed
-       << "\ndevice = " << run.device << "\nranks = " << ranks << '\n';
+       << "\ndevice = " << run.device << '\n';
   for (const auto& [name, found] : run.config_files) text << name << " = " << found << '\n';
   text << '\n';
   text << run.config.text(config);

@@ -14,7 +14,7 @@ namespace forge {
 
 /// Returns the text of run.txt: program version, fingerprints of all inputs, options, and the
 /// content of the configuration file `config` (path relative to config/).
-std::string describeRun(const TrainingRun& run, int ranks, const std::string& config);
+std::string describeRun(const TrainingRun& run, const std::string& config);
 
 /// Creates the run folder with run.txt, or checks that the existing run.txt equals `description`.
 /// Returns the lock of the folder. Throws std::runtime_error naming the first different line, or if

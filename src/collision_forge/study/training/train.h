@@ -11,8 +11,8 @@ namespace forge {
 /// std::runtime_error for a fold without scenes.
 std::set<std::string> leftOutScenes(const TrainingRun& run);
 
-/// Trains the collision-pattern network on logs and clips, under mpirun on all ranks; resumes an
-/// interrupted run. Writes weights.bin of the best epoch, metrics and the training state.
+/// Trains the collision-pattern network on logs and clips; resumes an interrupted
+/// run. Writes weights.bin of the best epoch, metrics and the training state.
 /// Throws std::runtime_error.
 void trainPatternNetwork(const TrainingRun& run);
 
