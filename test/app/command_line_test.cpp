@@ -77,7 +77,6 @@ const std::map<std::string, std::string> kComplete = {
     {"study measure latency", ""},
     {"study measure patterns",
      " --collide " + kDataroot + " --dataroot " + kDataroot + " --config " + kConfig},
-    {"study report", " " + kFile + " --out page --config " + kConfig},
     {"study test",
      " --collide " + kDataroot + " --dataroot " + kDataroot + " --out out --config " + kConfig},
     {"study tune",
@@ -266,8 +265,7 @@ TEST(CommandLine, ControlOptionsAreTheSameInAllCommands) {
 }
 
 TEST(CommandLine, BulkCommandsAcceptReport) {
-  for (const std::string command :
-       {"generate", "study evaluate", "test", "tune", "study dataset"}) {
+  for (const std::string command : {"generate", "test", "tune", "study dataset"}) {
     const std::string line = command + kComplete.at(command);
     EXPECT_EQ(read(line + " --report page").exit_code, std::nullopt) << command;
   }
@@ -275,10 +273,6 @@ TEST(CommandLine, BulkCommandsAcceptReport) {
   const std::string clips = " --dataroot " + kDataroot + " --collide " + kDataroot +
                             " --out out --report page --config " + kConfig;
   EXPECT_EQ(read("study test" + clips).exit_code, std::nullopt);
-  EXPECT_EQ(read("study evaluate" + clips).exit_code, std::nullopt);
-  const Reading published = read("study evaluate" + clips + " --protocol published");
-  EXPECT_EQ(published.exit_code, kExitUsage);
-  EXPECT_THAT(published.err, HasSubstr("--report: the HTML report needs --protocol strict"));
 }
 
 TEST(RequestControls, OverrideOnlyTheGivenFields) {

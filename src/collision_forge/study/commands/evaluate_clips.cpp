@@ -4,7 +4,6 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/app/report.h"
 #include "collision_forge/base/files/aside_file.h"
 #include "collision_forge/base/files/file_fingerprint.h"
 #include "collision_forge/io/batch/dispatch.h"
@@ -18,7 +17,6 @@
 #include "collision_forge/study/commands/study_commands.h"
 #include "collision_forge/study/commands/study_run_config.h"
 #include "collision_forge/study/evaluation/clip_methods.h"
-#include "collision_forge/study/evaluation/report_rows.h"
 #include "collision_forge/study/evaluation/row_rates.h"
 
 namespace forge {
@@ -74,7 +72,7 @@ std::string headline(const EvaluationArguments& arguments, std::size_t clips) {
 int evaluateClips(const EvaluationArguments& arguments) {
   const StudyConfig config = loadStudyConfig(arguments.config);
   const std::vector<std::string> paths = listClips(arguments, config);
-  const OutputLocks locks = lockFolders({arguments.out, arguments.report});
+  const OutputLocks locks = lockFolders({arguments.out});
   CityMaps maps(arguments.logs.path, config);
   const PredictionModels foresight = loadForesight(config);
   const MethodRegistry methods = loadMethods(config);
@@ -96,10 +94,6 @@ int evaluateClips(const EvaluationArguments& arguments) {
   writeText(arguments.out + "/table.md", text);
   writeRates(tables, arguments.out);
   std::cout << text;
-  if (!arguments.report.empty()) {
-    writeReport({{arguments.out + "/results.csv"}, {}}, arguments.report, config,
-                evaluationFormats());
-  }
   return kExitOk;
 }
 

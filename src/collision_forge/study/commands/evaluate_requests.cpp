@@ -10,7 +10,6 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/app/report.h"
 #include "collision_forge/base/files/aside_file.h"
 #include "collision_forge/io/batch/dispatch.h"
 #include "collision_forge/io/batch/output.h"
@@ -20,7 +19,6 @@
 #include "collision_forge/study/commands/evaluation.h"
 #include "collision_forge/study/commands/study_commands.h"
 #include "collision_forge/study/commands/study_run_config.h"
-#include "collision_forge/study/evaluation/report_rows.h"
 #include "collision_forge/study/evaluation/request_evaluation.h"
 #include "collision_forge/study/evaluation/request_report.h"
 
@@ -117,9 +115,8 @@ void report(const EvaluationArguments& arguments, const EvaluationPlan& plan,
   const std::vector<RateTable> tables = requestTables(rows, plan);
   for (const RateTable& table : tables) text += "\n" + toMarkdown(table);
   writeRates(tables, arguments.out);
-  for (const Calibration& calibration : requestCalibrations(rows, plan)) {
-    text += "\n" + toMarkdown(calibration);
-  }
+  const auto calibration = requestCalibration(rows, plan);
+  if (calibration) text += "\n" + toMarkdown(*calibration);
   writeText(arguments.out + "/table.md", text);
   std::cout << text << std::endl;
 }
@@ -130,7 +127,7 @@ int evaluateRequests(const EvaluationArguments& arguments) {
   const StudyConfig config = loadStudyConfig(arguments.config);
   const EvaluationPlan plan = planOf(arguments, config);
   const WantedRequests wanted = readWanted(arguments, config);
-  const OutputLocks locks = lockFolders({arguments.out, arguments.report});
+  const OutputLocks locks = lockFolders({arguments.out});
   SceneSource scenes(arguments.logs, wanted.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1, printWarnings, showReading());
   const RequestEvaluator evaluator(scenes, config, loadForesight(config), loadMethods(config),
@@ -146,10 +143,6 @@ int evaluateRequests(const EvaluationArguments& arguments) {
        RowsOf::kRequests, "requests", wanted.lines, rowsPerRequest(plan), arguments.jobs, rows_of});
   report(arguments, plan, rows, wanted);
   times.print();
-  if (!arguments.report.empty()) {
-    writeReport({{arguments.out + "/results.csv"}, {}}, arguments.report, config,
-                evaluationFormats());
-  }
   return kExitOk;
 }
 

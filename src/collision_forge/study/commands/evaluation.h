@@ -29,7 +29,6 @@ struct EvaluationArguments {
 
   LogSource logs;  ///< recorded scenes; for clips a nuScenes root with their maps
   std::string out;
-  std::string report;  ///< folder of the HTML report; empty: none
   ConfigFolder config;
   EvaluationPlan plan;  ///< evaluateRequests() replaces its limits and `believable`
   int jobs = 1;         ///< threads

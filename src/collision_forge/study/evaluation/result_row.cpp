@@ -20,7 +20,7 @@ constexpr EnumWord<Protocol> kProtocolWords[] = {
 };
 
 constexpr double kDegree = M_PI / 180.0;  // rad
-constexpr std::size_t kFixedColumns = 13;
+constexpr std::size_t kFixedColumns = 12;
 constexpr double kLargest = 1e9;  // upper limit of valid figures
 
 std::string decimals(const char* format, const std::optional<double>& value) {
@@ -99,7 +99,7 @@ const std::vector<Measure>& measuresOf(Protocol protocol) {
 std::string csvHeader(Protocol protocol, RowsOf rows_of) {
   std::string text = "name,scene,type,tta,method,seed,status";
   for (const Measure& measure : measuresOf(protocol)) text += "," + measure.name;
-  text += ",contact_after,relative_heading,confidence,off_road_share,own_off_road_share";
+  text += ",contact_after,relative_heading,confidence,off_road_share";
   if (rows_of == RowsOf::kRequests) text += std::string(",") + kRequestHeader;
   return text + ",note";
 }
@@ -118,7 +118,7 @@ std::string toCsv(const ResultRow& row) {
   std::optional<double> degrees = row.relative_heading;
   if (degrees) *degrees /= kDegree;
   text << ',' << decimals("%.3f", row.contact_after) << ',' << decimals("%.2f", degrees);
-  for (const auto& share : {row.confidence, row.off_road_share, row.own_off_road_share}) {
+  for (const auto& share : {row.confidence, row.off_road_share}) {
     text << ',' << decimals("%.4f", share);
   }
   if (row.request) {
@@ -148,8 +148,8 @@ std::optional<ResultRow> rowFromCsv(const std::string& line, Protocol protocol) 
     row.meets.push_back(met == "1");
   }
   const std::string* part = &parts[7 + measures];
-  for (auto* number : {&row.contact_after, &row.relative_heading, &row.confidence,
-                       &row.off_road_share, &row.own_off_road_share}) {
+  for (auto* number :
+       {&row.contact_after, &row.relative_heading, &row.confidence, &row.off_road_share}) {
     if (!parse(*part++, *number)) return std::nullopt;
   }
   if (row.relative_heading && std::abs(*row.relative_heading) > 180.0) return std::nullopt;

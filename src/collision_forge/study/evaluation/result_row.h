@@ -42,8 +42,6 @@ struct ResultRow {
   std::optional<double> confidence;        ///< predicted by the search, 0..1
   /// Mean share, 0..1, of the attacker's box off the drivable area from t0 to contact.
   std::optional<double> off_road_share;
-  /// The same share of the agent's own recorded motion; empty for a recording with a gap.
-  std::optional<double> own_off_road_share;
   std::string note;  ///< broken limit, other agent touched, reason of implausibility or rejection
   std::optional<RequestFacts> request;  ///< requests only
 };
