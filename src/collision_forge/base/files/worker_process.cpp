@@ -7,7 +7,6 @@
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,7 +15,6 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <optional>
 #include <sstream>
 
 extern char** environ;
@@ -28,10 +26,9 @@ double steadySeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Starts the program with its stdout redirected to stderr. With a `stream`, which becomes its
-/// kWorkerStream, the program gets its own process group, so that Ctrl-C does not end it: its owner
-/// decides when it ends.
-pid_t spawn(const std::vector<std::string>& command, std::optional<int> stream = {}) {
+/// Starts the program with its stdout redirected to stderr and `stream` as its kWorkerStream, in a
+/// process group of its own, so that Ctrl-C does not end it: its owner decides when it ends.
+pid_t spawn(const std::vector<std::string>& command, int stream) {
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
@@ -42,11 +39,9 @@ pid_t spawn(const std::vector<std::string>& command, std::optional<int> stream =
   posix_spawnattr_init(&attributes);
   sigset_t none;
   sigemptyset(&none);
-  if (stream) {
-    posix_spawn_file_actions_adddup2(&actions, *stream, kWorkerStream);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
-    posix_spawnattr_setsigmask(&attributes, &none);
-  }
+  posix_spawn_file_actions_adddup2(&actions, stream, kWorkerStream);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
+  posix_spawnattr_setsigmask(&attributes, &none);
   pid_t pid = 0;
   const int problem =
       posix_spawn(&pid, command.front().c_str(), &actions, &attributes, arguments.data(), environ);
@@ -74,12 +69,6 @@ std::string packageProgram(const std::string& name) {
   Dl_info library;
   if (dladdr(reinterpret_cast<void*>(&packageProgram), &library) == 0) return name;
   return std::filesystem::absolute(library.dli_fname).parent_path() / "collision_forge" / name;
-}
-
-std::optional<std::string> runProgram(const std::vector<std::string>& command) {
-  const int status = statusAtEnd(spawn(command));
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::nullopt;
-  return howEnded(status);
 }
 
 WorkerProcess::WorkerProcess(const std::vector<std::string>& command) {
@@ -152,14 +141,6 @@ void WorkerProcess::receive(void* data, std::size_t size) {
     bytes += received;
     size -= static_cast<std::size_t>(received);
   }
-}
-
-double WorkerProcess::processorTime() const {
-  clockid_t clock;
-  timespec time{};
-  if (pid_ <= 0 || clock_getcpuclockid(pid_, &clock) != 0 || clock_gettime(clock, &time) != 0)
-    return 0.0;
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 void WorkerProcess::failGone() { throw std::runtime_error("the process ended " + howEnded(end())); }

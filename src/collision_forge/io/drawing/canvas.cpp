@@ -171,12 +171,4 @@ void Canvas::clip(const PixelRect& rect) {
 
 void Canvas::unclip() { cairo_restore(context_.get()); }
 
-std::vector<Vector2> edgeOf(const PixelRect& rect) {
-  const double left = rect.x + 0.5;
-  const double top = rect.y + 0.5;
-  const double right = rect.x + rect.width - 0.5;
-  const double bottom = rect.y + rect.height - 0.5;
-  return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
-}
-
 }  // namespace forge

@@ -93,7 +93,4 @@ class Canvas {
   std::unique_ptr<cairo_t, Destroy> context_;
 };
 
-/// Returns the line through the outermost pixels of a rectangle of whole pixels.
-std::vector<Vector2> edgeOf(const PixelRect& rect);
-
 }  // namespace forge
