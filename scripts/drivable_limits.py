@@ -1,8 +1,10 @@
 """The drivable limits, by class, told at the rear axle as a kinematic single track has it; part of check_limits."""
 import math
 
-from limit_checks import BACKWARDS, ROUNDING, Worst, turn
 from scenario_files import steps_to_contact
+
+BACKWARDS = 1e-3  # m that a step may lead back, as in the package's own check
+ROUNDING = 1e-6   # of any unit
 
 # Tolerances of differences over samples 0.1 s apart. A second difference of paths or positions is a mean of the
 # acceleration over its two steps and a third one a mean of the jerk, so neither exceeds a limit that is kept at every
@@ -23,6 +25,27 @@ SHORT_TURN = 2e-3            # rad that a short step may turn beyond what the gr
 WRITTEN_SPEED = 0.05         # m/s
 WRITTEN_ACCELERATION = 0.2   # m/s2
 WRITTEN_STEERING = 1e-3      # rad
+
+
+class Worst:
+    """The worst violation of each limit."""
+
+    def __init__(self):
+        self.found = {}
+
+    def check(self, name, value, limit, time, tolerance=ROUNDING):
+        """`value` may exceed `limit` by `tolerance`, for what the difference that it is from may be off."""
+        excess = value - limit - tolerance
+        if excess > 0.0 and excess > self.found.get(name, (0.0,))[0]:
+            self.found[name] = (excess, value, limit, time)
+
+    def violations(self):
+        """Return (limit, value, allowed value, s from t0) of each violated limit."""
+        return [(name, value, limit, time) for name, (_, value, limit, time) in sorted(self.found.items())]
+
+
+def turn(start, end):
+    return math.remainder(end - start, 2.0 * math.pi)
 
 
 class Step:

@@ -1,17 +1,14 @@
 """Commands that scripts/faults disturbs: commands of forge over data/embedded, each of them a few seconds long."""
 import re
-import shutil
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 DATA = ROOT / 'data' / 'embedded'
 SCENES = ['scene-0001', 'scene-0007']
 LOGS = ['--dataroot', DATA, '--version', 'v1.0-embedded']
-OVER_RANKS = ('convert', 'dataset', 'evaluate', 'export', 'generate', 'test', 'train', 'tune')
 SETTINGS = {  # by file of config/, so that commands take seconds
-    'study/training.yaml': {'epochs': 3, 'min_vehicle_speed': 30.0}, 'study/planner_training.yaml': {'epochs': 3, 'hidden': 8},
-    'study/generators.yaml': {'epochs': 3}, 'study/dataset.yaml': {'begin_stride': 2.0, 'junction_crossing': 1, 'ltap': 1},
-    'ranks.yaml': {'max_silence': 3.0, 'max_meeting': 10.0}}
+    'study/training.yaml': {'epochs': 3, 'min_vehicle_speed': 30.0},
+    'study/generators.yaml': {'epochs': 3}, 'study/dataset.yaml': {'begin_stride': 2.0, 'junction_crossing': 1, 'ltap': 1}}
 GRID = 'idm:\n  idm.standard.min_gap: [1.0, 4.0]\n'
 
 
@@ -19,7 +16,7 @@ def inputs(folder):
     """The words that make what commands read, by its path."""
     made = {folder / 'clips': ['study', 'dataset', *LOGS, '--scene', *SCENES],
             folder / 'bags': ['convert', *LOGS, '--scene', SCENES[0]]}
-    asked = [('both', SCENES, '4'), ('few', SCENES[:1], '16'), *((scene, [scene], '8') for scene in SCENES)]
+    asked = [('both', SCENES, '4'), *((scene, [scene], '8') for scene in SCENES)]
     for name, scenes, stride in asked:
         requests = folder / (name + '_requests.jsonl')
         made[requests] = ['requests', *LOGS, '--scene', *scenes, '--stride', stride, '--tta', '2', '4']
@@ -34,9 +31,6 @@ def commands(folder):
     return {
         'convert': ['convert', *LOGS],
         'convert-scenarionet': ['convert', *LOGS, '--to', 'scenarionet'],
-        'compare': ['study', 'compare', *clips, '--count', '1', '--methods', 'constant_velocity'],
-        'controls': ['study', 'measure', 'controls', *LOGS, '--requests', folder / 'few_requests.jsonl'],
-        'coverage': ['study', 'measure', 'coverage', *LOGS, '--now', '8', '--tta', '4'],
         'dataset': inputs(folder)[folder / 'clips'],
         'evaluate': ['study', 'evaluate', *LOGS, *asked],
         'evaluate-clips': ['study', 'evaluate', *clips, '--limit', '4'],
@@ -56,7 +50,6 @@ def commands(folder):
         'test-until-hit': ['test', *LOGS, '--until-hit', '--tries', '2', '--scene', *SCENES, '--planners', 'idm'],
         'train': ['study', 'train', *LOGS],
         'train-generator': ['study', 'train', '--generator', 'c_sgan', '--dataroot', DATA, '--collide', folder / 'clips'],
-        'train-planner': ['study', 'train', '--planner', *LOGS],
         'tune': ['tune', *LOGS, '--planner', 'idm', '--grid', folder / 'grid.yaml', '--train',
                  folder / (SCENES[0] + '.jsonl'), '--test', folder / (SCENES[1] + '.jsonl')]}
 

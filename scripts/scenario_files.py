@@ -9,8 +9,6 @@ import yaml
 CONFIG = Path(__file__).resolve().parent.parent / 'config'
 VERSIONS = (5, 6)
 
-STRICT = ('max_forward_acceleration', 'max_braking', 'max_total_acceleration', 'max_curvature', 'max_speed',
-          'curvature_min_speed', 'heading_slack', 'heading_per_metre')
 DRIVABLE = ('wheelbase_share', 'max_steering_angle', 'max_steering_rate', 'max_lateral_acceleration',
             'max_forward_acceleration', 'switching_speed', 'max_braking', 'max_jerk', 'max_speed')
 LENGTHS = ('car', 'van', 'truck')
@@ -51,13 +49,12 @@ def section_of(path, parent, name, keys):
 
 
 class VehicleLimits:
-    """config/vehicle_limits.yaml: `strict`, one set of limits for all, and the drivable ones by class."""
+    """config/vehicle_limits.yaml: the drivable limits by class."""
 
     def __init__(self, config=CONFIG):
         path = config / 'vehicle_limits.yaml'
         overlay = read_yaml(path) if path.exists() else {}
         root = section_of(path, merged(read_yaml(CONFIG / path.name), overlay), 'vehicle_limits', ())
-        self.strict = section_of(path, root, 'strict', STRICT)
         self.lengths = section_of(path, root, 'lengths', LENGTHS)
         drivable = section_of(path, root, 'drivable', ())
         rows = sorted(set(ROWS.values()) | {'van', 'articulated'})

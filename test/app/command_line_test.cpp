@@ -68,25 +68,15 @@ const std::map<std::string, std::string> kComplete = {
     {"generate", kLogs + " --requests requests.jsonl --out scenarios.jsonl"},
     {"export", kLogs + " --to openscenario --scenarios " + kFile + " --out out"},
     {"study evaluate", kLogs + " --requests " + kFile + " --out out"},
-    {"study compare", " --collide " + kDataroot + " --dataroot " + kDataroot + " --config " +
-                          kConfig + " --methods recorded --out figure"},
     {"report", " " + kFile + " --out page --config " + kConfig},
     {"test", kLogs + " --scenarios scenarios.jsonl --out out"},
     {"tune", kLogs + " --train a.jsonl --test b.jsonl --out out"},
     {"study dataset", kLogs + " --out out"},
     {"study train", kLogs + " --out out"},
     {"study speeds fit", kLogs + " --out model.jsonl"},
-    {"study measure attackers", kLogs + " --scenarios " + kFile},
-    {"study measure controls", kLogs + " --requests " + kFile + " --out controls"},
-    {"study measure coverage", kLogs + " --out coverage.csv"},
-    {"study measure ego-futures", kLogs},
     {"study measure latency", ""},
-    {"study measure methods", " --methods search,recorded --collide " + kDataroot + " --dataroot " +
-                                  kDataroot + " --config " + kConfig},
     {"study measure patterns",
      " --collide " + kDataroot + " --dataroot " + kDataroot + " --config " + kConfig},
-    {"study measure planners", kLogs},
-    {"study report", " " + kFile + " --out page --config " + kConfig},
     {"study test",
      " --collide " + kDataroot + " --dataroot " + kDataroot + " --out out --config " + kConfig},
     {"study tune",
@@ -120,7 +110,7 @@ TEST(CommandLine, HelpListsEveryCommandAndNoOther) {
 }
 
 TEST(CommandLine, FormerStudyCommandsNameTheirReplacement) {
-  const Reading reading = read("measure coverage" + kComplete.at("study measure coverage"));
+  const Reading reading = read("measure latency" + kComplete.at("study measure latency"));
   EXPECT_EQ(reading.exit_code, kExitUsage);
   EXPECT_THAT(reading.err, HasSubstr("forge: measure is now forge study measure\n"));
 }
@@ -162,8 +152,6 @@ TEST(CommandLine, InvalidValuesAreReportedWithTheirOption) {
             "--generator"},
            {"study train" + kComplete.at("study train") + " --generator c_sgan", "--collide"},
            {"convert --dataroot /nowhere --version v --out bags", "/nowhere"},
-           {"study measure methods --collide " + kDataroot + " --dataroot " + kDataroot,
-            "--methods"},
            {"inject" + kComplete.at("inject") + " --nonsense", "--nonsense"}}) {
     const Reading reading = read(line);
     EXPECT_EQ(reading.exit_code, kExitUsage) << line;
@@ -185,7 +173,7 @@ TEST(CommandLine, ClipOptionsAndLogOptionsAreMutuallyExclusive) {
 }
 
 TEST(CommandLine, AnUnknownMethodIsRejectedAndTheKnownOnesAreListed) {
-  for (const std::string command : {"generate", "inject", "possible", "study measure controls"}) {
+  for (const std::string command : {"generate", "inject", "possible", "study evaluate"}) {
     const std::string line = command + kComplete.at(command) + " --method ";
     EXPECT_EQ(read(line + "nominal").exit_code, std::nullopt) << command;
     const Reading reading = read(line + "magic");
@@ -195,12 +183,12 @@ TEST(CommandLine, AnUnknownMethodIsRejectedAndTheKnownOnesAreListed) {
   const std::string draw = "test" + kLogs + " --out out --until-hit --method ";
   EXPECT_EQ(read(draw + "search").exit_code, std::nullopt);
   EXPECT_EQ(read(draw + "magic").exit_code, kExitUsage);
-  const std::string line =
-      "study measure methods" + kComplete.at("study measure methods") + " --methods ";
+  const std::string line = "study evaluate --collide " + kDataroot + " --dataroot " + kDataroot +
+                           " --out out --config " + kConfig + " --method ";
   EXPECT_EQ(read(line + "nominal").exit_code, std::nullopt);
-  const Reading methods = read(line + "nominal,magic");
-  EXPECT_EQ(methods.exit_code, kExitUsage);
-  EXPECT_THAT(methods.err, HasSubstr("--methods: method \"magic\" is none of recorded,"));
+  const Reading clips = read(line + "magic");
+  EXPECT_EQ(clips.exit_code, kExitUsage);
+  EXPECT_THAT(clips.err, HasSubstr("--method: method \"magic\" is none of recorded,"));
 }
 
 TEST(CommandLine, HelpShowsDefaults) {
@@ -216,8 +204,7 @@ TEST(CommandLine, DefaultModeIsReplayForMakingAndHistoryForMeasuring) {
   for (const std::string command : {"inject", "possible", "generate"}) {
     EXPECT_THAT(read(command + " --help").out, HasSubstr("}=replay")) << command;
   }
-  for (const std::string command :
-       {"study evaluate", "study compare", "study measure methods", "study measure latency"}) {
+  for (const std::string command : {"study evaluate", "study measure latency"}) {
     EXPECT_THAT(read(command + " --help").out, HasSubstr("}=history")) << command;
   }
 }
@@ -242,8 +229,8 @@ TEST(CommandLine, HelpOfEveryCommandEndsWithTheExitCodes) {
 TEST(CommandLine, MistypedWordsGetASuggestion) {
   for (const auto& [line, named] : std::map<std::string, std::string>{
            {"genrate --jobs 2", "forge: unknown command genrate; did you mean generate?"},
-           {"study measure covrage",
-            "forge study measure: unknown command covrage; did you mean coverage?"},
+           {"study measure latncy",
+            "forge study measure: unknown command latncy; did you mean latency?"},
            {"inject --bagg a.bag", "forge inject: unknown option --bagg; did you mean --bag?"},
            {"inject --output=b.bag", "forge inject: unknown option --output; did you mean --out?"},
            {"inject" + kComplete.at("inject") + " --mode repaly", "did you mean replay?"},
@@ -278,8 +265,7 @@ TEST(CommandLine, ControlOptionsAreTheSameInAllCommands) {
 }
 
 TEST(CommandLine, BulkCommandsAcceptReport) {
-  for (const std::string command :
-       {"generate", "study evaluate", "test", "tune", "study dataset"}) {
+  for (const std::string command : {"generate", "test", "tune", "study dataset"}) {
     const std::string line = command + kComplete.at(command);
     EXPECT_EQ(read(line + " --report page").exit_code, std::nullopt) << command;
   }
@@ -287,10 +273,6 @@ TEST(CommandLine, BulkCommandsAcceptReport) {
   const std::string clips = " --dataroot " + kDataroot + " --collide " + kDataroot +
                             " --out out --report page --config " + kConfig;
   EXPECT_EQ(read("study test" + clips).exit_code, std::nullopt);
-  EXPECT_EQ(read("study evaluate" + clips).exit_code, std::nullopt);
-  const Reading published = read("study evaluate" + clips + " --protocol published");
-  EXPECT_EQ(published.exit_code, kExitUsage);
-  EXPECT_THAT(published.err, HasSubstr("--report: the HTML report needs --protocol strict"));
 }
 
 TEST(RequestControls, OverrideOnlyTheGivenFields) {
@@ -359,7 +341,6 @@ TEST(Commands, EnumeratedValuesAreCaseInsensitive) {
   for (const std::string& words : std::vector<std::string>{
            "test" + kComplete.at("test") + " --planners IDM,Pdm --attacker-policy Fixed,ADAPTIVE",
            "tune" + kComplete.at("tune") + " --planner PDM",
-           "study measure planners" + kComplete.at("study measure planners") + " --planners Idm",
            "requests" + kComplete.at("requests") + " --attackers New"}) {
     const Reading reading = read(words);
     EXPECT_EQ(reading.exit_code, std::nullopt) << reading.err;

@@ -15,9 +15,8 @@ NOT_RUN = [
     (r'(^|\s)\.\.\.(\s|$)', 'leaves words out'),
     (r'^rviz\b', 'opens a window'),
     (r'--collide (DIR|COLLIDE|out/set)\b', 'wants the data set COLLIDE, or a data set of many scenes'),
-    (r'^forge study train\b|ablate_heads|^cat RUN', 'trains for hours, or takes what was trained'),
+    (r'^forge study train\b|^cat RUN', 'trains for hours, or takes what was trained'),
     (r'venv/bin', 'wants a torch from the network'),
-    (r'^mpirun|^build-training', 'wants several machines, or another libtorch'),
     (r'YOUR_BAGS', 'wants bags of another stack'),
 ]
 

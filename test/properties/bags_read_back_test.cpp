@@ -20,7 +20,7 @@
 namespace forge {
 namespace {
 
-constexpr double kBagShare = 0.2;
+constexpr double kBagShare = 0.1;
 
 /// Bags of the recordings, each written when it is asked for, and one with an attack.
 class Bags {

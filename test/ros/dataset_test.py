@@ -1,9 +1,8 @@
 #!/usr/bin/python3
-"""forge study dataset: what its folder holds, that evaluate reads it, how a run goes on, threads and ranks alike."""
+"""forge study dataset: what its folder holds, that evaluate reads it, how a run goes on, with any number of threads."""
 import csv
 import json
 import math
-import os
 import re
 import shutil
 import subprocess
@@ -107,7 +106,6 @@ class BuildDatasetTest(road.RoadTest):
         for row in rows:
             if row['group'] == 'type':
                 self.assertGreaterEqual(float(row['share']), 0.02)
-                self.assertTrue((self.out / 'sheets' / (row['value'] + '.png')).exists())
 
     def test_evaluate_reads_it_and_finds_the_hits(self):
         for protocol, column in (('published', 'collision'), ('strict', 'contact')):
@@ -122,7 +120,7 @@ class BuildDatasetTest(road.RoadTest):
             for row in rows:
                 self.assertEqual(row[column], '1', row)
 
-    def test_threads_and_ranks_give_the_same_bytes_beside_a_page(self):
+    def test_threads_give_the_same_bytes_beside_a_page(self):
         threads = self.path('threads')
         page = threads / 'page'
         result = run(command(threads, '--config', self.config, '--jobs', 3, '--report', page))
@@ -130,11 +128,6 @@ class BuildDatasetTest(road.RoadTest):
         self.assertTrue((page / 'index.html').exists())
         shutil.rmtree(str(page))
         self.assertEqual(content(threads), self.expected)
-        ranks = self.path('ranks')
-        result = run(['mpirun', '--oversubscribe', '-np', '2'] + command(ranks, '--config', self.config),
-                     env=dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1'))
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(content(ranks), self.expected)
 
 
 if __name__ == '__main__':

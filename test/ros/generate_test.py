@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""forge requests and generate: what is in their files, how a run goes on after any end, threads and ranks alike."""
+"""forge requests and generate: what is in their files, how a run goes on after any end, with any number of threads."""
 import csv
 import json
 import os
@@ -35,15 +35,6 @@ def generate_command(requests, out, *arguments):
     return [str(word) for word in ('forge', 'generate', *ROOT, '--requests', requests, '--out', out, *arguments)]
 
 
-def ranks_command(ranks, requests, out, *arguments):
-    return (['mpirun', '--oversubscribe', '-np', str(ranks)] + generate_command(requests, out, *arguments))
-
-
-def ranks_environment():
-    """Open MPI refuses to run for root unless it is told twice."""
-    return dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1')
-
-
 def run(command, **options):
     return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL,
                           universal_newlines=True, timeout=road.TIMEOUT, check=False, **options)
@@ -56,19 +47,6 @@ def lines_of(path):
 def complete_lines(path):
     """How many lines a file holds; 0 while it is not there."""
     return path.read_bytes().count(b'\n') if path.exists() else 0
-
-
-def children_of(parent):
-    """The processes that a process started, each with its command."""
-    found = {}
-    for folder in filter(str.isdigit, os.listdir('/proc')):
-        try:
-            with open('/proc/{}/stat'.format(folder)) as stat, open('/proc/{}/cmdline'.format(folder)) as command:
-                if int(stat.read().rsplit(')', 1)[1].split()[1]) == parent:
-                    found[int(folder)] = command.read()
-        except (FileNotFoundError, ProcessLookupError):
-            continue
-    return found
 
 
 class RequestsTest(road.RoadTest):
@@ -278,16 +256,7 @@ class GenerateTest(road.RoadTest):
             change(scenario)
             self.assertFalse(validator.is_valid(scenario))
 
-    def test_same_bytes_whatever_the_number_of_ranks(self):
-        for ranks in (1, 2, 4):
-            out = self.path('{}.jsonl'.format(ranks))
-            result = run(ranks_command(ranks, self.requests, out), env=ranks_environment())
-            self.assertEqual(result.returncode, 0, result.stderr)
-            self.assertEqual(out.read_bytes(), self.expected.read_bytes(), ranks)
-            self.assertEqual(result.stdout.count(' solved, '), 1, 'rank 0 alone reports')
-            self.assertLessEqual(result.stderr.count('requests 100 %'), 1, 'and shows progress')
-
-    def test_random_lists_have_the_same_bytes_whatever_the_numbers_of_ranks_and_jobs(self):
+    def test_random_lists_have_the_same_bytes_whatever_the_number_of_jobs(self):
         for seed in range(SEED, SEED + LISTS):
             draw = random.Random(seed)
             requests, alone = self.path('requests.jsonl'), self.path('alone.jsonl')
@@ -296,13 +265,12 @@ class GenerateTest(road.RoadTest):
                                                           believable=draw.random() < 0.7)) for line in listed) + '\n')
             mode = draw.choice(['history', 'replay', 'adaptive'])
             commands = [(alone, generate_command(requests, alone, '--mode', mode, '--jobs', 1))]
-            for ranks in (1, 2, 3):
-                out = self.path('{}.jsonl'.format(ranks))
-                jobs = draw.randint(1, 3)
-                commands.append((out, ranks_command(ranks, requests, out, '--mode', mode, '--jobs', jobs)))
+            for jobs in (2, 3):
+                out = self.path('{}.jsonl'.format(jobs))
+                commands.append((out, generate_command(requests, out, '--mode', mode, '--jobs', jobs)))
             for out, command in commands:
                 told = 'PROPERTY_SEED={}: {}'.format(seed, ' '.join(command))
-                result = run(command, env=ranks_environment())
+                result = run(command)
                 self.assertEqual(result.returncode, 0, told + '\n' + result.stderr)
                 self.assertEqual(out.read_bytes(), alone.read_bytes(), told)
             for out, _ in commands:
@@ -340,16 +308,6 @@ class GenerateTest(road.RoadTest):
             file.write_bytes(original)
         self.assertEqual(run(command).returncode, 0)
         self.assertEqual(self.out.read_bytes(), self.expected.read_bytes())
-
-    def test_a_run_that_loses_a_rank_can_be_resumed(self):
-        command = ranks_command(3, self.requests, self.out)
-        process = self.start_and_wait_for_lines(command, 5, env=ranks_environment())
-        ranks = [pid for pid, words in children_of(process.pid).items() if 'generate' in words]
-        self.assertEqual(len(ranks), 3)
-        os.kill(max(ranks), signal.SIGKILL)
-        process.communicate(timeout=WAIT)
-        self.assertNotEqual(process.returncode, 0)
-        self.assert_goes_on(5, command, env=ranks_environment())
 
     def test_a_full_disk_is_reported_and_the_run_can_be_resumed(self):
         room = 100000  # bytes; for a few of the lines

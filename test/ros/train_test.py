@@ -1,11 +1,9 @@
 #!/usr/bin/python3
-"""train: on embedded logs, alone and over ranks, and how it goes on."""
+"""train: on embedded logs, and how it resumes."""
 import csv
-import os
 import re
 import resource
 import subprocess
-import zipfile
 
 import road
 from road import DATAROOT, VERSION
@@ -26,41 +24,28 @@ class TrainTest(road.RoadTest):
             assert count == 1, key
         path.write_text(text)
 
-    def train(self, out, *arguments, ranks=1, room=None):
+    def train(self, out, *arguments, room=None):
         """Where `room` is given, files grow no larger, as on a full disk, bytes."""
         command = ['forge', 'study', 'train', '--config', self.config, '--dataroot', DATAROOT, '--version', VERSION,
                    '--out', out, *arguments]
-        if ranks > 1:
-            command = ['mpirun', '--oversubscribe', '-np', ranks, *command]
-        environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1')
 
         def limit():
             if room is not None:
                 resource.setrlimit(resource.RLIMIT_FSIZE, (room, room))
 
-        return subprocess.run([str(word) for word in command], env=environment, stdout=subprocess.PIPE,
+        return subprocess.run([str(word) for word in command], stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, universal_newlines=True, timeout=road.TIMEOUT, check=False,
                               preexec_fn=limit, restore_signals=False)
 
-    def trained(self, name, *arguments, ranks=1):
+    def trained(self, name, *arguments):
         out = self.folder / name
-        result = self.train(out, *arguments, ranks=ranks)
+        result = self.train(out, *arguments)
         self.assertEqual(result.returncode, 0, result.stderr)
         return out
 
     def losses(self, out):
         with open(str(out / 'metrics.csv')) as file:
             return [float(row['ego']) for row in csv.DictReader(file)]
-
-    def test_two_ranks_learn_together(self):
-        out = self.trained('ranks', ranks=2)
-        losses = self.losses(out)
-        self.assertEqual(len(losses), 3)
-        self.assertLess(losses[-1], losses[0] - 0.1)
-        again = self.trained('ranks_again', '--stop-after', 2, ranks=2)
-        self.trained('ranks_again', ranks=2)
-        for name in ('weights.bin', 'metrics.csv'):
-            self.assertEqual((out / name).read_bytes(), (again / name).read_bytes(), name)
 
     def test_logs_of_every_kind_train_the_same_network(self):
         whole = self.trained('tables', '--stop-after', 1)
@@ -71,23 +56,6 @@ class TrainTest(road.RoadTest):
             result = road.run('study', 'train', '--config', self.config, '--source', logs, '--out', out, '--stop-after', 1)
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertEqual((whole / 'weights.bin').read_bytes(), (out / 'weights.bin').read_bytes(), kind)
-
-    def test_a_planner_is_trained_that_does_not_know_its_fold(self):
-        out, again = self.folder / 'planner', self.folder / 'planner_again'
-        path = self.config / 'study' / 'planner_training.yaml'
-        shipped = path.read_text()
-        path.write_text(re.sub(r'(?m)^(  epochs: )\S+', r'\g<1>2', re.sub(r'(?m)^(  hidden: )\S+', r'\g<1>8', shipped)))
-        for folder in (out, again):
-            result = self.train(folder, '--planner', '--fold', 1)
-            self.assertEqual(result.returncode, 0, result.stderr)
-            self.assertIn('constant velocity', result.stdout)
-        path.write_text(shipped)
-        for name in ('planner_errors.md', 'planner_metrics.csv'):
-            self.assertEqual((out / name).read_bytes(), (again / name).read_bytes(), name)
-        with zipfile.ZipFile(str(out / 'planner.pt')) as archive:
-            name, = [name for name in archive.namelist() if name.endswith('left_out_scenes')]
-            self.assertEqual(len(archive.read(name).split()), 2)
-        self.assertEqual(self.train(out, '--planner', '--stop-after', 1).returncode, 2)
 
     def test_speeds_that_no_model_fits_are_reported(self):
         result = road.run('study', 'speeds', 'fit', '--source', DATAROOT, '--folds', 11, '--out', self.folder / 'speeds.jsonl')

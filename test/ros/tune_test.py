@@ -2,9 +2,7 @@
 """forge tune: on scenarios over embedded logs, how it goes on, and what it does with bad input."""
 import csv
 import json
-import os
 import re
-import subprocess
 
 import road
 from road import DATAROOT, VERSION
@@ -115,18 +113,6 @@ class TunePlannerTest(road.RoadTest):
             rows = list(csv.DictReader(file))
         self.assertLessEqual({'tuned_collision', 'collision_avoidable', 'progress'}, {row['measure'] for row in rows})
 
-    def mpirun(self, *words):
-        command = ['mpirun', '--oversubscribe', '-np', 2, 'forge', *words]
-        return subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                              stdin=subprocess.DEVNULL, universal_newlines=True, timeout=road.TIMEOUT, check=False,
-                              env=dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1'))
-
-    def test_ranks_do_not_change_a_byte(self):
-        out = self.path('out')
-        result = self.mpirun(*self.words(out))
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assert_same(out)
-
     def clips(self):
         """A folder of clips: the attacks of both files."""
         folder, requests = self.path('clips'), self.path('requests.jsonl')
@@ -152,10 +138,10 @@ class TunePlannerTest(road.RoadTest):
             self.assertIn('attacker history by ' + method + ', unverified', options)
         self.assertIn('Test: ', result.stdout)
 
-    def test_training_without_an_avoidable_crash_ends_all_ranks(self):
+    def test_training_without_an_avoidable_crash_is_an_error(self):
         out, train = self.path('out'), self.path('bad.jsonl')
         train.write_text('no scenario\n')
-        result = self.mpirun(*self.words(out, train=train))
+        result = road.run(*self.words(out, train=train))
         self.assertNotEqual(result.returncode, 0)
         self.assertIn('no avoidable collision', result.stderr)
 

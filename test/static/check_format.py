@@ -8,12 +8,6 @@ from pathlib import Path
 SKIPPED = 77
 
 
-def is_formatted(file):
-    checked = subprocess.run(['clang-format', '--style=file', '--dry-run', '--Werror', file], check=False,
-                             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    return checked.returncode == 0
-
-
 def main(source_dir):
     if shutil.which('clang-format') is None:
         print('clang-format is not installed')
@@ -23,10 +17,11 @@ def main(source_dir):
     if not files:
         print('no C++ file in {}'.format(source_dir))
         return 1
-    unformatted = [file for file in files if not is_formatted(file)]
-    for file in unformatted:
+    checked = subprocess.run(['clang-format', '--style=file', '--dry-run', '--Werror', *files], check=False,
+                             stderr=subprocess.PIPE, universal_newlines=True)
+    for file in sorted({line.split(':')[0] for line in checked.stderr.splitlines() if '-Wclang-format' in line}):
         print('clang-format -i {}'.format(Path(file).relative_to(source_dir)))
-    return 1 if unformatted else 0
+    return checked.returncode
 
 
 if __name__ == '__main__':

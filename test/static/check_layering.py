@@ -18,7 +18,6 @@ ROOT = 'collision_forge/'
 LIBRARIES = {
     'ROS': r'(ros|rosbag|rosconsole|nodelet|pluginlib|rviz|tf2?|tf2_\w+|std_srvs|\w+_msgs)/|collision_forge/[A-Z]\w*\.h$',
     'torch': r'(torch|ATen|c10|caffe2)/',
-    'MPI': r'mpi\.h$',
     'yaml-cpp': r'yaml-cpp/',
     'RapidJSON': r'rapidjson/(?!fwd\.h)',
     'CLI11': r'CLI/',

@@ -82,8 +82,8 @@ class ScenarioAttacks : public AttackSource {
       : config_(config),
         logs_(logs),
         attacks_(readAttacks(path, config.input_limits)),
-        scenes_(logs, attacks_.scenes, config, static_cast<std::size_t>(jobs) + 1,
-                isMaster() ? OnWarnings(printWarnings) : OnWarnings(), showReading()),
+        scenes_(logs, attacks_.scenes, config, static_cast<std::size_t>(jobs) + 1, printWarnings,
+                showReading()),
         arcs_(logs, config.input_limits) {}
 
   std::size_t count() const override { return attacks_.lines.size(); }

@@ -37,8 +37,7 @@ class ContentsFormatter : public CLI::Formatter {
 
 /// Returns true for a command that has moved to forge study.
 bool isFormerStudyCommand(const std::string& word) {
-  const std::vector<std::string> words = {"compare", "dataset", "evaluate",
-                                          "measure", "speeds",  "train"};
+  const std::vector<std::string> words = {"dataset", "evaluate", "measure", "speeds", "train"};
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 

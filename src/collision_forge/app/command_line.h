@@ -42,7 +42,7 @@ class CommandLine {
   /// have returned nullopt.
   int run() const;
 
-  /// Returns the full name of the selected command, as "forge study measure coverage".
+  /// Returns the full name of the selected command, as "forge study measure latency".
   std::string name() const;
   const CLI::App& app() const { return app_; }
 

@@ -6,7 +6,6 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/app/run_config.h"
 #include "collision_forge/base/files/aside_file.h"
 #include "collision_forge/base/files/plain_name.h"
 #include "collision_forge/base/scene/number_words.h"
@@ -83,8 +82,7 @@ void convertScene(const Arguments& arguments, const LoggedScene& logged, const C
 }
 
 std::unique_ptr<SceneReader> openLogs(const Arguments& arguments, const Config& config) {
-  const SceneReading reading{arguments.scenes, config,
-                             isMaster() ? OnWarnings(printWarnings) : OnWarnings(), showReading()};
+  const SceneReading reading{arguments.scenes, config, printWarnings, showReading()};
   if (arguments.topics.empty()) return arguments.logs.format->open(arguments.logs, reading);
   const std::filesystem::path source = std::filesystem::canonical(arguments.logs.path);
   const bool is_folder = std::filesystem::is_directory(source);
@@ -97,7 +95,7 @@ std::unique_ptr<SceneReader> openLogs(const Arguments& arguments, const Config& 
 }
 
 int convert(const Arguments& arguments) {
-  const Config config = loadRunConfig(arguments.config);
+  const Config config = loadConfig(arguments.config);
   const OutputLocks locks = lockFolders({arguments.out});
   std::cerr << "reading " << arguments.logs.described() << "\n";
   const auto logs = openLogs(arguments, config);
@@ -105,10 +103,8 @@ int convert(const Arguments& arguments) {
   const auto before = static_cast<std::size_t>(
       std::count_if(scenes.begin(), scenes.end(),
                     [&](const std::string& scene) { return isConverted(arguments, scene); }));
-  if (isMaster()) {
-    std::cerr << counted(scenes.size() - before, "scene") << " to convert, " << before
-              << " converted before\n";
-  }
+  std::cerr << counted(scenes.size() - before, "scene") << " to convert, " << before
+            << " converted before\n";
   PickleWorkers workers;
   const auto convertOne = [&](std::size_t index) -> std::string {
     const std::string& scene = scenes[index];
@@ -133,7 +129,6 @@ int convert(const Arguments& arguments) {
     printLine("not converted: " + failure);
   };
   dispatch(scenes.size(), convertOne, take, {arguments.jobs, 0});
-  if (!isMaster()) return kExitOk;
   if (arguments.to_scenario_net) {
     writeScenarioNetSummary(arguments.out, scenarioNetNames(arguments.out), workers);
   }

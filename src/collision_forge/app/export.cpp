@@ -6,7 +6,6 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/export_mcap.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/app/run_config.h"
 #include "collision_forge/base/scene/number_words.h"
 #include "collision_forge/io/batch/dispatch.h"
 #include "collision_forge/io/batch/output.h"
@@ -98,7 +97,6 @@ class CrashExport {
       take(index, readIndexLine(where, line), where);
     };
     carryOut(run);
-    if (!isMaster()) return kExitOk;
     writer_->finish(crashes_);
     printSummary();
     return kExitOk;
@@ -159,7 +157,7 @@ class CrashExport {
 };
 
 int exportAny(const Arguments& arguments) {
-  const Config config = loadRunConfig(arguments.config);
+  const Config config = loadConfig(arguments.config);
   if (arguments.format == kMcap) return exportMcap(arguments.bags, arguments.out, config);
   const OutputLocks locks = lockFolders({arguments.out});
   const auto attacks =
@@ -206,7 +204,7 @@ void addExport(CommandLine& line) {
     throw CLI::ValidationError("--to", "mcap needs --bag; it cannot be made from --scenarios");
   });
   addOut(app, arguments->out, "output folder; see docs/export.md");
-  addJobs(app, arguments->jobs, "attacks exported in parallel on each MPI rank");
+  addJobs(app, arguments->jobs, "attacks exported in parallel");
   addConfig(app, arguments->config);
 }
 

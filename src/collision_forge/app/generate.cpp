@@ -8,7 +8,6 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/report.h"
-#include "collision_forge/app/run_config.h"
 #include "collision_forge/base/scene/number_words.h"
 #include "collision_forge/io/answers/request_solver.h"
 #include "collision_forge/io/batch/dispatch.h"
@@ -126,14 +125,12 @@ void exportClips(const Arguments& arguments, std::size_t count, SceneSource& sce
 }
 
 int generate(const Arguments& arguments) {
-  const Config config = loadRunConfig(arguments.config);
-  const bool is_master = isMaster();
+  const Config config = loadConfig(arguments.config);
   const RequestList list = readList(arguments, config);
   const OutputLocks locks = lockOutputs(arguments);
-  if (is_master && arguments.format == Format::kCsvCollide) checkFolder(arguments);
+  if (arguments.format == Format::kCsvCollide) checkFolder(arguments);
   SceneSource scenes(arguments.logs, list.scenes, config,
-                     static_cast<std::size_t>(arguments.jobs) + 1,
-                     is_master ? OnWarnings(printWarnings) : OnWarnings(), showReading());
+                     static_cast<std::size_t>(arguments.jobs) + 1, printWarnings, showReading());
   const MethodMaker method = loadMethod(arguments.method, config, config.attack);
   Run run;
   run.path = arguments.scenarios();
@@ -159,7 +156,6 @@ int generate(const Arguments& arguments) {
     if (scenario.answer.status.code == StatusCode::kOk) ++attacks;
   };
   carryOut(run);
-  if (!is_master) return kExitOk;
   std::cout << counted(list.requests.size(), "request") << " in " << arguments.scenarios() << ": "
             << attacks << " solved, " << list.requests.size() - attacks << " rejected\n";
   if (arguments.format == Format::kCsvCollide) {
@@ -192,7 +188,7 @@ void addGenerate(CommandLine& line) {
   addAttacker(app, arguments->controls);
   addControls(app, arguments->controls);
   addAlternatives(app, arguments->controls);
-  addJobs(app, arguments->jobs, "requests processed in parallel on each MPI rank");
+  addJobs(app, arguments->jobs, "requests processed in parallel");
   addReportOption(app, arguments->report);
   addConfig(app, arguments->config);
 }

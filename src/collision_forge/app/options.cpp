@@ -1,5 +1,7 @@
 #include "collision_forge/app/options.h"
 
+#include <ros/package.h>
+
 #include <filesystem>
 #include <memory>
 #include <sstream>
@@ -10,38 +12,20 @@
 #include "collision_forge/base/scene/request_words.h"
 #include "collision_forge/io/batch/dispatch.h"
 #include "collision_forge/io/batch/progress_line.h"
-#include "collision_forge/io/logs/scenario_net_logs.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
 #include "collision_forge/io/weights/traffic_generators.h"
 #include "collision_forge/planner_test/planners/planner_factory.h"
 #include "collision_forge/planner_test/settings/config_fingerprint.h"
-
-#ifndef COLLISION_FORGE_WITHOUT_ROS
-#include <ros/package.h>
-
 #include "collision_forge/ros/bags/log_sources.h"
-#endif
 
 namespace forge {
 namespace {
 
 /// Returns the path of the package, or "" if ROS does not find it.
 const std::string& packageFolder() {
-#ifdef COLLISION_FORGE_WITHOUT_ROS
-  static const std::string folder;
-#else
   static const std::string folder = ros::package::getPath("collision_forge");
-#endif
   return folder;
 }
-
-#ifdef COLLISION_FORGE_WITHOUT_ROS
-/// A build without ROS cannot read bags.
-LogSource logSourceAt(const std::string& path, const std::string& version) {
-  const LogFormat& scenario_net = scenarioNetFormat();
-  return {path, version, scenario_net.accepts(path) ? &scenario_net : &nuScenesFormat()};
-}
-#endif
 
 /// Returns the pairs (name, value) of `values`.
 template <typename Value, typename Values>
@@ -290,12 +274,10 @@ ResumableFile::Options inputsOf(const Config& config, const LogSource& logs) {
 
 void addWeightsOf(const std::string& method, const Config& config,
                   ResumableFile::Options& options) {
-  const std::string model = generatorOf(method);
-  if (!model.empty()) addWeights(model, generatorWeights(config)[model], options);
+  if (isLearnedBaseline(method)) addWeights(method, generatorWeights(config)[method], options);
 }
 
 NuScenesProgress showReading() {
-  if (!isMaster()) return {};
   const auto line = std::make_shared<ProgressLine>("tables");
   return [line](std::uint64_t done, std::uint64_t total) {  // bytes; show the share, not a rate
     line->show(static_cast<double>(done) / static_cast<double>(total));

@@ -11,7 +11,6 @@
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/planner_pictures.h"
 #include "collision_forge/app/report.h"
-#include "collision_forge/app/run_config.h"
 #include "collision_forge/base/files/aside_file.h"
 #include "collision_forge/base/scene/number_words.h"
 #include "collision_forge/io/batch/output.h"
@@ -83,7 +82,7 @@ TestPlan planOf(const PlannerTestArguments& arguments, const Config& config) {
 }
 
 Config loadTestConfig(const PlannerTestArguments& arguments) {
-  Config config = loadRunConfig(arguments.config);
+  Config config = loadConfig(arguments.config);
   useOwnPlanners(arguments.own_planners, arguments.planners, config);
   return config;
 }
@@ -195,7 +194,6 @@ std::vector<PlannerTestResult> PlannerTestRun::run(
     return result;
   };
   std::vector<PlannerTestResult> results = testCases(run, cases, test);
-  if (!isMaster()) return results;
   checkTested(results, run.path);
   writeTables(results);
   printSummary(results, times, plan_, arguments_.out);
@@ -233,7 +231,7 @@ void addPlannerTestOptions(CLI::App& app, PlannerTestArguments& arguments) {
                  "number of pictures per planner, hardest impacts first")
       ->capture_default_str();
   addOut(app, arguments.out, "output folder; see docs/planners.md");
-  addJobs(app, arguments.jobs, "cases tested in parallel on each MPI rank");
+  addJobs(app, arguments.jobs, "cases tested in parallel");
   addReportOption(app, arguments.report);
   addCriteria(app, arguments.criteria);
   app.add_option("--junit", arguments.junit,

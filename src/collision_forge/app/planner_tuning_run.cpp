@@ -11,7 +11,6 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/report.h"
-#include "collision_forge/app/run_config.h"
 #include "collision_forge/base/config/config_file.h"
 #include "collision_forge/base/files/aside_file.h"
 #include "collision_forge/base/files/fingerprint.h"
@@ -167,19 +166,14 @@ ReportInputs reportInputs(const Tuning& tuning) {
 
 int tunePlanner(const TuningArguments& arguments,
                 const std::function<TuningCases(const Config&)>& open) {
-  Config config = loadRunConfig(arguments.config);
+  Config config = loadConfig(arguments.config);
   useOwnPlanners(arguments.own_planners, {arguments.planner}, config);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   const Tuning tuning = openTuning(arguments, config, open(config));
-  std::vector<PlannerTestResult> train;
-  const std::optional<std::size_t> best = agree([&]() -> std::size_t {
-    train = driveVariants(tuning);
-    return isMaster() ? chooseBest(tuning, train) : 0;
-  });
-  if (!best) return kExitError;  // the master reports the reason
-  const std::vector<PlannerTestResult> test = compare(tuning, *best);
-  if (!isMaster()) return kExitOk;
-  report(tuning, *best, train, test);
+  const std::vector<PlannerTestResult> train = driveVariants(tuning);
+  const std::size_t best = chooseBest(tuning, train);
+  const std::vector<PlannerTestResult> test = compare(tuning, best);
+  report(tuning, best, train, test);
   if (!arguments.report.empty()) {
     writeReport(reportInputs(tuning), arguments.report, config);
   }
@@ -197,7 +191,7 @@ void addTuningOptions(CLI::App& app, TuningArguments& arguments) {
   addSource(app, arguments.logs)->required();
   addBackground(app, arguments.background);
   addOut(app, arguments.out, "output folder; see docs/planners.md");
-  addJobs(app, arguments.jobs, "cases tested in parallel on each MPI rank");
+  addJobs(app, arguments.jobs, "cases tested in parallel");
   addReportOption(app, arguments.report);
   addConfig(app, arguments.config);
 }

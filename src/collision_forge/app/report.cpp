@@ -24,21 +24,20 @@ int compare(const std::vector<std::string>& paths) {
   return kExitOk;
 }
 
-int report(const Arguments& arguments, const std::vector<RowFormat>& formats) {
+int report(const Arguments& arguments) {
   if (!arguments.compared.empty()) return compare(arguments.compared);
   const Config config = loadConfig(arguments.config);
   const OutputLock lock = OutputLock::ofFolder(arguments.out);
-  writeReport(arguments.inputs, arguments.out, config, formats);
+  writeReport(arguments.inputs, arguments.out, config);
   return kExitOk;
 }
 
 }  // namespace
 
-void writeReport(const ReportInputs& inputs, const std::string& folder, const Config& config,
-                 const std::vector<RowFormat>& formats) {
+void writeReport(const ReportInputs& inputs, const std::string& folder, const Config& config) {
   const std::size_t rows = writeReportPage(
       inputs, folder,
-      {config.report, config.drawing, config, config.attacked_bag.seconds_after_stand, formats});
+      {config.report, config.drawing, config, config.attacked_bag.seconds_after_stand});
   std::cout << counted(rows, "row") << " in " << folder << "/index.html\n";
 }
 
@@ -47,13 +46,13 @@ CLI::Option* addReportOption(CLI::App& app, std::string& folder) {
                         "folder for an HTML report of the results, as forge report writes it");
 }
 
-void addReportCommand(CommandLine& line, const std::string& heading, const std::string& name,
-                      const std::string& files, const std::vector<RowFormat>& formats) {
+void addReport(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App& app = line.add(heading, name, "Writes an HTML report of results.",
-                           [arguments, formats] { return report(*arguments, formats); });
-  CLI::Option* results =
-      app.add_option("results", arguments->inputs.files, files)->check(CLI::ExistingFile);
+  CLI::App& app = line.add(kPlanners, "report", "Writes an HTML report of results.",
+                           [arguments] { return report(*arguments); });
+  CLI::Option* results = app.add_option("results", arguments->inputs.files,
+                                        "scenario files, results.jsonl of forge test or tune")
+                             ->check(CLI::ExistingFile);
   CLI::Option* out =
       app.add_option("--out", arguments->out, "output folder; open its index.html in a browser");
   CLI::Option* compared =
@@ -72,11 +71,6 @@ void addReportCommand(CommandLine& line, const std::string& heading, const std::
   addSource(app, arguments->inputs.logs,
             "recorded scenes of the results, to show map and traffic in the report");
   addConfig(app, arguments->config);
-}
-
-void addReport(CommandLine& line) {
-  addReportCommand(line, kPlanners, "report", "scenario files, results.jsonl of forge test or tune",
-                   {});
 }
 
 }  // namespace forge

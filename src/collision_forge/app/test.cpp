@@ -31,9 +31,8 @@ struct DrawnCases {
       : scenes(arguments.logs, arguments.scenes, config, kScenesKept, {}, showReading()),
         requests(scenes, loadMethod(arguments.method, config, config.attack), config,
                  {config.requests, arguments.tries.value_or(config.planners.until_hit.tries),
-                  arguments.seed, [this](std::size_t done, std::size_t count) {
-                    if (isMaster()) progress.show(done, count);
-                  }}) {}
+                  arguments.seed,
+                  [this](std::size_t done, std::size_t count) { progress.show(done, count); }}) {}
 
   ProgressLine progress{"scenes"};
   SceneSource scenes;
@@ -46,7 +45,6 @@ int testOnDraw(const Arguments& arguments) {
   ResumableFile::Options fingerprints;
   addWeightsOf(arguments.method, test.config(), fingerprints);
   const std::vector<PlannerTestResult> results = test.run(drawn.requests, fingerprints);
-  if (!isMaster()) return kExitOk;
   reportWeaknesses(drawn.requests, results, KeptDrives(test.resultsPath()), arguments.out,
                    test.config());
   const std::string weaknesses = arguments.out + "/weaknesses.jsonl";
@@ -64,7 +62,6 @@ int testOnScenarios(const Arguments& arguments) {
       openScenarioCases(arguments.scenarios, arguments.logs,
                         static_cast<std::size_t>(arguments.jobs) + 1, test.config(), showReading());
   const std::vector<PlannerTestResult> results = test.run(*cases);
-  if (!isMaster()) return kExitOk;
   test.writePage(arguments.scenarios, arguments.logs);
   return test.judged(results, kExitOk);
 }

@@ -1,18 +1,13 @@
 #include "collision_forge/io/batch/dispatch.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <cstdlib>
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
-// These tests run twice: in one process, and in three ranks of mpirun. In the second case every
-// rank runs each test, and only the master takes results and gets errors.
 namespace forge {
 namespace {
 
@@ -34,12 +29,8 @@ struct Taken {
   }
 };
 
-/// Checks that exactly the items [first, end) were taken, in order, only on the master.
+/// Checks that exactly the items [first, end) were taken, in order.
 void expectTaken(const Taken& taken, std::size_t first, std::size_t end) {
-  if (!isMaster()) {
-    EXPECT_TRUE(taken.indices.empty());
-    return;
-  }
   ASSERT_EQ(taken.indices.size(), end - first);
   for (std::size_t i = first; i < end; ++i) {
     EXPECT_EQ(taken.indices[i - first], i);
@@ -77,7 +68,7 @@ TEST(Dispatch, LargeResultsArriveWhole) {
              ++count;
            },
            {1, 0});
-  EXPECT_EQ(count, isMaster() ? 20u : 0u);
+  EXPECT_EQ(count, 20u);
 }
 
 TEST(Dispatch, TakesOnTheCallersThread) {
@@ -94,7 +85,7 @@ TEST(Dispatch, AnErrorOfWorkComesAfterAllResultsBeforeIt) {
     return slowly(index);
   };
   const std::string error = errorOf(work, std::ref(taken), 4);
-  EXPECT_EQ(error, isMaster() ? "item 100" : "");
+  EXPECT_EQ(error, "item 100");
   expectTaken(taken, 0, 100);
 }
 
@@ -104,38 +95,8 @@ TEST(Dispatch, AnErrorOfTakeEndsTheRun) {
     if (index == 50) throw std::runtime_error("disk full");
     taken(index, bytes);
   };
-  EXPECT_EQ(errorOf(slowly, take, 4), isMaster() ? "disk full" : "");
+  EXPECT_EQ(errorOf(slowly, take, 4), "disk full");
   expectTaken(taken, 0, 50);
-}
-
-TEST(Dispatch, EveryProcessDoesItsShare) {
-  // The result of an item is the id of the process that worked on it; with mpirun, of each rank.
-  const char* const size = std::getenv("OMPI_COMM_WORLD_SIZE");
-  const std::size_t ranks = size ? std::stoul(size) : 1;
-  std::map<std::string, std::size_t> items_of_process;
-  dispatch(
-      kCount,
-      [](std::size_t) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        return std::to_string(::getpid());
-      },
-      [&](std::size_t, const std::string& bytes) { ++items_of_process[bytes]; }, {1, 0});
-  if (!isMaster()) return;
-  EXPECT_EQ(items_of_process.size(), ranks);
-}
-
-TEST(Dispatch, AnErrorInAnotherRankArrives) {
-  const char* const rank = std::getenv("OMPI_COMM_WORLD_RANK");
-  const bool is_alone = rank == nullptr;
-  const bool is_other = !is_alone && std::string(rank) != "0";
-  Taken taken;
-  const auto work = [&](std::size_t index) {
-    if (is_other) throw std::runtime_error("not here");
-    return slowly(index);
-  };
-  const std::string error = errorOf(work, std::ref(taken), 1);
-  EXPECT_EQ(error, is_alone || is_other ? "" : "not here");
-  expectTaken(taken, 0, taken.indices.size());
 }
 
 }  // namespace

@@ -9,11 +9,8 @@
 #include <stdexcept>
 
 #include "base/files/left_part.h"
-#include "collision_forge/io/batch/dispatch.h"
-#include "collision_forge/io/batch/ranks.h"
 #include "io/logs/nuscenes_fixture.h"
 
-// These tests run twice, as dispatch_test.cpp: in one process, and in ranks of mpirun.
 namespace forge {
 namespace {
 
@@ -65,12 +62,10 @@ class RunTest : public testing::Test {
 
   /// Creates the files of an interrupted run.
   void leave(const std::string& path, const std::string& text) const {
-    if (!isMaster()) return;
     std::ofstream(path) << text;
     leaveOptions();
   }
   void leavePartOf(const std::string& text) const {
-    if (!isMaster()) return;
     leavePart(path_, text, {"number and square", 2});
     leaveOptions();
   }
@@ -88,14 +83,8 @@ class RunTest : public testing::Test {
     return "";
   }
 
-  /// Only the master gets errors.
   void expectComplaint(const forge::Run& run, const std::string& text) {
-    const std::string complaint = complaintOf(run);
-    if (isMaster()) {
-      EXPECT_THAT(complaint, HasSubstr(text));
-    } else {
-      EXPECT_EQ(complaint, "");
-    }
+    EXPECT_THAT(complaintOf(run), HasSubstr(text));
   }
 
   TemporaryFolder folder_;
@@ -104,13 +93,10 @@ class RunTest : public testing::Test {
   std::vector<std::string> taken_;
 };
 
-TEST_F(RunTest, OnlyTheMasterTakesAndWritesResultsInOrder) {
+TEST_F(RunTest, TakesAndWritesResultsInOrder) {
   carryOut(squares());
-  EXPECT_EQ(taken_.size(), isMaster() ? kCount : 0u);
-  EXPECT_EQ(fs::exists(path_), isMaster());
-  if (isMaster()) {
-    EXPECT_EQ(contentOf(path_), expected());
-  }
+  EXPECT_EQ(taken_.size(), kCount);
+  EXPECT_EQ(contentOf(path_), expected());
 }
 
 TEST_F(RunTest, ResumesAfterTheLastCompleteItem) {
@@ -122,7 +108,6 @@ TEST_F(RunTest, ResumesAfterTheLastCompleteItem) {
     return work(index);
   };
   carryOut(run);
-  if (!isMaster()) return;
   EXPECT_EQ(taken_.size(), kCount) << "with those of the run before";
   EXPECT_EQ(contentOf(path_), expected());
   EXPECT_FALSE(fs::exists(part_));
@@ -133,7 +118,6 @@ TEST_F(RunTest, ReadsACompleteFileAndKeepsIt) {
   forge::Run run = squares();
   run.work = [](std::size_t) -> std::string { throw std::logic_error("nothing is to be done"); };
   carryOut(run);
-  if (!isMaster()) return;
   EXPECT_EQ(taken_.size(), kCount);
   EXPECT_FALSE(fs::exists(part_));
 }
@@ -145,9 +129,7 @@ TEST_F(RunTest, RejectsOtherOptionsAndKeepsTheFile) {
   expectComplaint(run, "power = 2, not 3");
   run.options = {};
   expectComplaint(run, "power = 2");
-  if (isMaster()) {
-    EXPECT_EQ(contentOf(part_), expected(7));
-  }
+  EXPECT_EQ(contentOf(part_), expected(7));
 }
 
 TEST_F(RunTest, RejectsForeignItemsByLine) {
@@ -167,25 +149,7 @@ TEST_F(RunTest, AnErrorKeepsTheItemsBeforeIt) {
     return work(index);
   };
   expectComplaint(run, "no square of 11");
-  if (isMaster()) {
-    EXPECT_EQ(contentOf(part_), expected(11));
-  }
-}
-
-TEST(RunAgree, AllRanksReturnTheMastersDecision) {
-  EXPECT_EQ(agree([] { return isMaster() ? 7u : 3u; }), 7u);
-}
-
-TEST(RunAgree, AnErrorOfTheMasterLeavesOtherRanksWithoutDecision) {
-  const auto decide = []() -> std::size_t {
-    if (isMaster()) throw std::runtime_error("undecided");
-    return 1;
-  };
-  if (isMaster()) {
-    EXPECT_THROW(agree(decide), std::runtime_error);
-  } else {
-    EXPECT_EQ(agree(decide), std::nullopt);
-  }
+  EXPECT_EQ(contentOf(part_), expected(11));
 }
 
 }  // namespace

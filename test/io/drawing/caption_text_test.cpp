@@ -65,19 +65,5 @@ TEST(CaptionText, AnAvoidedHitHasNoContactAndIsWanted) {
   EXPECT_EQ(rowOf(view, "Contact").passed, true);
 }
 
-TEST(CaptionText, AnOutcomeShowsTimeAngleAndTheFailedCondition) {
-  ScenarioView view = sampleView();
-  view.report.relative_heading = -0.21;  // rad
-  EXPECT_EQ(outcomeText(view).contact, "contact after 2.0 s, 12°");
-  EXPECT_EQ(outcomeText(view).verdict, "as requested");
-  view.report.first_other_id = "truck";
-  EXPECT_EQ(outcomeText(view).verdict, "another agent first");
-  view.report.on_time = false;
-  EXPECT_EQ(outcomeText(view).verdict, "another time");
-  view.report.contact = false;
-  EXPECT_EQ(outcomeText(view).contact, "no contact");
-  EXPECT_EQ(outcomeText(view).verdict, "");
-}
-
 }  // namespace
 }  // namespace forge

@@ -119,34 +119,5 @@ TEST_F(DrawPng, RejectsInvalidViewsAndKeepsTheOldFile) {
   EXPECT_FALSE(exists(path_ + ".part"));
 }
 
-TEST_F(DrawPng, ASheetHasThePicturesRowByRow) {
-  ScenarioView other = view_;
-  other.report.type_kept = !other.report.type_kept;
-  drawScenarioSheet(path_, {view_, other, other}, 2, options_);
-  const Picture sheet(path_);
-  const FigureSize size = gifSize(options_);
-  const int height = ScenarioPainter(view_, options_, size).height();
-  ASSERT_EQ(sheet.width(), 2 * size.width);
-  ASSERT_EQ(sheet.height(), 2 * height);
-  const auto expectAt = [&](const ScenarioView& view, int column, int row) {
-    const Image alone = ScenarioPainter(view, options_, size)
-                            .paint(ScenarioMotion(view).keyTime(), view.snapshot.now);
-    for (int y = 0; y < height; ++y) {
-      for (int x = 0; x < size.width; ++x) {
-        const Vector2 place(column * size.width + x, row * height + y);
-        ASSERT_EQ(sheet.at(place), alone.pixel(x, y)) << place.transpose();
-      }
-    }
-  };
-  expectAt(view_, 0, 0);
-  expectAt(other, 1, 0);
-  expectAt(other, 0, 1);
-  for (int y = height; y < 2 * height; ++y) {
-    for (int x = size.width; x < 2 * size.width; ++x) {
-      ASSERT_EQ(sheet.at({x, y}), packedColor(options_.background_color));
-    }
-  }
-}
-
 }  // namespace
 }  // namespace forge

@@ -40,7 +40,7 @@ class GeneratorWeights : public testing::Test {
 TEST_F(GeneratorWeights, AreNotNeededToListTheMethods) {
   addGeneratorMethods(options_, registry_);
   EXPECT_THAT(registry_.names(),
-              testing::IsSupersetOf({"c_mid", "c_sgan", "c_strive", "strive_optimised"}));
+              testing::IsSupersetOf({"c_mid", "c_sgan", "c_strive", "published_network"}));
   EXPECT_TRUE(registry_.at("c_sgan").is_seeded);
 }
 
@@ -57,11 +57,6 @@ TEST_F(GeneratorWeights, NonCommercialOnesAreRejectedNamingTheKey) {
   EXPECT_EQ(refusal("c_sgan"),
             "c_sgan needs weights that models.non_commercial_weights in models.yaml: false "
             "excludes");
-}
-
-TEST(GeneratorOf, IsTheModelThatAMethodNeeds) {
-  EXPECT_EQ(generatorOf("strive_optimised"), "c_strive");
-  EXPECT_EQ(generatorOf("search"), "");
 }
 
 }  // namespace

@@ -12,33 +12,16 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string kHeader = "name,outcome";
-
-/// A format whose rows have a message text; lines without a comma are not rows.
-std::vector<RowFormat> formats() {
-  const auto row_of = [](const std::string& line) -> std::optional<ReportRow> {
-    if (line.find(',') == std::string::npos) return std::nullopt;
-    ReportRow row;
-    row.message = line;
-    return row;
-  };
-  return {{kHeader, row_of}};
-}
-
 ReportFile opened(const std::string& path, const InputLimits& limits = shippedLimits()) {
-  return openReportFile(path, formats(), limits);
+  return openReportFile(path, limits);
 }
 
 TEST(OpenReportFile, DetectsTheKindOfAFile) {
   const TemporaryFolder folder;
   folder.write("a", scenarioLine(rearEnd()) + "\n");
   folder.write("b", R"({"format":"collision_forge/planner_test"})");
-  folder.write("c", kHeader + "\n");
   EXPECT_EQ(opened(folder.path() + "/a").kind, ReportFileKind::kScenarios);
   EXPECT_EQ(opened(folder.path() + "/b").kind, ReportFileKind::kPlannerTests);
-  const ReportFile rows = opened(folder.path() + "/c");
-  EXPECT_EQ(rows.kind, ReportFileKind::kRows);
-  EXPECT_EQ(rows.format.rowOf("a,b")->message, "a,b");
 }
 
 TEST(OpenReportFile, NamesFileAndLineOfAnUnknownFile) {
@@ -55,17 +38,20 @@ TEST(OpenReportFile, NamesFileAndLineOfAnUnknownFile) {
   }
 }
 
-TEST(ReadReportLines, SkipTheHeader) {
+TEST(ReadReportLines, NumbersTheLinesAndTellsTheShareThatIsRead) {
   const TemporaryFolder folder;
-  folder.write("rows.csv", kHeader + "\none\ntwo\n");
-  std::vector<std::string> lines;
+  const std::string line = R"({"format":"collision_forge/planner_test"})";
+  folder.write("tests", line + "\n" + line + "\n");
+  std::vector<std::size_t> lines;
   double read = 0.0;
-  readReportLines(opened(folder.path() + "/rows.csv"), shippedLimits(),
-                  [&](const std::string&, std::size_t line, const std::string& text, double share) {
-                    lines.push_back(std::to_string(line) + text);
-                    read = share;
-                  });
-  EXPECT_EQ(lines, (std::vector<std::string>{"2one", "3two"}));
+  readReportLines(
+      opened(folder.path() + "/tests"), shippedLimits(),
+      [&](const std::string&, std::size_t number, const std::string& text, double share) {
+        EXPECT_EQ(text, line);
+        lines.push_back(number);
+        read = share;
+      });
+  EXPECT_EQ(lines, (std::vector<std::size_t>{1, 2}));
   EXPECT_DOUBLE_EQ(read, 1.0);
 }
 

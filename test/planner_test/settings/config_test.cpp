@@ -90,9 +90,9 @@ class SpoiltConfig : public testing::Test {
 TEST_F(SpoiltConfig, UnspoiltCopyLoads) { EXPECT_EQ(complaint(), ""); }
 
 TEST_F(SpoiltConfig, TheProductNeedsNoFileOfTheStudy) {
-  for (const char* file : {"study/dataset.yaml", "study/evaluation.yaml", "study/generators.yaml",
-                           "study/network_published.yaml", "study/planner_training.yaml",
-                           "study/speed_model_fit.yaml", "study/training.yaml"}) {
+  for (const char* file :
+       {"study/dataset.yaml", "study/generators.yaml", "study/network_published.yaml",
+        "study/speed_model_fit.yaml", "study/training.yaml"}) {
     ASSERT_TRUE(fs::remove(directory_ / file)) << file;
   }
   EXPECT_NO_THROW(loadConfig(directory_.string()));

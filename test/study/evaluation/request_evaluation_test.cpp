@@ -19,12 +19,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 const std::string kDataroot = COLLISION_FORGE_SOURCE_DIR "/data/embedded";
-const std::vector<std::string> kHistoryMethods = {
-    "constant_velocity", "nominal", "search_full_definitions", "replay_full_definitions"};
-const std::vector<std::string> kAnyDrivingMethods = {
-    "constant_velocity",  "nominal",
-    "search_angle_bands", "search_full_definitions",
-    "replay_angle_bands", "replay_full_definitions"};
+const std::vector<std::string> kHistoryMethods = {"constant_velocity", "nominal", "search",
+                                                  "replay"};
 
 bool meets(const ResultRow& row, const std::string& name) {
   const auto& measures = measuresOf(Protocol::kStrict);
@@ -108,73 +104,58 @@ TEST_F(RequestEvaluationTest, HasARowPerMethodAndSeed) {
   }
 }
 
-TEST_F(RequestEvaluationTest, ReplayPlansHaveOneSearchPerColumnAndNoneForBaselines) {
+TEST_F(RequestEvaluationTest, ReplayPlansHaveOneSearchAndNoneForBaselines) {
   EXPECT_EQ(requestRowMethods(plan_), kHistoryMethods);
-  EXPECT_THAT(attackingRowMethods(plan_),
-              ElementsAre("search_full_definitions", "replay_full_definitions"));
-  plan_.believable = false;
-  EXPECT_EQ(requestRowMethods(plan_), kAnyDrivingMethods);
   plan_.mode = Mode::kReplay;
-  EXPECT_THAT(
-      requestRowMethods(plan_),
-      ElementsAre("constant_velocity", "nominal", "search_angle_bands", "search_full_definitions"));
-  EXPECT_EQ(rowsPerRequest(plan_), 4u);
-  EXPECT_EQ(
-      rowOf(evaluate(asked(CollisionType::kLaneChange)), "search_full_definitions").confidence,
-      1.0);
+  EXPECT_THAT(requestRowMethods(plan_), ElementsAre("constant_velocity", "nominal", "search"));
+  EXPECT_EQ(rowsPerRequest(plan_), 3u);
+  EXPECT_EQ(rowOf(evaluate(asked(CollisionType::kLaneChange)), "search").confidence, 1.0);
   plan_.method = "nominal";
   EXPECT_THAT(requestRowMethods(plan_), ElementsAre("constant_velocity", "nominal"));
   EXPECT_EQ(evaluate(asked(CollisionType::kLaneChange)).rows.size(), rowsPerRequest(plan_));
 }
 
-TEST_F(RequestEvaluationTest, SearchesEqualTheRequestAnswererWithTheRulesOfTheColumn) {
+TEST_F(RequestEvaluationTest, SearchesEqualTheRequestSolver) {
   int answered = 0;
   for (const CollisionType type : kCollisionTypes) {
     const SceneRequest request = asked(type);
     plan_.believable = type == CollisionType::kRearEnd;
     plan_.limits = plan_.believable ? LimitSet::kDrivable : LimitSet::kStrict;
     const EvaluatedRequest evaluated = evaluate(request);
-    for (const auto& [rules, column] : {std::pair(TypeRules::kAngle, "angle_bands"),
-                                        std::pair(TypeRules::kFull, "full_definitions")}) {
-      if (plan_.believable && rules == TypeRules::kAngle) continue;
-      for (const auto& [mode, name] :
-           {std::pair(Mode::kHistory, "search_"), std::pair(Mode::kReplay, "replay_")}) {
-        CrashDefinition crash = config_.crash;
-        crash.rules = rules;
-        crash.limits = plan_.limits;
-        crash.believable = plan_.believable;
-        crash.min_confidence = 0.0;
-        SceneRequest in_mode = request;
-        in_mode.request.mode = mode;
-        const Attack answer =
-            RequestSolver(scenes_, {"search", builtInMethods(), config_.attack, {}}, crash,
-                          config_.ego_vehicle, config_.adaptive)
-                .answer(in_mode)
-                .answer;
-        const ResultRow& row = rowOf(evaluated, std::string(name) + column);
-        EXPECT_EQ(row.status, toString(answer.status.code));
-        if (answer.status.code != StatusCode::kOk) {
-          EXPECT_EQ(row.note, answer.status.message);
-          EXPECT_THAT(row.meets, testing::Each(false));
-          continue;
-        }
-        ++answered;
-        const StrictOutcome outcome = outcomeOf(request, answer.trajectory);
-        EXPECT_EQ(meets(row, "angle_bands"), outcome.meetsAngleBands());
-        EXPECT_EQ(meets(row, "full_definitions"), outcome.meetsFullDefinitions());
-        EXPECT_EQ(row.contact_after.has_value(), outcome.report.contact);
-        EXPECT_EQ(row.confidence, answer.report.confidence);
-        EXPECT_TRUE(mode == Mode::kHistory || meets(row, column));
-        ASSERT_TRUE(row.request->attack);
-        EXPECT_EQ(row.request->attack->attacker_id, answer.trajectory.attacker_id);
-        EXPECT_EQ(row.request->attack->road.on_lane, answer.report.road.on_lane);
-        EXPECT_EQ(row.request->believable.has_value(), outcome.report.contact);
-        if (!outcome.report.contact) continue;
-        EXPECT_EQ(*row.request->believable, outcome.report.believable());
+    for (const auto& [mode, name] :
+         {std::pair(Mode::kHistory, "search"), std::pair(Mode::kReplay, "replay")}) {
+      CrashDefinition crash = config_.crash;
+      crash.limits = plan_.limits;
+      crash.believable = plan_.believable;
+      crash.min_confidence = 0.0;
+      SceneRequest in_mode = request;
+      in_mode.request.mode = mode;
+      const Attack answer = RequestSolver(scenes_, {"search", builtInMethods(), config_.attack, {}},
+                                          crash, config_.ego_vehicle, config_.adaptive)
+                                .answer(in_mode)
+                                .answer;
+      const ResultRow& row = rowOf(evaluated, name);
+      EXPECT_EQ(row.status, toString(answer.status.code));
+      if (answer.status.code != StatusCode::kOk) {
+        EXPECT_EQ(row.note, answer.status.message);
+        EXPECT_THAT(row.meets, testing::Each(false));
+        continue;
       }
+      ++answered;
+      const StrictOutcome outcome = outcomeOf(request, answer.trajectory);
+      EXPECT_EQ(meets(row, "angle_bands"), outcome.meetsAngleBands());
+      EXPECT_EQ(meets(row, "full_definitions"), outcome.meetsFullDefinitions());
+      EXPECT_EQ(row.contact_after.has_value(), outcome.report.contact);
+      EXPECT_EQ(row.confidence, answer.report.confidence);
+      EXPECT_TRUE(mode == Mode::kHistory || meets(row, "full_definitions"));
+      EXPECT_EQ(row.request->attacker, answer.trajectory.attacker_id);
+      EXPECT_EQ(row.request->attacker_class, answer.trajectory.agent_class);
+      EXPECT_EQ(row.request->believable.has_value(), outcome.report.contact);
+      if (!outcome.report.contact) continue;
+      EXPECT_EQ(*row.request->believable, outcome.report.believable());
     }
   }
-  EXPECT_GT(answered, 8);
+  EXPECT_GT(answered, 6);
 }
 
 TEST_F(RequestEvaluationTest, AdaptiveAttackersAreMeasuredBesideFixedOnes) {
@@ -182,16 +163,13 @@ TEST_F(RequestEvaluationTest, AdaptiveAttackersAreMeasuredBesideFixedOnes) {
   const EvaluatedRequest fixed = evaluate(asked(CollisionType::kLaneChange));
   plan_.mode = Mode::kAdaptive;
   EXPECT_THAT(requestRowMethods(plan_),
-              ElementsAre("constant_velocity", "nominal", "adaptive_full_definitions",
-                          "search_full_definitions", "replay_full_definitions"));
+              ElementsAre("constant_velocity", "nominal", "adaptive", "search", "replay"));
   const EvaluatedRequest evaluated = evaluate(asked(CollisionType::kLaneChange));
   ASSERT_EQ(evaluated.rows.size(), rowsPerRequest(plan_));
-  EXPECT_EQ(toCsv(rowOf(evaluated, "search_full_definitions")),
-            toCsv(rowOf(fixed, "search_full_definitions")));
-  const ResultRow& row = rowOf(evaluated, "adaptive_full_definitions");
+  EXPECT_EQ(toCsv(rowOf(evaluated, "search")), toCsv(rowOf(fixed, "search")));
+  const ResultRow& row = rowOf(evaluated, "adaptive");
   ASSERT_EQ(row.status, "OK") << row.note;
   EXPECT_TRUE(meets(row, "limits_kept"));
-  EXPECT_EQ(row.request->attack.has_value(), meets(row, "contact"));
   const auto looks = std::count_if(
       evaluated.times.begin(), evaluated.times.end(),
       [](const SearchTime& time) { return time.method == "adaptive, per update step"; });
@@ -201,7 +179,7 @@ TEST_F(RequestEvaluationTest, AdaptiveAttackersAreMeasuredBesideFixedOnes) {
 TEST_F(RequestEvaluationTest, ThePlanOverridesTheConfiguredCrash) {
   const SceneRequest request = asked(CollisionType::kRearEnd);
   const EvaluatedRequest shipped = evaluate(request);
-  ASSERT_EQ(rowOf(shipped, "search_full_definitions").status, "OK");
+  ASSERT_EQ(rowOf(shipped, "search").status, "OK");
   config_.crash.min_confidence = 1.0;
   config_.crash.limits = LimitSet::kStrict;
   config_.crash.believable = false;
@@ -252,7 +230,7 @@ TEST_F(RequestEvaluationTest, BaselinesAreJudgedOnlyByTheStrictLimits) {
       EXPECT_EQ(linesOf(evaluate(request)), linesOf(by_default));
       for (const ResultRow& row : by_default.rows) {
         kept += meets(row, "contact") && meets(row, "limits_kept");
-        EXPECT_FALSE(row.request->attack);
+        EXPECT_EQ(row.request->attacker, "");
       }
     }
   }
@@ -272,7 +250,7 @@ TEST_F(RequestEvaluationTest, RowsStateWhetherTheRoadAllowsTheRequest) {
     (allows ? allowed : refused) += 1;
     for (const ResultRow& row : evaluate(request).rows) {
       EXPECT_EQ(row.request->road_allows, allows);
-      const bool knows = row.method == "replay_full_definitions";
+      const bool knows = row.method == "replay";
       EXPECT_FALSE(knows && !allows && row.status == "OK");
     }
   }

@@ -22,7 +22,6 @@ ResultRow sampleRow() {
   row.relative_heading = M_PI / 4.0;
   row.confidence = 0.75;
   row.off_road_share = 0.123456;
-  row.own_off_road_share = 0.0;
   row.note = "max_speed 26.000 > 25.000";
   return row;
 }
@@ -30,17 +29,18 @@ ResultRow sampleRow() {
 TEST(ResultRow, LineHasTheColumnsOfTheHeader) {
   EXPECT_EQ(csvHeader(Protocol::kPublished),
             "name,scene,type,tta,method,seed,status,collision,similar,contact_after,"
-            "relative_heading,confidence,off_road_share,own_off_road_share,note");
+            "relative_heading,confidence,off_road_share,note");
   EXPECT_EQ(toCsv(sampleRow()),
             "data_hcis_v4.5_x,scene-0001,ltap,2.5,search,3,OK,1,0,-0.100,45.00,0.7500,"
-            "0.1235,0.0000,max_speed 26.000 > 25.000");
+            "0.1235,max_speed 26.000 > 25.000");
 }
 
 TEST(ResultRow, RequestsHaveMoreColumns) {
   ResultRow row = sampleRow();
   row.request.emplace();
   const std::string header = csvHeader(Protocol::kPublished, RowsOf::kRequests);
-  EXPECT_NE(header.find(",own_off_road_share,road_allows,believable,attacker,"), std::string::npos);
+  EXPECT_NE(header.find(",off_road_share,road_allows,believable,attacker,class,note"),
+            std::string::npos);
   const auto commas = [](const std::string& line) {
     return std::count(line.begin(), line.end(), ',');
   };
@@ -49,16 +49,19 @@ TEST(ResultRow, RequestsHaveMoreColumns) {
   ASSERT_TRUE(copy && copy->request);
   EXPECT_FALSE(copy->request->road_allows);
   EXPECT_FALSE(copy->request->believable);
-  EXPECT_FALSE(copy->request->attack);
+  EXPECT_EQ(copy->request->attacker, "");
+  EXPECT_FALSE(copy->request->attacker_class);
   row.request->road_allows = true;
   row.request->believable = false;
-  row.request->attack.emplace().least_gap = 1.5;
+  row.request->attacker = "car-1";
+  row.request->attacker_class = AgentClass::kCar;
   EXPECT_EQ(commas(toCsv(row)), commas(header));
   copy = rowFromCsv(toCsv(row), Protocol::kPublished);
-  ASSERT_TRUE(copy && copy->request && copy->request->attack);
+  ASSERT_TRUE(copy && copy->request);
   EXPECT_EQ(copy->request->road_allows, true);
   EXPECT_EQ(copy->request->believable, false);
-  EXPECT_EQ(copy->request->attack->least_gap, 1.5);
+  EXPECT_EQ(copy->request->attacker, "car-1");
+  EXPECT_EQ(copy->request->attacker_class, AgentClass::kCar);
   EXPECT_EQ(copy->note, row.note);
   EXPECT_EQ(toCsv(*copy), toCsv(row));
   EXPECT_FALSE(rowFromCsv(toCsv(sampleRow()), Protocol::kPublished)->request);
@@ -85,7 +88,6 @@ TEST(ResultRow, RoundTrips) {
   EXPECT_NEAR(*row->relative_heading, M_PI / 4.0, 1e-9);
   EXPECT_EQ(row->confidence, 0.75);
   EXPECT_EQ(row->off_road_share, 0.1235);
-  EXPECT_EQ(row->own_off_road_share, 0.0);
   EXPECT_EQ(row->note, "max_speed 26.000 > 25.000");
 }
 

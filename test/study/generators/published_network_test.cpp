@@ -11,9 +11,6 @@
 namespace forge {
 namespace {
 
-constexpr PublishedHead kHeads[] = {PublishedHead::kRegionProposal, PublishedHead::kTargetPoints,
-                                    PublishedHead::kRegression};
-
 GeneratorOptions publishedOptions() { return shippedConfig().published_network; }
 
 /// Options that train faster than the shipped ones.
@@ -27,9 +24,9 @@ GeneratorOptions quickOptions() {
   return options;
 }
 
-std::shared_ptr<TrafficModel> makeSeeded(PublishedHead head, const GeneratorOptions& options) {
+std::shared_ptr<TrafficModel> makeSeeded(const GeneratorOptions& options) {
   torch::manual_seed(0);
-  return makePublishedNetwork(head, options.published_network, options.traffic, torch::kCPU);
+  return makePublishedNetwork(options.published_network, options.traffic, torch::kCPU);
 }
 
 /// On twoLaneRoad(), the ego at 6 m/s; a car comes from behind and another from ahead, and the
@@ -73,12 +70,11 @@ std::map<std::string, double> errorsOf(const TrafficModel& model, const TrafficB
 }
 
 /// Returns a model that is overfitted to crashBatch().
-std::shared_ptr<TrafficModel> trained(PublishedHead head) {
-  static std::map<PublishedHead, std::shared_ptr<TrafficModel>> known;
-  auto& model = known[head];
+std::shared_ptr<TrafficModel> trained() {
+  static std::shared_ptr<TrafficModel> model;
   if (model) return model;
   const GeneratorOptions options = quickOptions();
-  model = makeSeeded(head, options);
+  model = makeSeeded(options);
   const TrafficBatch batch = crashBatch(options.traffic);
   for (int step = 0; step < 300; ++step) model->trainStep(batch);
   return model;
@@ -100,7 +96,7 @@ Moment crashMoment(const Pose2& origin = {}) {
 }
 
 Attack answerOf(const TrafficModel& model, const Moment& moment, const CollisionRequest& request) {
-  const auto method = model.method("published_network", shippedOptions());
+  const auto method = model.method(shippedOptions());
   return method->answer(moment, request);
 }
 
@@ -122,64 +118,52 @@ TEST(PublishedNetwork, HasThePublishedNumberOfWeights) {
   const long anchors = linearSize(2, 64) + linearSize(64, 128) + linearSize(128, 1024) +
                        2 * (64 + 128 + 1024) + blockSize(1024, 64) + 2 * linearSize(64, 64) +
                        blockSize(192, 64) + linearSize(64, 1);
-  const long shared = encoder + condition + attacker + yaw;
-  const std::map<PublishedHead, long> expected = {
-      {PublishedHead::kRegionProposal, shared + anchors + blockSize(66, 64) + linearSize(64, 2)},
-      {PublishedHead::kTargetPoints, shared + anchors},
-      {PublishedHead::kRegression, shared + blockSize(64, 64) + linearSize(64, 2)}};
+  const long shift = blockSize(66, 64) + linearSize(64, 2);
+  const long expected = encoder + condition + attacker + yaw + anchors + shift;
   GeneratorOptions options = publishedOptions();
   options.published_network.anchor_3 = 1024;
-  for (const PublishedHead head : kHeads) {
-    long count = 0;
-    for (const auto& parameter : makeSeeded(head, options)->network()->parameters()) {
-      count += parameter.numel();
-    }
-    EXPECT_EQ(count, expected.at(head));
+  long count = 0;
+  for (const auto& parameter : makeSeeded(options)->network()->parameters()) {
+    count += parameter.numel();
   }
-  EXPECT_NEAR(expected.at(PublishedHead::kRegionProposal), 0.44e6, 0.01e6);
+  EXPECT_EQ(count, expected);
+  EXPECT_NEAR(expected, 0.44e6, 0.01e6);
 }
 
 TEST(PublishedNetwork, OverfitsAFewClips) {
   const GeneratorOptions options = quickOptions();
   const TrafficBatch batch = crashBatch(options.traffic);
-  for (const PublishedHead head : kHeads) {
-    SCOPED_TRACE(static_cast<int>(head));
-    const auto before = errorsOf(*makeSeeded(head, options), batch);
-    auto after = errorsOf(*trained(head), batch);
-    EXPECT_GT(before.at("ego_m"), 2.0);
-    // Lanes have a point every 2 m, and the target-point head returns lane points.
-    EXPECT_LT(after.at("ego_m"), 1.01);
-    EXPECT_LT(after.at("offset_m"), 0.5);
-    EXPECT_LT(after.at("ego_yaw_deg"), 2.0);
-    EXPECT_LT(after.at("relative_heading_deg"), 5.0);
-    EXPECT_EQ(after.at("selection_missed"), 0.0);
-  }
+  const auto before = errorsOf(*makeSeeded(options), batch);
+  auto after = errorsOf(*trained(), batch);
+  EXPECT_GT(before.at("ego_m"), 2.0);
+  EXPECT_LT(after.at("ego_m"), 1.01);
+  EXPECT_LT(after.at("offset_m"), 0.5);
+  EXPECT_LT(after.at("ego_yaw_deg"), 2.0);
+  EXPECT_LT(after.at("relative_heading_deg"), 5.0);
+  EXPECT_EQ(after.at("selection_missed"), 0.0);
 }
 
 TEST(PublishedNetwork, DrivesTheSelectedAttackerToThePatternOfTheType) {
-  for (const PublishedHead head : kHeads) {
-    SCOPED_TRACE(static_cast<int>(head));
-    const Moment moment = crashMoment();
-    const auto model = trained(head);
-    const Attack rear = answerOf(*model, moment, requestFor(CollisionType::kRearEnd, 2.5));
-    ASSERT_EQ(rear.status.code, StatusCode::kOk);
-    EXPECT_EQ(rear.trajectory.attacker_id, "behind");
-    EXPECT_NEAR(rear.pattern.ego.center.x, 15.0, 1.01);
-    EXPECT_NEAR(rear.pattern.attacker_offset.x, -4.0, 0.5);
-    const Pose2 there = poseAt(rear.trajectory, kNow + 2.5);
-    const Pose2 target = compose(rear.pattern.ego.center, rear.pattern.attacker_offset);
-    EXPECT_LT((there.position() - target.position()).norm(), 0.01);
-    EXPECT_TRUE(rear.report.contact);
-    const Attack opposite =
-        answerOf(*model, moment, requestFor(CollisionType::kOppositeDirection, 2.5));
-    EXPECT_EQ(opposite.trajectory.attacker_id, "ahead");
-    EXPECT_NEAR(opposite.pattern.attacker_offset.x, 4.0, 0.5);
-    EXPECT_NEAR(std::abs(opposite.pattern.attacker_offset.yaw), M_PI, 0.1);
-  }
+  const Moment moment = crashMoment();
+  const auto model = trained();
+  const Attack rear = answerOf(*model, moment, requestFor(CollisionType::kRearEnd, 2.5));
+  ASSERT_EQ(rear.status.code, StatusCode::kOk);
+  EXPECT_EQ(rear.trajectory.attacker_id, "behind");
+  EXPECT_NEAR(rear.pattern.ego.center.x, 15.0, 1.01);
+  EXPECT_NEAR(rear.pattern.attacker_offset.x, -4.0, 0.5);
+  const Pose2 there = poseAt(rear.trajectory, kNow + 2.5);
+  const Pose2 target = compose(rear.pattern.ego.center, rear.pattern.attacker_offset);
+  EXPECT_LT((there.position() - target.position()).norm(), 0.01);
+  EXPECT_TRUE(rear.report.contact);
+  const Attack opposite =
+      answerOf(*model, moment, requestFor(CollisionType::kOppositeDirection, 2.5));
+  EXPECT_EQ(opposite.trajectory.attacker_id, "ahead");
+  EXPECT_NEAR(opposite.pattern.attacker_offset.x, 4.0, 0.5);
+  EXPECT_NEAR(std::abs(opposite.pattern.attacker_offset.yaw), M_PI, 0.1);
 }
 
 TEST(PublishedNetwork, IsInvariantToTheOrderOfAgents) {
-  const auto model = trained(PublishedHead::kRegionProposal);
+  const auto model = trained();
   Moment moment = crashMoment();
   const CollisionRequest request = requestFor(CollisionType::kRearEnd, 2.5);
   const Attack one = answerOf(*model, moment, request);
@@ -192,7 +176,7 @@ TEST(PublishedNetwork, IsInvariantToTheOrderOfAgents) {
 
 TEST(PublishedNetwork, TheInputDoesNotRevealTheAttacker) {
   const GeneratorOptions options = quickOptions();
-  const auto model = trained(PublishedHead::kRegionProposal);
+  const auto model = trained();
   TrafficBatch batch = crashBatch(options.traffic);
   const auto row = static_cast<long>(kAttackerAgent);
   const auto order = torch::tensor(std::vector<std::int64_t>{0, row + 1, row, row + 2});
@@ -202,7 +186,7 @@ TEST(PublishedNetwork, TheInputDoesNotRevealTheAttacker) {
 }
 
 TEST(PublishedNetwork, DrivesTheRequestedAttacker) {
-  const auto model = trained(PublishedHead::kRegionProposal);
+  const auto model = trained();
   CollisionRequest request = requestFor(CollisionType::kRearEnd, 2.5);
   const Attack free = answerOf(*model, crashMoment(), request);
   request.attacker = "bystander";
@@ -214,33 +198,26 @@ TEST(PublishedNetwork, DrivesTheRequestedAttacker) {
 
 TEST(PublishedNetwork, TheAttackMovesWithTheScene) {
   const Pose2 origin{300.0, -120.0, 2.2};
-  for (const PublishedHead head : kHeads) {
-    SCOPED_TRACE(static_cast<int>(head));
-    const CollisionRequest request = requestFor(CollisionType::kRearEnd, 2.5);
-    const Attack here = answerOf(*trained(head), crashMoment(), request);
-    const Attack there = answerOf(*trained(head), crashMoment(origin), request);
-    const Pose2 moved = compose(origin, here.pattern.ego.center);
-    EXPECT_NEAR(there.pattern.ego.center.x, moved.x, 0.01);
-    EXPECT_NEAR(there.pattern.ego.center.y, moved.y, 0.01);
-    EXPECT_NEAR(angleBetween(there.pattern.ego.center.yaw, moved.yaw), 0.0, 1e-3);
-    const Pose2 driven = compose(origin, poseAt(here.trajectory, kNow + 2.5));
-    EXPECT_LT((poseAt(there.trajectory, kNow + 2.5).position() - driven.position()).norm(), 0.02);
-  }
+  const CollisionRequest request = requestFor(CollisionType::kRearEnd, 2.5);
+  const Attack here = answerOf(*trained(), crashMoment(), request);
+  const Attack there = answerOf(*trained(), crashMoment(origin), request);
+  const Pose2 moved = compose(origin, here.pattern.ego.center);
+  EXPECT_NEAR(there.pattern.ego.center.x, moved.x, 0.01);
+  EXPECT_NEAR(there.pattern.ego.center.y, moved.y, 0.01);
+  EXPECT_NEAR(angleBetween(there.pattern.ego.center.yaw, moved.yaw), 0.0, 1e-3);
+  const Pose2 driven = compose(origin, poseAt(here.trajectory, kNow + 2.5));
+  EXPECT_LT((poseAt(there.trajectory, kNow + 2.5).position() - driven.position()).norm(), 0.02);
 }
 
-TEST(PublishedNetwork, WithoutLanesHeadsWithAnchorsReportTheReason) {
+TEST(PublishedNetwork, WithoutLanesItReportsTheReason) {
   Moment moment = crashMoment();
   moment.snapshot.map = emptyMap();
   moment.lanes = std::make_shared<const LaneIndex>(emptyMap());
   const CollisionRequest request = requestFor(CollisionType::kRearEnd, 2.5);
-  for (const PublishedHead head : {PublishedHead::kRegionProposal, PublishedHead::kTargetPoints}) {
-    const Attack answer = answerOf(*trained(head), moment, request);
-    EXPECT_EQ(answer.status.code, StatusCode::kRoadDoesNotAllow);
-    EXPECT_NE(answer.status.message.find("no lane within 53"), std::string::npos)
-        << answer.status.message;
-  }
-  EXPECT_EQ(answerOf(*trained(PublishedHead::kRegression), moment, request).status.code,
-            StatusCode::kOk);
+  const Attack answer = answerOf(*trained(), moment, request);
+  EXPECT_EQ(answer.status.code, StatusCode::kRoadDoesNotAllow);
+  EXPECT_NE(answer.status.message.find("no lane within 53"), std::string::npos)
+      << answer.status.message;
 }
 
 }  // namespace

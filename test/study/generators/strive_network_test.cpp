@@ -84,18 +84,6 @@ TEST_F(StriveNets, EncodesAgentsAndLanesRelativeToEachAgent) {
   EXPECT_FALSE(torch::allclose(blind, turned, 1e-4, 1e-3)) << "lanes are seen";
 }
 
-TEST_F(StriveNets, OtherAgentsReactToAGivenEgo) {
-  const std::vector<TrafficClip> clips = sampleClips(options_.traffic, 1);
-  const StriveScene scene = network_->encode(batchOf({{&clips[0], 7}}, options_.traffic, 0));
-  const torch::Tensor latent = torch::zeros({2, options_.c_strive.latent});
-  const torch::Tensor near = torch::zeros({1, 4, 3});
-  const torch::Tensor far = torch::full({1, 4, 3}, 40.0);
-  const torch::Tensor with_near = network_->drive(scene, latent, 4, near);
-  const torch::Tensor with_far = network_->drive(scene, latent, 4, far);
-  EXPECT_TRUE(torch::equal(with_near[0], near[0]));
-  EXPECT_FALSE(torch::equal(with_near[1], with_far[1]));
-}
-
 TEST_F(StriveNets, OverlapIsOneForCoincidingAgents) {
   const std::vector<TrafficClip> clips = sampleClips(options_.traffic, 1);
   const StriveScene scene = network_->encode(batchOf({{&clips[0], 7}}, options_.traffic, 0));

@@ -10,7 +10,7 @@ namespace {
 
 std::shared_ptr<TrafficGenerator> striveOf(const GeneratorOptions& options) {
   torch::manual_seed(0);
-  return makeStrive(options.c_strive, options.strive_optimised, options.traffic, torch::kCPU);
+  return makeStrive(options.c_strive, options.traffic, torch::kCPU);
 }
 
 TEST(Strive, OverfitsAFewClips) {

@@ -48,16 +48,14 @@ const Future* recordedOf(const Moment& moment) {
   return moment.recorded ? &*moment.recorded : nullptr;
 }
 
-/// Drives one quintic per axis to `pose`, then straight on.
-AttackerTrajectory drivenTo(const Pose2& pose, const EndMotion& end, double tta,
-                            const Track& attacker, const Motion& motion, double now,
-                            const SearchOptions& search) {
+/// Drives one quintic per axis to `pose`, arrives with the speed at t0, then goes straight on.
+AttackerTrajectory drivenTo(const Pose2& pose, double tta, const Track& attacker,
+                            const Motion& motion, double now, const SearchOptions& search) {
   Arrival arrival;
   arrival.time = tta;
   arrival.pose = pose;
-  arrival.speed = end.speed;
+  arrival.speed = motion.speed;
   arrival.start_acceleration = motion.acceleration;
-  arrival.end_acceleration = end.acceleration;
   const int steps = static_cast<int>(std::lround((tta + search.tail) / search.step));
   AttackerTrajectory trajectory{attacker.id, attacker.agent_class, attacker.size, {}};
   driveQuintic({motion, now, search.step, steps + 1}, arrival, trajectory.points);
@@ -85,17 +83,14 @@ AttackerTrajectory nominalAttacker(const std::string& attacker_id, const Snapsho
   const Pose2 ego = egoAtImpact(snapshot, recorded, request);
   const bool from_left = relativeTo(ego, motion.pose).y > 0.0;
   return drivenTo(compose(ego, nominalOffset(request.type, from_left, options.nominal)),
-                  {motion.speed, 0.0}, request.tta, attacker, motion, snapshot.now, options.search);
+                  request.tta, attacker, motion, snapshot.now, options.search);
 }
 
 AttackerTrajectory patternAttacker(const CollisionPattern& pattern, const Snapshot& snapshot,
-                                   double tta, const AttackOptions& options,
-                                   const std::optional<EndMotion>& end) {
+                                   double tta, const AttackOptions& options) {
   const Track& attacker = trackOf(snapshot, pattern.attacker_id);
-  const Motion motion = estimateMotion(attacker);
-  return drivenTo(compose(pattern.ego.center, pattern.attacker_offset),
-                  end.value_or(EndMotion{motion.speed, 0.0}), tta, attacker, motion, snapshot.now,
-                  options.search);
+  return drivenTo(compose(pattern.ego.center, pattern.attacker_offset), tta, attacker,
+                  estimateMotion(attacker), snapshot.now, options.search);
 }
 
 Attack ConstantVelocityMethod::answer(const Moment& moment, const CollisionRequest& request) const {

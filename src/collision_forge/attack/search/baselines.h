@@ -27,23 +27,11 @@ AttackerTrajectory nominalAttacker(const std::string& attacker_id, const Snapsho
                                    const Future* recorded, const CollisionRequest& request,
                                    const AttackOptions& options);
 
-/// Motion along the heading at the arrival.
-struct EndMotion {
-  double speed = 0.0;         ///< m/s
-  double acceleration = 0.0;  ///< m/s2
-};
-
 /// One quintic per axis to the pattern's pose, as in the paper (arXiv 2510.12206, Sec. 3.4),
-/// whatever the ego does and whatever a vehicle can do. Without `end` it arrives with its speed at
-/// t0. Throws std::invalid_argument if the attacker is not in the snapshot.
+/// whatever the ego does and whatever a vehicle can do. The attacker arrives with its speed at t0.
+/// Throws std::invalid_argument if the attacker is not in the snapshot.
 AttackerTrajectory patternAttacker(const CollisionPattern& pattern, const Snapshot& snapshot,
-                                   double tta, const AttackOptions& options,
-                                   const std::optional<EndMotion>& end = std::nullopt);
-
-// The same as methods, which know no wheels: their reports are by LimitSet::kStrict, whatever the
-// request says. Without an attacker in the request they take of all candidates
-// (isCandidate()) the first that is verified, else that touches the ego, else any. In history mode
-// the others are expected to drive as predictFuture() says.
+                                   double tta, const AttackOptions& options);
 
 /// The baselines as methods. They ignore vehicle limits, so their reports use LimitSet::kStrict
 /// whatever the request says. Without a requested attacker they return the first candidate

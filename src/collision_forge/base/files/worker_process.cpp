@@ -7,7 +7,6 @@
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,7 +15,6 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <optional>
 #include <sstream>
 
 extern char** environ;
@@ -30,11 +28,10 @@ double steadySeconds() {
 
 constexpr std::size_t kBlock = 1 << 16;  // bytes received at once for a line
 
-/// Starts the program. Its stdout goes to stderr, unless `stream` is both its stdin and stdout.
-/// With a `stream` the program gets its own process group, so that Ctrl-C does not end it: its
-/// owner decides when it ends.
-pid_t spawn(const std::vector<std::string>& command, std::optional<int> stream = {},
-            WorkerStream kind = WorkerStream::kOwn) {
+/// Starts the program in a process group of its own, so that Ctrl-C does not end it: its owner
+/// decides when it ends. `stream` is its kWorkerStream, with its stdout redirected to stderr, or
+/// its stdin and stdout.
+pid_t spawn(const std::vector<std::string>& command, int stream, WorkerStream kind) {
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
@@ -42,19 +39,17 @@ pid_t spawn(const std::vector<std::string>& command, std::optional<int> stream =
   posix_spawn_file_actions_init(&actions);
   if (kind == WorkerStream::kOwn) {
     posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-    if (stream) posix_spawn_file_actions_adddup2(&actions, *stream, kWorkerStream);
+    posix_spawn_file_actions_adddup2(&actions, stream, kWorkerStream);
   } else {
-    posix_spawn_file_actions_adddup2(&actions, *stream, STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, *stream, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, stream, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, stream, STDOUT_FILENO);
   }
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t none;
   sigemptyset(&none);
-  if (stream) {
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
-    posix_spawnattr_setsigmask(&attributes, &none);
-  }
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
+  posix_spawnattr_setsigmask(&attributes, &none);
   pid_t pid = 0;
   const int problem =
       posix_spawn(&pid, command.front().c_str(), &actions, &attributes, arguments.data(), environ);
@@ -82,12 +77,6 @@ std::string packageProgram(const std::string& name) {
   Dl_info library;
   if (dladdr(reinterpret_cast<void*>(&packageProgram), &library) == 0) return name;
   return std::filesystem::absolute(library.dli_fname).parent_path() / "collision_forge" / name;
-}
-
-std::optional<std::string> runProgram(const std::vector<std::string>& command) {
-  const int status = statusAtEnd(spawn(command));
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::nullopt;
-  return howEnded(status);
 }
 
 WorkerProcess::WorkerProcess(const std::vector<std::string>& command, WorkerStream stream,
@@ -213,14 +202,6 @@ std::string WorkerProcess::receiveLine(std::size_t longest) {
     }
     unread_.resize(searched + received);
   }
-}
-
-double WorkerProcess::processorTime() const {
-  clockid_t clock;
-  timespec time{};
-  if (pid_ <= 0 || clock_getcpuclockid(pid_, &clock) != 0 || clock_gettime(clock, &time) != 0)
-    return 0.0;
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 void WorkerProcess::failGone() {

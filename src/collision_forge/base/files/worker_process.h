@@ -3,7 +3,6 @@
 #include <sys/types.h>
 
 #include <cstddef>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,11 +15,6 @@ inline constexpr int kWorkerStream = 3;
 /// Returns the path of a program of this package: in folder collision_forge beside the package's
 /// libraries, in the build and the install space.
 std::string packageProgram(const std::string& name);
-
-/// Runs `command` (program path and arguments) and waits for its end; its stdout goes to stderr.
-/// Returns nullopt for exit code 0, else how it ended: "by signal 9" or "with exit code 1". Throws
-/// std::runtime_error if it cannot be started.
-std::optional<std::string> runProgram(const std::vector<std::string>& command);
 
 /// Thrown if a worker process does not respond in time.
 struct WorkerTimeout : std::runtime_error {
@@ -60,9 +54,6 @@ class WorkerProcess {
   void interrupt() const;
   /// Returns true if the process has ended.
   bool hasEnded() const;
-
-  /// Returns the CPU time of the process so far, in s; 0 if it has ended.
-  double processorTime() const;
 
  private:
   void await(short events);

@@ -3,13 +3,10 @@
 #include <filesystem>
 #include <set>
 
-#include "collision_forge/io/batch/dispatch.h"
-
 namespace forge {
 
 OutputLocks lockFolders(const std::vector<std::string>& folders) {
   OutputLocks locks;
-  if (!isMaster()) return locks;
   std::set<std::filesystem::path> locked;
   for (const std::string& folder : folders) {
     if (folder.empty() || !locked.insert(std::filesystem::weakly_canonical(folder)).second) {
@@ -22,7 +19,7 @@ OutputLocks lockFolders(const std::vector<std::string>& folders) {
 
 OutputLocks lockFile(const std::string& path) {
   OutputLocks locks;
-  if (isMaster()) locks.push_back(OutputLock::ofFile(path));
+  locks.push_back(OutputLock::ofFile(path));
   return locks;
 }
 

@@ -7,8 +7,8 @@
 
 namespace forge {
 
-/// Locks of the master on the output folders or files of a run; empty in other ranks. Names that
-/// are "" or repeated are skipped. Throw as OutputLock.
+/// Locks on the output folders or files of a run. Names that are "" or repeated are skipped. Throw
+/// as OutputLock.
 using OutputLocks = std::vector<OutputLock>;
 OutputLocks lockFolders(const std::vector<std::string>& folders);
 OutputLocks lockFile(const std::string& path);

@@ -1,14 +1,10 @@
 #include "collision_forge/io/batch/run.h"
 
-#include <exception>
-#include <memory>
 #include <stdexcept>
-#include <vector>
 
 #include "collision_forge/io/batch/dispatch.h"
 #include "collision_forge/io/batch/interruption.h"
 #include "collision_forge/io/batch/progress_line.h"
-#include "collision_forge/io/batch/ranks.h"
 
 namespace forge {
 namespace {
@@ -19,7 +15,7 @@ ResumableFile::Options withProgram(ResumableFile::Options options) {
   return options;
 }
 
-/// State of the master.
+/// The file of results, and what is printed of it.
 class Results {
  public:
   explicit Results(const Run& run)
@@ -77,34 +73,11 @@ class Results {
 }  // namespace
 
 void carryOut(const Run& run) {
-  std::unique_ptr<Results> results;
-  std::exception_ptr error;
-  try {
-    if (isMaster()) results = std::make_unique<Results>(run);
-  } catch (...) {
-    error = std::current_exception();  // the other ranks wait for items or the end
-  }
-  dispatch(error ? 0 : run.count, run.work,
-           [&](std::size_t index, const std::string& lines) { results->add(index, lines); },
-           {run.jobs, results ? results->done() : 0});
-  if (error) std::rethrow_exception(error);
-  if (results) results->complete();
-}
-
-std::optional<std::size_t> agree(const std::function<std::size_t()>& decide) {
-  std::vector<double> numbers = {0.0, 0.0};  // the decision, and 1 if `decide` threw
-  std::exception_ptr error;
-  try {
-    const std::size_t decision = decide();
-    if (isMaster()) numbers[0] = static_cast<double>(decision);
-  } catch (...) {
-    error = std::current_exception();
-    numbers[1] = 1.0;
-  }
-  Ranks::get().sum(numbers);
-  if (error) std::rethrow_exception(error);
-  if (numbers[1] > 0.0) return std::nullopt;
-  return static_cast<std::size_t>(numbers[0]);
+  Results results(run);
+  dispatch(run.count, run.work,
+           [&](std::size_t index, const std::string& lines) { results.add(index, lines); },
+           {run.jobs, results.done()});
+  results.complete();
 }
 
 }  // namespace forge

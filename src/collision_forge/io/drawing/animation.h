@@ -14,14 +14,10 @@ struct AnimationFrame {
   int delay = 0;      ///< display time, hundredths of a second
 };
 
-/// Receives the number of pictures painted so far and in total, after each one.
-using PictureProgress = std::function<void(std::size_t done, std::size_t all)>;
-
 /// Writes a GIF of frames of equal size to a binary stream. Calls `paint` twice per frame, for the
 /// shared palette and for the file, which needs less memory than to keep the frames. Throws
 /// std::runtime_error for an error of giflib, std::invalid_argument if there are no frames.
 void writeAnimation(std::ostream& stream, const std::vector<AnimationFrame>& frames,
-                    const std::function<Image(double time)>& paint,
-                    const PictureProgress& on_progress = {});
+                    const std::function<Image(double time)>& paint);
 
 }  // namespace forge

@@ -163,11 +163,6 @@ std::string Canvas::fitted(const std::string& text, double width, const TextStyl
   return cut + "…";
 }
 
-void Canvas::image(const Vector2& position, const Image& image) {
-  cairo_set_source_surface(context_.get(), image.surface_.get(), position.x(), position.y());
-  cairo_paint(context_.get());
-}
-
 void Canvas::clip(const PixelRect& rect) {
   cairo_save(context_.get());
   cairo_rectangle(context_.get(), rect.x, rect.y, rect.width, rect.height);
@@ -175,13 +170,5 @@ void Canvas::clip(const PixelRect& rect) {
 }
 
 void Canvas::unclip() { cairo_restore(context_.get()); }
-
-std::vector<Vector2> edgeOf(const PixelRect& rect) {
-  const double left = rect.x + 0.5;
-  const double top = rect.y + 0.5;
-  const double right = rect.x + rect.width - 0.5;
-  const double bottom = rect.y + rect.height - 0.5;
-  return {{left, top}, {right, top}, {right, bottom}, {left, bottom}};
-}
 
 }  // namespace forge

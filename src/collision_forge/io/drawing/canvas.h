@@ -79,9 +79,6 @@ class Canvas {
   /// Returns `text`, cut and ended with an ellipsis if it is wider than `width` pixels.
   std::string fitted(const std::string& text, double width, const TextStyle& style);
 
-  /// Draws another image with its upper left corner at `position`.
-  void image(const Vector2& position, const Image& image);
-
   /// Restricts drawing to `rect` until unclip(). Calls do not nest.
   void clip(const PixelRect& rect);
   void unclip();
@@ -95,8 +92,5 @@ class Canvas {
 
   std::unique_ptr<cairo_t, Destroy> context_;
 };
-
-/// Returns the line through the outermost pixels of a rectangle of whole pixels.
-std::vector<Vector2> edgeOf(const PixelRect& rect);
 
 }  // namespace forge

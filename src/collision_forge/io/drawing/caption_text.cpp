@@ -129,23 +129,6 @@ Verdict verdictOf(const ScenarioView& view) {
   return view.report.contact ? Verdict::kPartial : Verdict::kUnwanted;
 }
 
-OutcomeText outcomeText(const ScenarioView& view) {
-  const CollisionReport& report = view.report;
-  if (!report.contact) return {"no contact", ""};
-  OutcomeText text;
-  text.contact = "contact after " + decimalText(report.contact_time - view.snapshot.now, 1) +
-                 " s, " + decimalText(std::abs(report.relative_heading) * kDegreesPerRadian, 0) +
-                 "°";
-  if (report.verified()) {
-    text.verdict = "as requested";
-  } else if (report.type_kept && report.on_time && report.limits_kept) {
-    text.verdict = "another agent first";
-  } else {
-    text.verdict = shortcoming(report);
-  }
-  return text;
-}
-
 std::string titleText(const ScenarioView& view) {
   const std::string title = typeTitle(view.pattern.type) + " in " + view.scene_name;
   return view.planner.empty() ? title : view.planner + ": " + title;

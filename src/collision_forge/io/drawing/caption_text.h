@@ -28,15 +28,6 @@ enum class Verdict {
 /// Returns the verdict on an attack, or on a planner if the view names one.
 Verdict verdictOf(const ScenarioView& view);
 
-/// The outcome of an attack, in few words.
-struct OutcomeText {
-  std::string contact;  ///< "contact after 3.9 s, 12°" (angle between the headings)
-  /// "as requested", or the first condition that fails; empty without a contact.
-  std::string verdict;
-};
-/// Returns the outcome of an attack, for a grid of scenarios.
-OutcomeText outcomeText(const ScenarioView& view);
-
 /// Returns type and scene; for a planner test, preceded by the planner.
 std::string titleText(const ScenarioView& view);
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "collision_forge/base/files/aside_file.h"
 #include "collision_forge/io/drawing/animation.h"
 #include "collision_forge/io/drawing/caption_painter.h"
-#include "collision_forge/io/drawing/draw_aside.h"
 #include "collision_forge/io/drawing/scenario_painter.h"
 
 namespace forge {
@@ -41,39 +41,30 @@ std::vector<AnimationFrame> planFrames(const ScenarioView& view, const DrawingOp
 }
 
 void writePng(std::ostream& file, const ScenarioView& view, const DrawingOptions& options) {
-  checkDrawable(view, options, true);
+  checkDrawable(view, options);
   const ScenarioPainter painter(view, options, pngSize(options));
   painter.paint(ScenarioMotion(view).keyTime(), view.snapshot.now).writePng(file);
 }
 
 void writeGif(std::ostream& file, const ScenarioView& view, const DrawingOptions& options) {
-  checkDrawable(view, options, true);
+  checkDrawable(view, options);
   const ScenarioPainter painter(view, options, gifSize(options), PictureKind::kAnimation);
   writeAnimation(file, planFrames(view, options),
                  [&](double time) { return painter.paint(time, time); });
 }
 
-void writeSheet(std::ostream& file, const std::vector<ScenarioView>& views, int columns,
-                const DrawingOptions& options) {
-  std::vector<Image> pictures;
-  for (const ScenarioView& view : views) {
-    checkDrawable(view, options, true);
-    const ScenarioPainter painter(view, options, gifSize(options));
-    pictures.push_back(painter.paint(ScenarioMotion(view).keyTime(), view.snapshot.now));
+/// Calls `write` with a stream to an AsideFile for `path`. Throws std::runtime_error naming the
+/// file if anything fails.
+template <typename Write>
+void drawAside(const std::string& path, const Write& write) {
+  AsideFile file(path);
+  std::ostream& stream = file.stream();
+  try {
+    write(stream);
+  } catch (const std::exception& error) {
+    throw std::runtime_error("cannot draw " + path + ": " + error.what());
   }
-  int height = 0;
-  for (const Image& picture : pictures) height = std::max(height, picture.height());
-  const int width = pictures.front().width();
-  const int rows = (static_cast<int>(views.size()) + columns - 1) / columns;
-  Image sheet(columns * width, rows * height, options.background_color);
-  Canvas canvas(sheet);
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const int place = static_cast<int>(i);
-    canvas.image({static_cast<double>(place % columns * width),
-                  static_cast<double>(place / columns * height)},
-                 pictures[i]);
-  }
-  sheet.writePng(file);
+  file.commit();
 }
 
 }  // namespace
@@ -81,15 +72,6 @@ void writeSheet(std::ostream& file, const std::vector<ScenarioView>& views, int 
 void drawScenarioPng(const std::string& path, const ScenarioView& view,
                      const DrawingOptions& options) {
   drawAside(path, [&](std::ostream& file) { writePng(file, view, options); });
-}
-
-void drawScenarioSheet(const std::string& path, const std::vector<ScenarioView>& views, int columns,
-                       const DrawingOptions& options) {
-  if (views.empty() || columns < 1) {
-    throw std::invalid_argument("sheet of " + std::to_string(views.size()) + " pictures in " +
-                                std::to_string(columns) + " columns needs at least one of each");
-  }
-  drawAside(path, [&](std::ostream& file) { writeSheet(file, views, columns, options); });
 }
 
 void drawScenarioGif(const std::string& path, const ScenarioView& view,

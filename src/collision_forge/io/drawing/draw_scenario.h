@@ -12,7 +12,7 @@ namespace forge {
 /// ScenePainter::rightwards(). The picture has the width of the options and at most their height:
 /// the map is cropped above and below the paths.
 ///
-/// All functions write with drawAside(), so `path` never holds half a picture. The same input gives
+/// Both functions write to an AsideFile, so `path` never holds half a picture. The same input gives
 /// the same bytes on the same machine. They throw std::runtime_error naming `path` if it cannot be
 /// written, if the attacker's trajectory or the ego's future is empty, or if the trajectory does
 /// not cover t0 to contact.
@@ -24,11 +24,5 @@ void drawScenarioPng(const std::string& path, const ScenarioView& view,
 /// PostCrashMotion while the other agents continue as recorded.
 void drawScenarioGif(const std::string& path, const ScenarioView& view,
                      const DrawingOptions& options);
-
-/// Draws pictures as drawScenarioPng(), each as wide as an animation, row by row with `columns` per
-/// row; all rows have the height of the highest picture. Throws as above, and std::invalid_argument
-/// for no views or no columns.
-void drawScenarioSheet(const std::string& path, const std::vector<ScenarioView>& views, int columns,
-                       const DrawingOptions& options);
 
 }  // namespace forge

@@ -31,7 +31,7 @@ ScenarioPainter::ScenarioPainter(const ScenarioView& view, const DrawingOptions&
       options_(options),
       size_(size),
       kind_(kind),
-      scene_(view, options, size.font_size, kind, true),
+      scene_(view, options, size.font_size, kind),
       map_viewport_(fitMap(layoutFigure(size).map)),
       layout_(withMapHeight(layoutFigure(size), map_viewport_.area().height)),
       close_up_viewport_(closeUp(layout_.close_up, scene_, scene_.motion().contactPoint(),

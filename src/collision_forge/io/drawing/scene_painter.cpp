@@ -33,15 +33,14 @@ std::vector<Vector2> centers(const Viewport& viewport, const std::vector<Oriente
 
 }  // namespace
 
-void checkDrawable(const ScenarioView& view, const DrawingOptions& options, bool has_attack) {
+void checkDrawable(const ScenarioView& view, const DrawingOptions& options) {
   if (options.gif_frames_per_second <= 0 || options.ghost_interval <= 0 ||
       options.min_extent <= 0 || options.close_up_extent <= 0) {
     throw std::runtime_error("drawing options: rate, interval and extents must be above 0");
   }
   const std::vector<TrajectoryPoint>& points = view.trajectory.points;
-  if (has_attack && points.empty()) throw std::runtime_error("the attacker's trajectory is empty");
+  if (points.empty()) throw std::runtime_error("the attacker's trajectory is empty");
   if (view.future.ego.states.empty()) throw std::runtime_error("the ego's future is empty");
-  if (!has_attack) return;
   const double key_time = ScenarioMotion(view).keyTime();
   const bool spanned = key_time >= view.snapshot.now - kTimeTolerance &&
                        key_time <= points.back().time + kTimeTolerance;
@@ -52,13 +51,8 @@ void checkDrawable(const ScenarioView& view, const DrawingOptions& options, bool
 }
 
 ScenePainter::ScenePainter(const ScenarioView& view, const DrawingOptions& options,
-                           double mark_size, PictureKind kind, bool shows_pattern)
-    : view_(view),
-      options_(options),
-      mark_size_(mark_size),
-      kind_(kind),
-      shows_pattern_(shows_pattern),
-      motion_(view) {}
+                           double mark_size, PictureKind kind)
+    : view_(view), options_(options), mark_size_(mark_size), kind_(kind), motion_(view) {}
 
 double ScenePainter::rightwards() const {
   const std::vector<Vector2> shown = shownCorners(trailsFrom());
@@ -104,7 +98,7 @@ void ScenePainter::paint(Canvas& canvas, const Viewport& viewport, double time,
   paintTrails(canvas, viewport);
   paintGhosts(canvas, viewport, ghosts_from);
   paintVehicles(canvas, viewport, time);
-  if (shows_pattern_) paintPattern(canvas, viewport);
+  paintPattern(canvas, viewport);
   if (view_.report.contact && time >= motion_.keyTime() - kTimeTolerance) {
     paintStar(canvas, viewport.toPixel(motion_.contactPoint()), 0.75 * mark_size_,
               options_.contact_color, options_.text_color, 0.08 * mark_size_);

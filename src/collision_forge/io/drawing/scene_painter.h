@@ -8,10 +8,10 @@
 
 namespace forge {
 
-/// Throws std::runtime_error if the view cannot be painted: the attacker's trajectory (if
-/// `has_attack`) or the ego's future is empty, the trajectory does not cover t0 to contact, or an
-/// option is not positive.
-void checkDrawable(const ScenarioView& view, const DrawingOptions& options, bool has_attack);
+/// Throws std::runtime_error if the view cannot be painted: the attacker's trajectory or
+/// the ego's future is empty, the trajectory does not cover t0 to contact, or an option is not
+/// positive.
+void checkDrawable(const ScenarioView& view, const DrawingOptions& options);
 
 /// Factor on the ghosts' opacity for boxes at rest.
 inline constexpr double kRestGhosts = 1.5;
@@ -22,7 +22,7 @@ class ScenePainter {
  public:
   /// `mark_size`: pixels; lines and marks scale with it.
   ScenePainter(const ScenarioView& view, const DrawingOptions& options, double mark_size,
-               PictureKind kind, bool shows_pattern);
+               PictureKind kind);
 
   const ScenarioMotion& motion() const { return motion_; }
   bool hasContact() const { return forge::hasContact(view_); }
@@ -56,7 +56,6 @@ class ScenePainter {
   const DrawingOptions& options_;
   double mark_size_;
   PictureKind kind_;
-  bool shows_pattern_;
   ScenarioMotion motion_;
 };
 

@@ -48,45 +48,33 @@ class LazyModel {
   std::shared_ptr<const TrafficMethods> loaded_;
 };
 
-/// A method that runs on a learned model.
+/// A learned model and the method that runs on it, which has its name.
 struct LearnedMethod {
-  const char* model;
   const char* name;
   const char* description;
 };
 
 constexpr LearnedMethod kMethods[] = {
-    {"c_mid", "c_mid", "baseline: MID, a diffusion model, given type and TTA"},
-    {"c_sgan", "c_sgan", "baseline: Social-GAN, given type and TTA, as in the paper"},
-    {"c_strive", "c_strive", "baseline: STRIVE's traffic model, given type and TTA"},
-    {"c_strive", "strive_optimised",
-     "baseline: STRIVE's search in the latent space for the request"},
-    {"published_network", "published_network",
-     "the paper's network as published, region proposal, one quintic"},
-    {"published_network_regression", "published_network_regression",
-     "the same with the regression of the ego's position"},
-    {"published_network_target_points", "published_network_target_points",
-     "the same with the ranking of target points"},
+    {"c_mid", "baseline: MID, a diffusion model, given type and TTA"},
+    {"c_sgan", "baseline: Social-GAN, given type and TTA, as in the paper"},
+    {"c_strive", "baseline: STRIVE's traffic model, given type and TTA"},
+    {"published_network", "the paper's network as published, region proposal, one quintic"},
 };
 
 }  // namespace
 
 void addGeneratorMethods(const ModelOptions& options, MethodRegistry& registry) {
-  std::map<std::string, std::shared_ptr<LazyModel>> models;
   for (const LearnedMethod& method : kMethods) {
-    std::shared_ptr<LazyModel>& model = models[method.model];
-    if (!model) model = std::make_shared<LazyModel>(method.model, options);
-    registry.add({method.name, method.description, true, [model, method](const MethodSetup& setup) {
-                    return model->get().method(method.name, setup.options, setup.unseen_scene);
+    const auto model = std::make_shared<LazyModel>(method.name, options);
+    registry.add({method.name, method.description, true, [model](const MethodSetup& setup) {
+                    return model->get().method(setup.options, setup.unseen_scene);
                   }});
   }
 }
 
-std::string generatorOf(const std::string& method) {
-  for (const LearnedMethod& known : kMethods) {
-    if (method == known.name) return known.model;
-  }
-  return "";
+bool isLearnedBaseline(const std::string& method) {
+  return std::any_of(std::begin(kMethods), std::end(kMethods),
+                     [&](const LearnedMethod& known) { return method == known.name; });
 }
 
 }  // namespace forge

@@ -15,25 +15,25 @@ struct TrafficGeneratorError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A learned traffic model from which methods are made. Thread-safe.
+/// A learned traffic model from which its method is made. Thread-safe.
 class TrafficMethods {
  public:
   virtual ~TrafficMethods() = default;
 
-  /// Makes the method `name`, with weights trained without `unseen_scene`; with the first weights
+  /// Makes the method, with weights trained without `unseen_scene`; with the first weights
   /// if all were trained with it.
-  virtual std::unique_ptr<const AttackMethod> method(const std::string& name,
-                                                     const AttackOptions& options,
+  virtual std::unique_ptr<const AttackMethod> method(const AttackOptions& options,
                                                      const std::string& unseen_scene) const = 0;
 };
 
-/// Registers the methods of the learned baselines. A model's weights (generatorWeights()) and the
-/// library with libtorch are loaded when the first method of the model is made; that throws
-/// std::invalid_argument for a model without a file, ConfigError and TrafficGeneratorError.
+/// Registers the learned baselines, methods with the names of their models. A model's weights
+/// (generatorWeights()) and the library with libtorch are loaded when its first method is made;
+/// that throws std::invalid_argument for a model without a file, ConfigError and
+/// TrafficGeneratorError.
 void addGeneratorMethods(const ModelOptions& options, MethodRegistry& registry);
 
-/// Returns the name of the model whose weights a method needs; "" if it is not a learned baseline.
-std::string generatorOf(const std::string& method);
+/// Returns true for a method of addGeneratorMethods().
+bool isLearnedBaseline(const std::string& method);
 
 }  // namespace forge
 

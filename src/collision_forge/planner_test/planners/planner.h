@@ -58,10 +58,6 @@ class Planner {
   /// Called after the rollout, for figures. Returns the motions that the last plan() chose from, as
   /// poses of the middle of the ego's box; empty if the planner does not choose.
   virtual std::vector<std::vector<Pose2>> proposals() const { return {}; }
-
-  /// Returns the CPU time (s) that other processes have used for this planner; called around plan()
-  /// to measure its cost.
-  virtual double otherProcessorTime() const { return 0.0; }
 };
 
 }  // namespace forge

@@ -42,8 +42,6 @@ class PlannerWorker {
   bool isUsable() const { return is_usable_; }
   /// workerKey() at load time.
   const std::string& key() const { return key_; }
-  /// Returns the CPU time of the process, s.
-  double processorTime() const { return process_.processorTime(); }
 
  private:
   void ask(char request, const std::vector<float>& numbers, std::vector<float>& answer);

@@ -27,7 +27,6 @@ class TorchscriptPlanner : public Planner {
 
   void initialize(const DrivingTask& task) override;
   std::vector<TrajectoryPoint> plan(const Observation& observation) override;
-  double otherProcessorTime() const override { return worker_->processorTime(); }
 
  private:
   void remember(const TrajectoryPoint& ego);

@@ -19,7 +19,7 @@ std::ifstream openToRead(const std::string& path) {
   return file;
 }
 
-/// Returns the kind of a file whose first line matches no RowFormat.
+/// Returns the kind of a file by its first line.
 ReportFileKind kindOf(const std::string& where, const std::string& line) {
   if (!line.empty() && line.front() == '{') {
     const JsonLine parsed(where, line);
@@ -29,22 +29,16 @@ ReportFileKind kindOf(const std::string& where, const std::string& line) {
     throw std::runtime_error(where + ": format = \"" + format +
                              "\" is neither of scenarios nor of planner tests");
   }
-  throw std::runtime_error(where +
-                           ": is no line of scenarios, of planner tests or of results.csv of the "
-                           "strict protocol");
+  throw std::runtime_error(where + ": is no line of scenarios or of planner tests");
 }
 
 }  // namespace
 
-ReportFile openReportFile(const std::string& path, const std::vector<RowFormat>& formats,
-                          const InputLimits& limits) {
+ReportFile openReportFile(const std::string& path, const InputLimits& limits) {
   std::ifstream file = openToRead(path);
   const std::string where = path + ": line 1";
   std::string line;
   readInputLine(file, line, where, limits);
-  for (const RowFormat& format : formats) {
-    if (line == format.header) return {path, ReportFileKind::kRows, format};
-  }
   return {path, kindOf(where, line)};
 }
 
@@ -57,7 +51,6 @@ void readReportLines(const ReportFile& file, const InputLimits& limits,
   const auto where = [&] { return file.path + ": line " + std::to_string(number); };
   for (std::string text; readInputLine(stream, text, where(), limits); ++number) {
     read += static_cast<double>(text.size()) + 1.0;
-    if (file.kind == ReportFileKind::kRows && number == 1) continue;
     on_line(where(), number, text, read / size);
   }
 }

@@ -60,7 +60,7 @@ class ReportBuilder {
         settings_(settings),
         page_((fs::path(folder) / "index.html").string()) {
     for (const std::string& path : inputs.files) {
-      files_.push_back(openReportFile(path, settings.formats, settings.options.input_limits));
+      files_.push_back(openReportFile(path, settings.options.input_limits));
     }
     for (const std::string& path : scenarioPaths()) nameWeaknesses(path);
     if (!inputs.logs.path.empty()) openScenes();
@@ -128,9 +128,6 @@ class ReportBuilder {
           break;
         case ReportFileKind::kPlannerTests:
           addPlannerTest(where, text, pictures);
-          break;
-        case ReportFileKind::kRows:
-          addRow(file.format, where, text);
       }
       for (std::size_t i = first; i < rows_.size(); ++i) {
         rows_[i].file = place;
@@ -238,12 +235,6 @@ class ReportBuilder {
           commandsRecord({commandsOfTest(files_[known->file].path, known->line, test.planner,
                                          test.attacker.policy, result.background, inputs_.logs)}));
     }
-  }
-
-  void addRow(const RowFormat& format, const std::string& where, const std::string& text) {
-    const std::optional<ReportRow> row = format.rowOf(text);
-    if (!row) throw std::runtime_error(where + ": \"" + text + "\" is no row of results.csv");
-    rows_.push_back(*row);
   }
 
   std::vector<PictureLink> linksTo(const std::vector<Picture>& pictures) const {

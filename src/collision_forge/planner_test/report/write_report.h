@@ -24,7 +24,6 @@ struct ReportSettings {
   const AnswerOptions& options;
   double seconds_after_stand =
       0.0;  ///< s that a crash is shown after both vehicles stop (AttackedBagOptions)
-  std::vector<RowFormat> formats = {};  ///< additional input formats
 };
 
 /// Writes FOLDER/index.html, a page of all results in the files, with progress on stderr. With

@@ -11,7 +11,7 @@ namespace forge {
 /// Returns the fingerprints of everything in a configuration that results depend on, to check
 /// whether a run may be resumed: the values of every product file ("config/NAME") and the models
 /// that it names ("speed_model", "pattern_network"). Excludes the files for bags with attacks,
-/// drawing, pages, exports, request lists, live scenes, encoding, tuning and ranks. Throws
+/// drawing, pages, exports, request lists, live scenes, encoding and tuning. Throws
 /// std::runtime_error if a file cannot be read.
 std::map<std::string, std::string> fingerprintsOf(const Config& config, const ConfigFolder& folder);
 

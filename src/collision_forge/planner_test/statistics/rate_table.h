@@ -16,7 +16,6 @@ struct Measure {
   std::string title;  ///< shown above the table
   std::optional<std::size_t>
       given;  ///< index of another measure; the rate is among rows that meet it; empty: all rows
-  bool is_headline = false;  ///< drawn as a chart
 };
 
 /// Rates of one measure: one row per method, one column per group (groupTrials()).

@@ -161,8 +161,7 @@ RateTable comparisonTable(const std::vector<PlannerTestResult>& results) {
   return tabulateTrials({"tuned_collision",
                          "Collisions as counted in tuning (with the attacker, at fault, failures), "
                          "of avoidable crashes",
-                         {},
-                         false},
+                         {}},
                         trials);
 }
 

@@ -2,9 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
-#include <vector>
-
-#include "collision_forge/base/config/config_folder.h"
 
 /// Options shared by the commands that read COLLIDE clips. Each function adds the options named in
 /// its comment and stores the values in the argument, which must outlive the parsing.
@@ -19,9 +16,5 @@ CLI::Option* addCollide(CLI::App& app, std::string& collide);
 CLI::Option* addSplit(CLI::App& app, std::string& split, CLI::Option* collide);
 /// --limit, the number of clips to use, 0: all; requires the option `collide`.
 void addLimit(CLI::App& app, std::size_t& limit, CLI::Option* collide);
-
-/// Throws CLI::ValidationError if one of `methods` is not in clipMethods(). Ignores an invalid
-/// configuration, which the run itself reports.
-void checkClipMethods(const std::vector<std::string>& methods, const ConfigFolder& config);
 
 }  // namespace forge

@@ -102,15 +102,14 @@ void warnOfMissingTypes(const std::vector<Attempt>& attempts) {
 }
 
 int buildDataset(const Arguments& arguments) {
-  const StudyConfig config = loadStudyRunConfig(arguments.config);
-  const bool is_master = isMaster();
+  const StudyConfig config = loadStudyConfig(arguments.config);
   const std::vector<std::string> names = wantedScenes(arguments.logs, arguments.scenes);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
-  if (is_master) checkFolder(arguments);
+  checkFolder(arguments);
   std::vector<std::string> unreadable;
   const std::vector<SceneRequest> requests = listRequests(arguments, names, config, unreadable);
   SceneSource scenes(arguments.logs, names, config, static_cast<std::size_t>(arguments.jobs) + 1,
-                     is_master ? OnWarnings(printWarnings) : OnWarnings(), showReading());
+                     printWarnings, showReading());
   std::vector<Attempt> attempts;
   Run run;
   run.path = arguments.attempts();
@@ -128,14 +127,13 @@ int buildDataset(const Arguments& arguments) {
     attempts.push_back(readAttempt(where, line, requests[index], config.input_limits));
   };
   carryOut(run);
-  if (!is_master) return kExitOk;
   warnOfMissingTypes(attempts);
   const auto chosen = chooseClips(attempts, config.dataset.balance, arguments.seed);
   if (chosen.empty()) {
     throw std::runtime_error(arguments.out + ": no clip is valid; see attempts.jsonl for reasons");
   }
   std::cout << writeDataset(arguments.out, arguments.attempts(), attempts, chosen, config.dataset,
-                            config.drawing, config.input_limits, scenes);
+                            config.input_limits, scenes);
   if (!arguments.report.empty()) {
     writeReport({{arguments.attempts()}, arguments.logs}, arguments.report, config);
   }
@@ -153,7 +151,7 @@ void addDataset(CommandLine& line) {
   addScenes(app, arguments->scenes);
   addOut(app, arguments->out, "output folder; see docs/dataset.md");
   addSeed(app, arguments->seed, "random seed of lengths, headings, attack searches and balancing");
-  addJobs(app, arguments->jobs, "clips searched in parallel on each MPI rank");
+  addJobs(app, arguments->jobs, "clips searched in parallel");
   addReportOption(app, arguments->report);
   addConfig(app, arguments->config);
 }

@@ -3,7 +3,6 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/app/report.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
 #include "collision_forge/study/commands/clip_options.h"
 #include "collision_forge/study/commands/evaluation.h"
@@ -49,8 +48,8 @@ void addCrash(CLI::App& app, EvaluationArguments& arguments, CLI::Option* reques
       ->needs(requests);
   addChoice<std::optional<bool>>(app, "--believable", arguments.believable,
                                  {{"true", true}, {"false", false}},
-                                 "true: attackers must drive plausibly; false: also measures angle "
-                                 "bands; default: crash_definition.yaml")
+                                 "true: attackers must drive plausibly; default: "
+                                 "crash_definition.yaml")
       ->needs(requests);
 }
 
@@ -58,9 +57,6 @@ void addCrash(CLI::App& app, EvaluationArguments& arguments, CLI::Option* reques
 /// unknown method (clips have more methods than the configuration) and for contradicting options.
 void completePlan(const CLI::App& app, const ConfigFolder& folder, bool is_of_clips,
                   EvaluationPlan& plan) {
-  if (plan.protocol == Protocol::kPublished && app.count("--report") > 0) {
-    throw CLI::ValidationError("--report", "the HTML report needs --protocol strict");
-  }
   if (!is_of_clips && app.count("--method") == 0) plan.method = "search";
   if (is_of_clips && plan.mode == Mode::kAdaptive && isBaseline(plan.method)) {
     throw CLI::ValidationError(
@@ -104,11 +100,10 @@ void addEvaluate(CommandLine& line) {
   addClips(app, *arguments, collide);
   addScenes(app, arguments->scenes)->needs(requests);
   addOut(app, arguments->out,
-         "output folder for results.csv, table.md and charts; resumes an interrupted run");
+         "output folder for results.csv, table.md and table.csv; resumes an interrupted run");
   addPlan(app, arguments->plan);
   addCrash(app, *arguments, requests);
-  addJobs(app, arguments->jobs, "clips or requests evaluated in parallel on each MPI rank");
-  addReportOption(app, arguments->report);
+  addJobs(app, arguments->jobs, "clips or requests evaluated in parallel");
   addConfig(app, arguments->config);
   app.parse_complete_callback([&app, arguments] {
     completePlan(app, arguments->config, arguments->requests.empty(), arguments->plan);

@@ -4,7 +4,6 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/app/report.h"
 #include "collision_forge/base/files/aside_file.h"
 #include "collision_forge/base/files/file_fingerprint.h"
 #include "collision_forge/io/batch/dispatch.h"
@@ -18,9 +17,7 @@
 #include "collision_forge/study/commands/study_commands.h"
 #include "collision_forge/study/commands/study_run_config.h"
 #include "collision_forge/study/evaluation/clip_methods.h"
-#include "collision_forge/study/evaluation/report_rows.h"
 #include "collision_forge/study/evaluation/row_rates.h"
-#include "collision_forge/study/evaluation/study_program.h"
 
 namespace forge {
 namespace {
@@ -73,10 +70,9 @@ std::string headline(const EvaluationArguments& arguments, std::size_t clips) {
 }  // namespace
 
 int evaluateClips(const EvaluationArguments& arguments) {
-  const StudyConfig config = loadStudyRunConfig(arguments.config);
-  const bool is_master = isMaster();
+  const StudyConfig config = loadStudyConfig(arguments.config);
   const std::vector<std::string> paths = listClips(arguments, config);
-  const OutputLocks locks = lockFolders({arguments.out, arguments.report});
+  const OutputLocks locks = lockFolders({arguments.out});
   CityMaps maps(arguments.logs.path, config);
   const PredictionModels foresight = loadForesight(config);
   const MethodRegistry methods = loadMethods(config);
@@ -90,19 +86,14 @@ int evaluateClips(const EvaluationArguments& arguments) {
   const std::vector<ResultRow> rows = runEvaluation(
       {arguments.out, runOptions(arguments, config, paths), arguments.plan.protocol, RowsOf::kClips,
        "clips", namesOf(paths), rowsPerClip(arguments.plan), arguments.jobs, rows_of});
-  if (!is_master) return kExitOk;
   const std::string title = headline(arguments, paths.size());
   std::string text = reportTitle(title);
   const std::vector<RateTable> tables =
       tabulate(rows, arguments.plan.protocol, methodsOf(arguments.plan));
   for (const RateTable& table : tables) text += "\n" + toMarkdown(table);
   writeText(arguments.out + "/table.md", text);
-  runStudyProgram("charts.py", writeRates(tables, title, arguments.out));
+  writeRates(tables, arguments.out);
   std::cout << text;
-  if (!arguments.report.empty()) {
-    writeReport({{arguments.out + "/results.csv"}, {}}, arguments.report, config,
-                evaluationFormats());
-  }
   return kExitOk;
 }
 

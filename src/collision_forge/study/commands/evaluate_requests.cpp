@@ -10,7 +10,6 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
-#include "collision_forge/app/report.h"
 #include "collision_forge/base/files/aside_file.h"
 #include "collision_forge/io/batch/dispatch.h"
 #include "collision_forge/io/batch/output.h"
@@ -20,11 +19,8 @@
 #include "collision_forge/study/commands/evaluation.h"
 #include "collision_forge/study/commands/study_commands.h"
 #include "collision_forge/study/commands/study_run_config.h"
-#include "collision_forge/study/evaluation/motion_table.h"
-#include "collision_forge/study/evaluation/report_rows.h"
 #include "collision_forge/study/evaluation/request_evaluation.h"
 #include "collision_forge/study/evaluation/request_report.h"
-#include "collision_forge/study/evaluation/study_program.h"
 
 namespace forge {
 namespace {
@@ -103,11 +99,6 @@ class SearchTimes {
   std::map<std::string, std::vector<double>> times_;
 };
 
-/// Returns the title of the charts: logs and number of requests.
-std::string headline(const std::string& logs, const WantedRequests& wanted) {
-  return logs + ", " + std::to_string(wanted.requests.size()) + " requests";
-}
-
 /// Returns the title of the tables: logs, protocol, limits, mode and number of requests.
 std::string headline(const std::string& logs, const EvaluationPlan& plan,
                      const WantedRequests& wanted) {
@@ -120,57 +111,25 @@ std::string headline(const std::string& logs, const EvaluationPlan& plan,
 void report(const EvaluationArguments& arguments, const EvaluationPlan& plan,
             const std::vector<ResultRow>& rows, const WantedRequests& wanted) {
   const std::string title = headline(arguments.logs.title(), plan, wanted);
-  const std::string short_title = headline(arguments.logs.title(), wanted);
   std::string text = reportTitle(title);
   const std::vector<RateTable> tables = requestTables(rows, plan);
   for (const RateTable& table : tables) text += "\n" + toMarkdown(table);
-  std::vector<std::string> charts = writeRates(tables, short_title, arguments.out);
-  const auto calibrations = requestCalibrations(rows, plan);
-  for (const Calibration& calibration : calibrations) text += "\n" + toMarkdown(calibration);
-  if (!calibrations.empty()) {
-    const std::string path = arguments.out + "/calibration.csv";
-    writeText(path, toCsv(calibrations));
-    charts.insert(charts.end(), {"--calibration", path});
-  }
+  writeRates(tables, arguments.out);
+  const auto calibration = requestCalibration(rows, plan);
+  if (calibration) text += "\n" + toMarkdown(*calibration);
   writeText(arguments.out + "/table.md", text);
   std::cout << text << std::endl;
-  runStudyProgram("charts.py", charts);
-}
-
-/// Writes the scorecard, which compares the attackers with the recorded vehicles of the same
-/// scenes.
-void writeScorecard(const EvaluationArguments& arguments, const EvaluationPlan& plan,
-                    const StudyConfig& config, const std::vector<ResultRow>& rows,
-                    const WantedRequests& wanted, SceneSource& scenes) {
-  const std::vector<std::string> methods = attackingRowMethods(plan);
-  if (methods.empty()) return;
-  std::vector<RecordedMotion> recorded;
-  for (const std::string& scene : wanted.scenes) {
-    for (RecordedMotion& motion : recordedMotion(*scenes.at(scene), config)) {
-      recorded.push_back(std::move(motion));
-    }
-  }
-  writeText(arguments.out + "/motion.csv", motionTable(rows, methods, recorded, config));
-  const StatisticsOptions statistics;
-  const std::string title = headline(arguments.logs.title(), plan, wanted);
-  runStudyProgram("scorecard.py", {arguments.out, "--heading", reportTitle(title), "--title",
-                                   headline(arguments.logs.title(), wanted), "--resamples",
-                                   std::to_string(statistics.resamples), "--confidence",
-                                   std::to_string(statistics.confidence), "--seed",
-                                   std::to_string(statistics.seed)});
 }
 
 }  // namespace
 
 int evaluateRequests(const EvaluationArguments& arguments) {
-  const StudyConfig config = loadStudyRunConfig(arguments.config);
-  const bool is_master = isMaster();
+  const StudyConfig config = loadStudyConfig(arguments.config);
   const EvaluationPlan plan = planOf(arguments, config);
   const WantedRequests wanted = readWanted(arguments, config);
-  const OutputLocks locks = lockFolders({arguments.out, arguments.report});
+  const OutputLocks locks = lockFolders({arguments.out});
   SceneSource scenes(arguments.logs, wanted.scenes, config,
-                     static_cast<std::size_t>(arguments.jobs) + 1,
-                     is_master ? OnWarnings(printWarnings) : OnWarnings(), showReading());
+                     static_cast<std::size_t>(arguments.jobs) + 1, printWarnings, showReading());
   const RequestEvaluator evaluator(scenes, config, loadForesight(config), loadMethods(config),
                                    plan);
   SearchTimes times;
@@ -182,14 +141,8 @@ int evaluateRequests(const EvaluationArguments& arguments) {
   const std::vector<ResultRow> rows = runEvaluation(
       {arguments.out, runOptions(arguments, config, plan, wanted), Protocol::kStrict,
        RowsOf::kRequests, "requests", wanted.lines, rowsPerRequest(plan), arguments.jobs, rows_of});
-  if (!is_master) return kExitOk;
   report(arguments, plan, rows, wanted);
-  writeScorecard(arguments, plan, config, rows, wanted, scenes);
   times.print();
-  if (!arguments.report.empty()) {
-    writeReport({{arguments.out + "/results.csv"}, {}}, arguments.report, config,
-                evaluationFormats());
-  }
   return kExitOk;
 }
 

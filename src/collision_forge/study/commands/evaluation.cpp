@@ -34,17 +34,10 @@ std::vector<ResultRow> runEvaluation(const EvaluationRun& evaluation) {
   return rows;
 }
 
-std::vector<std::string> writeRates(const std::vector<RateTable>& tables, const std::string& title,
-                                    const std::string& folder) {
-  std::vector<std::string> arguments = {"--title", title, "--rates", folder + "/table.csv",
-                                        "--measures"};
+void writeRates(const std::vector<RateTable>& tables, const std::string& folder) {
   std::string csv = rateCsvHeader() + "\n";
-  for (const RateTable& table : tables) {
-    csv += toCsv(table);
-    if (table.measure.is_headline) arguments.push_back(table.measure.name);
-  }
+  for (const RateTable& table : tables) csv += toCsv(table);
   writeText(folder + "/table.csv", csv);
-  return arguments;
 }
 
 }  // namespace forge

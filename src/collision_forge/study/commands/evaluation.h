@@ -29,16 +29,14 @@ struct EvaluationArguments {
 
   LogSource logs;  ///< recorded scenes; for clips a nuScenes root with their maps
   std::string out;
-  std::string report;  ///< folder of the HTML report; empty: none
   ConfigFolder config;
   EvaluationPlan plan;  ///< evaluateRequests() replaces its limits and `believable`
   int jobs = 1;         ///< threads
 };
 
-// Run the evaluation; resume an interrupted one. The master prints the tables and writes
-// OUT/results.csv, OUT/table.md, OUT/table.csv and charts; evaluateRequests() also writes
-// OUT/motion.csv, OUT/scorecard.md and OUT/scorecard.csv. Return an exit code; throw ConfigError
-// and std::runtime_error.
+// Run the evaluation; resume an interrupted one. Print the tables and write
+// OUT/results.csv, OUT/table.md and OUT/table.csv. Return an exit code; throw ConfigError and
+// std::runtime_error.
 int evaluateClips(const EvaluationArguments& arguments);
 int evaluateRequests(const EvaluationArguments& arguments);
 
@@ -57,13 +55,10 @@ struct EvaluationRun {
 };
 
 /// Runs the evaluation and writes results.csv; resumes an interrupted run. Returns all rows, in the
-/// order of the items, on the master and an empty vector on other ranks. Throws the exceptions of
-/// carryOut().
+/// order of the items. Throws the exceptions of carryOut().
 std::vector<ResultRow> runEvaluation(const EvaluationRun& evaluation);
 
-/// Writes the tables to FOLDER/table.csv. Returns the command-line arguments of charts.py that draw
-/// the headline measures; `title` is the title of the charts.
-std::vector<std::string> writeRates(const std::vector<RateTable>& tables, const std::string& title,
-                                    const std::string& folder);
+/// Writes the tables to FOLDER/table.csv.
+void writeRates(const std::vector<RateTable>& tables, const std::string& folder);
 
 }  // namespace forge

@@ -3,12 +3,10 @@
 #include <cstdio>
 #include <map>
 #include <memory>
-#include <numeric>
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/attack/forecast/ego_futures.h"
-#include "collision_forge/attack/network/network_ego_futures.h"
 #include "collision_forge/attack/network/predicted_scene.h"
 #include "collision_forge/attack/search/request_check.h"
 #include "collision_forge/io/batch/progress_line.h"
@@ -17,7 +15,6 @@
 #include "collision_forge/io/logs/city_maps.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
 #include "collision_forge/study/commands/clip_options.h"
-#include "collision_forge/study/commands/pattern_timing.h"
 #include "collision_forge/study/commands/study_commands.h"
 #include "collision_forge/study/settings/study_config.h"
 
@@ -36,37 +33,15 @@ struct Arguments {
 /// The prediction errors of one clip.
 struct ClipResult {
   CollisionType type = CollisionType::kRearEnd;
-  double tta = 0.0;           ///< s
-  double displacement = 0.0;  ///< m, error of the network's ego position at impact
-  double kinematic = 0.0;     ///< m, the same error for the mean of KinematicEgoFutures
-  double sampled = 0.0;       ///< m, the same error for the mean of NetworkEgoFutures
-  double heading = 0.0;       ///< rad, absolute error of the network's ego heading
-  double log_density = 0.0;   ///< log of the predicted density (1/m2) at the true position
-  double along_share = 0.0;   ///< predicted probability, 0..1, that the ego drives less far
-  int candidates = 0;
+  double tta = 0.0;             ///< s
+  double displacement = 0.0;    ///< m, error of the network's ego position at impact
+  double kinematic = 0.0;       ///< m, the same error for the mean of KinematicEgoFutures
+  double heading = 0.0;         ///< rad, absolute error of the network's ego heading
+  double log_density = 0.0;     ///< log of the predicted density (1/m2) at the true position
   int rank = 0;                 ///< rank of the true attacker by score, from 1; 0: not a candidate
-  int nearest_rank = 0;         ///< its rank by distance to the ego
   double offset = 0.0;          ///< m, error of the attacker's position, given the true ego pose
   double offset_heading = 0.0;  ///< rad, absolute error of its heading, given the same
 };
-
-struct Totals {
-  std::vector<ClipResult> clips;
-  PatternTiming timing;
-};
-
-/// Returns the predicted probability (0..1) that the ego is less far ahead than `truth`, measured
-/// along the heading of `expected`.
-double shareBefore(const std::vector<EgoComponent>& components, const Pose2& expected,
-                   const Vector2& truth) {
-  const double reached = relativeTo(expected, {truth.x(), truth.y(), 0.0}).x;
-  double share = 0.0;
-  for (const EgoComponent& component : components) {
-    const double along = relativeTo(expected, component.pose).x;
-    share += component.probability / (1.0 + std::exp((along - reached) / component.along));
-  }
-  return share;
-}
 
 double errorOfMean(const EgoFutureSampler& sampler, const Snapshot& snapshot,
                    const LaneIndex& lanes, double time, const Vector2& truth) {
@@ -88,16 +63,12 @@ void judgeCandidates(const PredictedScene& scene, const CollideClip& clip, const
                      const StudyConfig& config, const Pose2& expected, const Pose2& truth,
                      ClipResult& result) {
   std::vector<const Track*> candidates;
-  std::vector<double> nearness;
   std::size_t attacker = snapshot.agents.size();
   for (const Track& agent : snapshot.agents) {
     if (!isCandidate(agent, snapshot, config.attack.prediction)) continue;
     if (agent.id == clip.attacker_id) attacker = candidates.size();
     candidates.push_back(&agent);
-    nearness.push_back(
-        -(agent.states.back().pose.position() - snapshot.ego.states.back().pose.position()).norm());
   }
-  result.candidates = static_cast<int>(candidates.size());
   if (attacker >= candidates.size()) return;
   std::vector<double> scores;
   for (const CandidatePrediction& answer :
@@ -105,7 +76,6 @@ void judgeCandidates(const PredictedScene& scene, const CollideClip& clip, const
     scores.push_back(answer.score);
   }
   result.rank = rankOf(attacker, scores);
-  result.nearest_rank = rankOf(attacker, nearness);
   const Pose2 offset = scene.judge({candidates[attacker]}, truth, clip.tta(), clip.type)[0].offset;
   const Pose2 ego = compose(scene.ways().ego.state.pose, truth);
   const Pose2 recorded = relativeTo(ego, clip.attacker().frames.back()->pose);
@@ -114,8 +84,8 @@ void judgeCandidates(const PredictedScene& scene, const CollideClip& clip, const
 }
 
 void measureClip(const CollideClip& clip, const LaneIndex& lanes, const PatternNetwork& network,
-                 const EgoFutureSampler& kinematic, const EgoFutureSampler& sampler,
-                 const StudyConfig& config, const Arguments& arguments, Totals& totals) {
+                 const EgoFutureSampler& kinematic, const StudyConfig& config,
+                 const Arguments& arguments, std::vector<ClipResult>& results) {
   const Scene recorded = toScene(clip, config.evaluation.collide, nullptr);
   const Snapshot snapshot =
       snapshotAt(recorded, clip.now(), network.weights().features.history_frames);
@@ -131,20 +101,16 @@ void measureClip(const CollideClip& clip, const LaneIndex& lanes, const PatternN
   result.displacement = (expected.position() - truth.position()).norm();
   result.heading = std::abs(angleBetween(expected.yaw, truth.yaw));
   result.log_density = logDensity(components, truth.position());
-  result.along_share = shareBefore(components, expected, truth.position());
   const Vector2 place = stateAt(recorded.ego, clip.times.back())->pose.position();
   result.kinematic = errorOfMean(kinematic, snapshot, lanes, clip.times.back(), place);
-  result.sampled = errorOfMean(sampler, snapshot, lanes, clip.times.back(), place);
   judgeCandidates(scene, clip, snapshot, config, expected, truth, result);
-  totals.clips.push_back(result);
-  totals.timing.add(scene, network, lanes, clip.tta(), clip.type, result.candidates);
+  results.push_back(result);
 }
 
 void printRow(const std::string& name, const std::vector<ClipResult>& clips) {
   if (clips.empty()) return;
   double displacement = 0.0;
   double kinematic = 0.0;
-  double sampled = 0.0;
   double heading = 0.0;
   double density = 0.0;
   double offset = 0.0;
@@ -152,25 +118,17 @@ void printRow(const std::string& name, const std::vector<ClipResult>& clips) {
   int known = 0;
   int first = 0;
   int third = 0;
-  int nearest = 0;
-  int inside[3] = {0, 0, 0};
   std::vector<double> sorted;
   for (const ClipResult& clip : clips) {
     displacement += clip.displacement;
     sorted.push_back(clip.displacement);
     kinematic += clip.kinematic;
-    sampled += clip.sampled;
     heading += clip.heading;
     density += clip.log_density;
-    const double off_middle = std::abs(clip.along_share - 0.5);
-    inside[0] += off_middle <= 0.25;
-    inside[1] += off_middle <= 0.40;
-    inside[2] += off_middle <= 0.45;
     if (clip.rank == 0) continue;
     ++known;
     first += clip.rank == 1;
     third += clip.rank <= 3;
-    nearest += clip.nearest_rank == 1;
     offset += clip.offset;
     offset_heading += clip.offset_heading;
   }
@@ -178,29 +136,24 @@ void printRow(const std::string& name, const std::vector<ClipResult>& clips) {
   const double count = static_cast<double>(clips.size());
   const double of_known = std::max(known, 1);
   const double degrees = 180.0 / M_PI;
-  std::printf(
-      "| %s | %zu | %.2f | %.2f | %.2f | %.2f | %.2f | %.2f | %.3f | %.3f | %.3f | %.2f | %.1f | "
-      "%.0f %.0f %.0f |\n",
-      name.c_str(), clips.size(), displacement / count, sorted[sorted.size() / 2],
-      kinematic / count, sampled / count, heading / count * degrees, density / count,
-      first / of_known, third / of_known, nearest / of_known, offset / of_known,
-      offset_heading / of_known * degrees, 100.0 * inside[0] / count, 100.0 * inside[1] / count,
-      100.0 * inside[2] / count);
+  std::printf("| %s | %zu | %.2f | %.2f | %.2f | %.2f | %.2f | %.3f | %.3f | %.2f | %.1f |\n",
+              name.c_str(), clips.size(), displacement / count, sorted[sorted.size() / 2],
+              kinematic / count, heading / count * degrees, density / count, first / of_known,
+              third / of_known, offset / of_known, offset_heading / of_known * degrees);
 }
 
-void print(const Totals& totals) {
+void print(const std::vector<ClipResult>& results) {
   std::printf(
-      "| clips | | displacement, m | median | kinematic futures | network futures | heading, deg | "
-      "log density | attacker first | in "
-      "three | nearest first | offset, m | deg | in central 50 80 90 %% |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-  if (totals.clips.empty()) {
+      "| clips | | displacement, m | median | kinematic futures | heading, deg | log density | "
+      "attacker first | in three | offset, m | deg "
+      "|\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+  if (results.empty()) {
     throw std::runtime_error(
         "the split contains no clip to measure; omit --unseen or change --split");
   }
-  printRow("all", totals.clips);
+  printRow("all", results);
   std::map<std::string, std::vector<ClipResult>> groups;
-  for (const ClipResult& clip : totals.clips) {
+  for (const ClipResult& clip : results) {
     groups[std::string("type ") + toString(clip.type)].push_back(clip);
     const char* tta = clip.tta < 1.25   ? "TTA 0.5-1 s"
                       : clip.tta < 2.75 ? "TTA 1.5-2.5 s"
@@ -209,8 +162,6 @@ void print(const Totals& totals) {
     groups[tta].push_back(clip);
   }
   for (const auto& [name, clips] : groups) printRow(name, clips);
-  std::printf("\n");
-  totals.timing.print();
 }
 
 int measure(const Arguments& arguments) {
@@ -221,7 +172,7 @@ int measure(const Arguments& arguments) {
   }
   CityMaps lanes(arguments.dataroot, config);
   ProgressLine progress("measuring");
-  Totals totals;
+  std::vector<ClipResult> results;
   const auto paths = listCollideClips(arguments.collide, arguments.split);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const CollideClip clip = readCollideClip(paths[i], config.input_limits);
@@ -233,12 +184,10 @@ int measure(const Arguments& arguments) {
       continue;
     }
     const KinematicEgoFutures kinematic(config.attack.ego_futures, known.speeds);
-    const NetworkEgoFutures sampler(config.attack.ego_futures, known);
-    measureClip(clip, *lanes.at(clip.city), *known.network, kinematic, sampler, config, arguments,
-                totals);
+    measureClip(clip, *lanes.at(clip.city), *known.network, kinematic, config, arguments, results);
     progress.show(static_cast<double>(i + 1) / static_cast<double>(paths.size()));
   }
-  print(totals);
+  print(results);
   return kExitOk;
 }
 

@@ -1,31 +1,16 @@
 #include "collision_forge/study/commands/study_commands.h"
 
-#include "collision_forge/app/report.h"
-#include "collision_forge/study/evaluation/report_rows.h"
-
 namespace forge {
 
 void addStudyCommands(CommandLine& line) {
   line.addGroup(kOther, "study",
-                "Research commands: measure, compare, make data sets, train; see forge study "
+                "Research commands: measure, make data sets, train; see forge study "
                 "--help.");
   addEvaluate(line);
-  addCompare(line);
-  addMeasureControls(line);
-  addMeasureCoverage(line);
-  addMeasureEgoFutures(line);
   addMeasureLatency(line);
-  addMeasureMethods(line);
   addMeasurePatterns(line);
-  addMeasureAttackers(line);
-  addMeasurePlanners(line);
   addTestOnClips(line);
   addTuneOnClips(line);
-  addReportCommand(
-      line, kMeasuring, "study report",
-      "results.csv of forge study evaluate, attempts.jsonl of forge study dataset, and all files "
-      "that forge report accepts",
-      evaluationFormats());
   addDataset(line);
   addTrain(line);
   addSpeedsFit(line);

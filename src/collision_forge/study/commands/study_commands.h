@@ -5,17 +5,10 @@
 namespace forge {
 
 // Each function adds one command `study ...`; the source file of the same name implements it.
-void addCompare(CommandLine& line);
 void addDataset(CommandLine& line);
 void addEvaluate(CommandLine& line);
-void addMeasureAttackers(CommandLine& line);
-void addMeasureControls(CommandLine& line);
-void addMeasureCoverage(CommandLine& line);
-void addMeasureEgoFutures(CommandLine& line);
 void addMeasureLatency(CommandLine& line);
-void addMeasureMethods(CommandLine& line);
 void addMeasurePatterns(CommandLine& line);
-void addMeasurePlanners(CommandLine& line);
 void addSpeedsFit(CommandLine& line);
 void addTestOnClips(CommandLine& line);
 void addTrain(CommandLine& line);

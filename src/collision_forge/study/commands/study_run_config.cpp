@@ -1,15 +1,8 @@
 #include "collision_forge/study/commands/study_run_config.h"
 
-#include "collision_forge/io/batch/options.h"
-#include "collision_forge/io/batch/ranks.h"
 #include "collision_forge/planner_test/settings/config_fingerprint.h"
 
 namespace forge {
-
-StudyConfig loadStudyRunConfig(const ConfigFolder& folder) {
-  Ranks::watch(loadRankOptions(folder));
-  return loadStudyConfig(folder);
-}
 
 ResumableFile::Options studyInputsOf(const StudyConfig& config, const LogSource& logs) {
   ResumableFile::Options options = inputsOf(config, logs);

@@ -7,10 +7,6 @@
 
 namespace forge {
 
-/// Loads the configuration of the product and the study, and monitors the MPI ranks, as
-/// loadRunConfig(). Throws ConfigError.
-StudyConfig loadStudyRunConfig(const ConfigFolder& folder);
-
 /// Returns inputsOf() plus the fingerprints of config/study/ and of the weights of all learned
 /// baselines.
 ResumableFile::Options studyInputsOf(const StudyConfig& config, const LogSource& logs);

@@ -1,6 +1,4 @@
-#ifndef COLLISION_FORGE_WITHOUT_ROS
 #include <dlfcn.h>
-#endif
 
 #include <memory>
 #include <stdexcept>
@@ -22,11 +20,7 @@ int train(TrainingRun& run) {
   run.config_files = configFingerprints(run.config);
   run.config_files.merge(studyFingerprints(run.config));
   run.options = config;
-  run.planners = config.planners;
   run.generators = isPublishedNetwork(run.generator) ? config.published_network : config.generators;
-#ifdef COLLISION_FORGE_WITHOUT_ROS
-  forgeTrain(run);
-#else
   // Loading libtorch takes seconds, so only this command loads it.
   void* library = dlopen("libcollision_forge_training.so", RTLD_NOW);
   if (library == nullptr) {
@@ -36,7 +30,6 @@ int train(TrainingRun& run) {
   void* function = dlsym(library, "forgeTrain");
   if (function == nullptr) throw std::runtime_error(dlerror());
   reinterpret_cast<decltype(&forgeTrain)>(function)(run);
-#endif
   return kExitOk;
 }
 
@@ -55,8 +48,7 @@ void addTrain(CommandLine& line) {
   app.add_option("--splits", run->sources.splits, "splits of the clips to train on")
       ->default_val(std::vector<std::string>{"train"});
   addOut(app, run->out, "folder of the run; resumes an interrupted run");
-  CLI::Option* device = app.add_option("--device", run->device, "device: cpu or cuda");
-  device->capture_default_str();
+  app.add_option("--device", run->device, "device: cpu or cuda")->capture_default_str();
   app.add_option("--folds", run->folds, "number of folds of the scenes")
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();
@@ -68,17 +60,13 @@ void addTrain(CommandLine& line) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   addSeed(app, run->seed, "random seed of initial weights, sample order and folds");
-  CLI::Option* stop =
-      app.add_option("--stop-after", run->stop_after, "stop after this epoch; 0: the last");
-  stop->check(CLI::NonNegativeNumber)->capture_default_str();
-  CLI::Option* planner = app.add_flag(
-      "--planner", run->is_planner, "train the planner torchscript on logs instead of the network");
-  planner->excludes(collide)->excludes(device)->excludes(stop);
+  app.add_option("--stop-after", run->stop_after, "stop after this epoch; 0: the last")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   app.add_option("--generator", run->generator,
                  "train this learned baseline on clips instead of the network")
       ->transform(oneOf(trafficModelNames()))
-      ->needs(collide)
-      ->excludes(planner);
+      ->needs(collide);
   addConfig(app, run->config);
   app.parse_complete_callback([run] {
     if (run->fold <= run->folds) return;

@@ -5,12 +5,10 @@
 #include <fstream>
 #include <map>
 #include <memory>
-#include <set>
 
 #include "collision_forge/base/files/aside_file.h"
 #include "collision_forge/io/batch/progress_line.h"
 #include "collision_forge/io/collide/collide_export.h"
-#include "collision_forge/io/drawing/draw_scenario.h"
 #include "collision_forge/study/dataset/dataset_statistics.h"
 #include "collision_forge/study/dataset/scene_split.h"
 
@@ -19,35 +17,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the view of a clip for its picture.
-ScenarioView viewOf(const Scenario& scenario, const Scene& scene) {
-  const SceneRequest& asked = scenario.asked;
-  return {asked.scene,
-          asked.request.tta,
-          asked.request.mode,
-          snapshotAt(scene, asked.now, kCollideNowFrame + 1),
-          recordedFuture(scene, asked.now),
-          scenario.answer.pattern,
-          scenario.answer.trajectory,
-          scenario.answer.report};
-}
-
 /// Writes the files of a data set; see writeDataset().
 class DatasetWriter {
  public:
   DatasetWriter(const std::string& folder, const std::string& path, const DatasetOptions& options,
-                const DrawingOptions& drawing, const InputLimits& limits, SceneSource& scenes)
-      : folder_(folder),
-        path_(path),
-        options_(options),
-        drawing_(drawing),
-        limits_(limits),
-        scenes_(scenes) {}
+                const InputLimits& limits, SceneSource& scenes)
+      : folder_(folder), path_(path), options_(options), limits_(limits), scenes_(scenes) {}
 
   std::string write(const std::vector<Attempt>& attempts, const std::vector<std::size_t>& chosen) {
     deal(attempts, chosen);
     writeClips(chosen);
-    drawSheets();
     return writeStatistics(attempts);
   }
 
@@ -62,15 +41,6 @@ class DatasetWriter {
     std::vector<std::string> names;
     for (const std::size_t index : chosen) names.push_back(attempts[index].asked.scene);
     splits_ = splitByScene(names, options_.split);
-    std::map<CollisionType, std::vector<std::size_t>> of_type;
-    for (const std::size_t index : chosen) {
-      of_type[attempts[index].asked.request.type].push_back(index);
-    }
-    const int pictures = options_.sheet_columns * options_.sheet_rows;
-    for (const auto& [type, indices] : of_type) {
-      const auto count = std::min(static_cast<std::size_t>(pictures), indices.size());
-      for (std::size_t i = 0; i < count; ++i) shown_.insert(indices[i * indices.size() / count]);
-    }
   }
 
   void writeClips(const std::vector<std::size_t>& chosen) {
@@ -101,9 +71,6 @@ class DatasetWriter {
     clips_.push_back({split, scenario.asked.scene, indexed->scene.map->location,
                       scenario.asked.request.type, Attempt{scenario.asked}.length(),
                       report.relative_heading, report.off_road_share});
-    if (shown_.count(index) > 0) {
-      views_[scenario.asked.request.type].push_back(viewOf(scenario, indexed->scene));
-    }
   }
 
   Store& storeOf(const std::string& split) {
@@ -114,15 +81,6 @@ class DatasetWriter {
       store.exporter = std::make_unique<CollideExporter>(folder_, split);
     }
     return store;
-  }
-
-  void drawSheets() const {
-    const fs::path folder = fs::path(folder_) / "sheets";
-    fs::create_directories(folder);
-    for (const auto& [type, views] : views_) {
-      drawScenarioSheet((folder / (std::string(toString(type)) + ".png")).string(), views,
-                        options_.sheet_columns, drawing_);
-    }
   }
 
   std::string writeStatistics(const std::vector<Attempt>& attempts) const {
@@ -141,14 +99,11 @@ class DatasetWriter {
   const std::string& folder_;
   const std::string& path_;
   const DatasetOptions& options_;
-  const DrawingOptions& drawing_;
   const InputLimits& limits_;
   SceneSource& scenes_;
   std::map<std::string, std::string> splits_;
-  std::set<std::size_t> shown_;
   std::map<std::string, Store> stores_;
   std::vector<DatasetClip> clips_;
-  std::map<CollisionType, std::vector<ScenarioView>> views_;
 };
 
 }  // namespace
@@ -156,9 +111,8 @@ class DatasetWriter {
 std::string writeDataset(const std::string& folder, const std::string& path,
                          const std::vector<Attempt>& attempts,
                          const std::vector<std::size_t>& chosen, const DatasetOptions& options,
-                         const DrawingOptions& drawing, const InputLimits& limits,
-                         SceneSource& scenes) {
-  return DatasetWriter(folder, path, options, drawing, limits, scenes).write(attempts, chosen);
+                         const InputLimits& limits, SceneSource& scenes) {
+  return DatasetWriter(folder, path, options, limits, scenes).write(attempts, chosen);
 }
 
 }  // namespace forge

@@ -3,22 +3,20 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/io/drawing/options.h"
 #include "collision_forge/io/logs/scene_source.h"
 #include "collision_forge/study/dataset/attempts.h"
 #include "collision_forge/study/dataset/options.h"
 
 namespace forge {
 
-/// Writes the data set to `folder`: clips and scenario files per split, sheets of pictures per
-/// type, statistics.csv and statistics.md. Returns the text of statistics.md.
+/// Writes the data set to `folder`: clips and scenario files per split, statistics.csv and
+/// statistics.md. Returns the text of statistics.md.
 ///
 /// `path` is attempts.jsonl, with one line per element of `attempts`; `chosen` are the ascending
 /// indices of the attempts to write. Throws std::runtime_error if a file cannot be written.
 std::string writeDataset(const std::string& folder, const std::string& path,
                          const std::vector<Attempt>& attempts,
                          const std::vector<std::size_t>& chosen, const DatasetOptions& options,
-                         const DrawingOptions& drawing, const InputLimits& limits,
-                         SceneSource& scenes);
+                         const InputLimits& limits, SceneSource& scenes);
 
 }  // namespace forge

@@ -33,8 +33,6 @@ struct DatasetOptions {
   double max_off_road_share = 0.0;        ///< 0..1 of the attacker's box, mean from t0 to contact
   BalanceOptions balance;
   SplitOptions split;
-  int sheet_columns = 4;  ///< pictures per row on the sheet of a type
-  int sheet_rows = 3;     ///< rows of pictures on the sheet of a type
 };
 
 /// Reads the section `dataset`. `time_margin` is SearchOptions::time_margin, the lower limit of

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "collision_forge/base/scene/formatted.h"
-#include "collision_forge/planner_test/statistics/csv_text.h"
 #include "collision_forge/planner_test/statistics/rate_table.h"
 
 namespace forge {
@@ -54,20 +53,6 @@ std::string toMarkdown(const Calibration& calibration) {
   }
   return text + formatted("\nLargest difference: %.1f points\n",
                           kPercent * calibration.largestDifference());
-}
-
-std::string toCsv(const std::vector<Calibration>& calibrations) {
-  std::string text = "column,decile,attacks,promised,kept,low,high\n";
-  for (const Calibration& calibration : calibrations) {
-    int number = 0;
-    for (const CalibrationGroup& decile : calibration.deciles) {
-      text += csvText(calibration.column) +
-              formatted(",%d,%d,%.4f,%.4f,", ++number, decile.kept.trials, decile.promised,
-                        decile.kept.value) +
-              intervalCsv(decile.kept) + "\n";
-    }
-  }
-  return text;
 }
 
 }  // namespace forge

@@ -38,8 +38,4 @@ Calibration calibrate(const std::string& column, std::vector<Promise> promises);
 /// Returns a Markdown table: title, one row per decile in percent, and the largest difference.
 std::string toMarkdown(const Calibration& calibration);
 
-/// Returns CSV with the header "column,decile,attacks,promised,kept,low,high" and one line per
-/// decile; shares in 0..1.
-std::string toCsv(const std::vector<Calibration>& calibrations);
-
 }  // namespace forge

@@ -7,7 +7,6 @@
 #include "collision_forge/attack/policy/adaptive_answer.h"
 #include "collision_forge/attack/search/request_check.h"
 #include "collision_forge/attack/verify/strict_outcome.h"
-#include "collision_forge/base/scene/find_track.h"
 #include "collision_forge/io/answers/allowed_requests.h"
 #include "collision_forge/study/evaluation/outcome_row.h"
 
@@ -20,24 +19,13 @@ std::vector<RequestEvaluator::MethodRow> methodRows(const EvaluationPlan& plan) 
   const bool is_baseline =
       std::find(kBaselines.begin(), kBaselines.end(), plan.method) != kBaselines.end();
   if (is_baseline) return {};
-  const Mode fixed = plan.mode == Mode::kReplay ? Mode::kReplay : Mode::kHistory;
-  if (!plan.is_seeded) {
-    std::vector<RequestEvaluator::MethodRow> rows = {{plan.method, TypeRules::kFull, fixed, 1}};
-    if (plan.mode == Mode::kAdaptive) {
-      rows.insert(rows.begin(), {"adaptive", TypeRules::kFull, Mode::kAdaptive, 1});
-    }
-    return rows;
-  }
+  const int seeds = plan.is_seeded ? plan.seeds : 1;
   std::vector<RequestEvaluator::MethodRow> rows;
-  const auto add = [&](const std::string& searcher, Mode mode) {
-    if (!plan.believable) {
-      rows.push_back({searcher + "_angle_bands", TypeRules::kAngle, mode, plan.seeds});
-    }
-    rows.push_back({searcher + "_full_definitions", TypeRules::kFull, mode, plan.seeds});
-  };
-  if (plan.mode == Mode::kAdaptive) add("adaptive", Mode::kAdaptive);
-  add(plan.method, fixed);
-  if (plan.mode != Mode::kReplay) add("replay", Mode::kReplay);
+  if (plan.mode == Mode::kAdaptive) rows.push_back({"adaptive", Mode::kAdaptive, seeds});
+  rows.push_back({plan.method, plan.mode == Mode::kReplay ? Mode::kReplay : Mode::kHistory, seeds});
+  if (plan.is_seeded && plan.mode != Mode::kReplay) {
+    rows.push_back({"replay", Mode::kReplay, seeds});
+  }
   return rows;
 }
 
@@ -86,32 +74,9 @@ Status checkCase(const RequestCase& request_case) {
   return {};
 }
 
-/// Returns the recorded motion of the agent up to `until` (s), or nullopt if it has a gap.
-std::optional<AttackerTrajectory> ownMotion(const std::string& id, const Future& recorded,
-                                            double until) {
-  const Track* track = findTrack(recorded.agents, id);
-  if (!track) return std::nullopt;
-  AttackerTrajectory own{id, track->agent_class, track->size, {}};
-  for (const AgentState& state : track->states) {
-    const bool has_gap = !own.points.empty() &&
-                         !stateAt(*track, 0.5 * (own.points.back().time + state.time)).has_value();
-    if (has_gap) return std::nullopt;
-    own.points.push_back({state.time, state.pose, 0.0, 0.0, 0.0});
-    if (state.time >= until) return own;
-  }
-  return std::nullopt;
-}
-
-void judge(const RequestCase& request_case, const AttackerTrajectory& trajectory,
-           const StrictOutcome& outcome, ResultRow& row) {
+void judge(const RequestCase& request_case, const StrictOutcome& outcome, ResultRow& row) {
   describeOutcome(outcome, request_case.moment.snapshot.now, row);
-  if (!outcome.report.contact) return;
-  row.request->believable = outcome.report.believable();
-  const auto own =
-      ownMotion(trajectory.attacker_id, *request_case.moment.recorded, outcome.report.contact_time);
-  if (!own) return;
-  row.own_off_road_share = offRoadShare(*own, outcome.report, *request_case.moment.lanes,
-                                        request_case.options.verification);
+  if (outcome.report.contact) row.request->believable = outcome.report.believable();
 }
 
 void refuse(const Status& status, ResultRow& row) {
@@ -164,7 +129,7 @@ void evaluateBaseline(const AttackMethod& method, const RequestCase& request_cas
     best_outcome = outcome;
   }
   if (best) {
-    judge(request_case, *best, best_outcome, row);
+    judge(request_case, best_outcome, row);
   } else {
     refuse({StatusCode::kNoCandidate,
             "no vehicle within candidate_radius was observed at t0 and in the frame before"},
@@ -174,7 +139,7 @@ void evaluateBaseline(const AttackMethod& method, const RequestCase& request_cas
 
 void judgeAnswer(const RequestCase& request_case, const Attack& answer, ResultRow& row) {
   if (answer.status.code == StatusCode::kOk) {
-    judge(request_case, answer.trajectory, request_case.outcomeOf(answer.trajectory), row);
+    judge(request_case, request_case.outcomeOf(answer.trajectory), row);
   } else {
     refuse(answer.status, row);
   }
@@ -197,15 +162,9 @@ TimedAnswer evaluateMethod(const AttackMethod& method, const RequestCase& reques
 
 }  // namespace
 
-std::vector<std::string> attackingRowMethods(const EvaluationPlan& plan) {
-  std::vector<std::string> names;
-  for (const auto& row : methodRows(plan)) names.push_back(row.name);
-  return names;
-}
-
 std::vector<std::string> requestRowMethods(const EvaluationPlan& plan) {
   std::vector<std::string> names = kBaselines;
-  for (std::string& name : attackingRowMethods(plan)) names.push_back(std::move(name));
+  for (const auto& row : methodRows(plan)) names.push_back(row.name);
   return names;
 }
 
@@ -274,7 +233,7 @@ EvaluatedRequest RequestEvaluator::evaluate(const std::string& name,
       CollisionRequest seeded = request;
       seeded.mode = kind.mode;
       seeded.seed = row.seed;
-      seeded.crash.rules = kind.rules;
+      seeded.crash.rules = TypeRules::kFull;
       const RequestCase request_case{request, *moment, study_.attack};
       Attack answer;
       if (kind.mode == Mode::kAdaptive) {
@@ -294,9 +253,8 @@ EvaluatedRequest RequestEvaluator::evaluate(const std::string& name,
       }
       if (answer.status.code != StatusCode::kOk) continue;
       if (method_.isSeeded()) row.confidence = answer.report.confidence;
-      if (answer.report.contact) {
-        row.request->attack = attackFigures(answer, recording->scene, study_);
-      }
+      row.request->attacker = answer.trajectory.attacker_id;
+      row.request->attacker_class = answer.trajectory.agent_class;
     }
   }
   return evaluated;

@@ -18,16 +18,11 @@ namespace forge {
 /// | plan's method | rows |
 /// |---|---|
 /// | all | "constant_velocity", "nominal" (baselines) |
-/// | not seeded | METHOD; in adaptive mode before it "adaptive" |
-/// | seeded, METHOD = search | "search_full_definitions", "replay_full_definitions" |
-/// | seeded, adaptive mode | before these "adaptive_full_definitions" |
-/// | seeded, not `believable` | before each of these the same with "_angle_bands" |
+/// | not a baseline | METHOD; in adaptive mode before it "adaptive" |
+/// | seeded | after these "replay" |
 ///
 /// "replay" is the plan's method in replay mode, omitted if that is the plan's mode.
 std::vector<std::string> requestRowMethods(const EvaluationPlan& plan);
-
-/// Returns requestRowMethods() without the baselines.
-std::vector<std::string> attackingRowMethods(const EvaluationPlan& plan);
 
 /// Returns the number of rows of RequestEvaluator::evaluate(), which is the same for every request.
 std::size_t rowsPerRequest(const EvaluationPlan& plan);
@@ -46,9 +41,8 @@ struct EvaluatedRequest {
 
 /// Evaluates requests over recorded scenes. Thread-safe; deterministic across processes.
 ///
-/// - A seeded method runs at any confidence with the request's seed and the following ones. Its
-///   type rules depend on the row's column (angle bands or full definitions), and it counts only
-///   in the measures of that column.
+/// - A seeded method runs at any confidence, by full definitions of the types, with the request's
+///   seed and the following ones.
 /// - Attackers of the plan's method keep the plan's limits, and must be plausible if
 ///   `plan.believable`. Baselines are judged by the strict limits and need not be plausible.
 /// - For a request without attacker, a baseline uses the candidate (isCandidate()) with the best
@@ -61,7 +55,6 @@ class RequestEvaluator {
   /// The runs of the plan's method that yield the rows named `name`.
   struct MethodRow {
     std::string name;
-    TypeRules rules;
     Mode mode;
     int seeds;  ///< number of runs
   };

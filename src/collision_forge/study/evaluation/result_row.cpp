@@ -20,7 +20,7 @@ constexpr EnumWord<Protocol> kProtocolWords[] = {
 };
 
 constexpr double kDegree = M_PI / 180.0;  // rad
-constexpr std::size_t kFixedColumns = 13;
+constexpr std::size_t kFixedColumns = 12;
 constexpr double kLargest = 1e9;  // upper limit of valid figures
 
 std::string decimals(const char* format, const std::optional<double>& value) {
@@ -56,21 +56,25 @@ bool parse(const std::string& text, std::optional<bool>& answer) {
   return text == "0" || text == "1";
 }
 
-std::string requestHeader() { return "road_allows,believable," + attackHeader(); }
+const char* const kRequestHeader = "road_allows,believable,attacker,class";
+constexpr std::size_t kRequestColumns = 4;
 
 std::vector<std::string> requestColumns(const RequestFacts& facts) {
   std::vector<std::string> columns;
   for (const std::optional<bool>& answer : {facts.road_allows, facts.believable}) {
     columns.push_back(!answer ? "" : *answer ? "1" : "0");
   }
-  for (std::string& column : attackColumns(facts.attack)) columns.push_back(std::move(column));
+  columns.push_back(csvText(facts.attacker));
+  columns.push_back(facts.attacker_class ? toString(*facts.attacker_class) : "");
   return columns;
 }
 
-bool parse(const std::vector<std::string>& columns, const std::string& scene, RequestFacts& facts) {
-  return columns.size() > 2 && parse(columns[0], facts.road_allows) &&
-         parse(columns[1], facts.believable) &&
-         readAttackColumns({columns.begin() + 2, columns.end()}, scene, facts.attack);
+bool parse(const std::vector<std::string>& columns, RequestFacts& facts) {
+  if (columns.size() != kRequestColumns) return false;
+  facts.attacker = columns[2];
+  facts.attacker_class = agentClassFromString(columns[3]);
+  return facts.attacker_class.has_value() != columns[3].empty() &&
+         parse(columns[0], facts.road_allows) && parse(columns[1], facts.believable);
 }
 
 }  // namespace
@@ -78,26 +82,25 @@ bool parse(const std::vector<std::string>& columns, const std::string& scene, Re
 const char* toString(Protocol protocol) { return wordOf(kProtocolWords, protocol); }
 
 const std::vector<Measure>& measuresOf(Protocol protocol) {
-  static const std::vector<Measure> published = {
-      {"collision", "Collision rate", std::nullopt, true},
-      {"similar", "Similarity, of the collisions", 0, true}};
+  static const std::vector<Measure> published = {{"collision", "Collision rate", std::nullopt},
+                                                 {"similar", "Similarity, of the collisions", 0}};
   static const std::vector<Measure> strict = {
-      {"angle_bands", "All conditions, angle bands", std::nullopt, true},
-      {"full_definitions", "All conditions, full definitions", std::nullopt, true},
-      {"contact", "Contact after t0", std::nullopt, false},
-      {"type_angle_bands", "Type, angle bands", std::nullopt, false},
-      {"type_full", "Type, full definitions", std::nullopt, false},
-      {"on_time", "On time", std::nullopt, false},
-      {"limits_kept", "Limits kept", std::nullopt, false},
-      {"nobody_before", "No earlier contact", std::nullopt, false}};
+      {"angle_bands", "All conditions, angle bands", std::nullopt},
+      {"full_definitions", "All conditions, full definitions", std::nullopt},
+      {"contact", "Contact after t0", std::nullopt},
+      {"type_angle_bands", "Type, angle bands", std::nullopt},
+      {"type_full", "Type, full definitions", std::nullopt},
+      {"on_time", "On time", std::nullopt},
+      {"limits_kept", "Limits kept", std::nullopt},
+      {"nobody_before", "No earlier contact", std::nullopt}};
   return protocol == Protocol::kPublished ? published : strict;
 }
 
 std::string csvHeader(Protocol protocol, RowsOf rows_of) {
   std::string text = "name,scene,type,tta,method,seed,status";
   for (const Measure& measure : measuresOf(protocol)) text += "," + measure.name;
-  text += ",contact_after,relative_heading,confidence,off_road_share,own_off_road_share";
-  if (rows_of == RowsOf::kRequests) text += "," + requestHeader();
+  text += ",contact_after,relative_heading,confidence,off_road_share";
+  if (rows_of == RowsOf::kRequests) text += std::string(",") + kRequestHeader;
   return text + ",note";
 }
 
@@ -115,7 +118,7 @@ std::string toCsv(const ResultRow& row) {
   std::optional<double> degrees = row.relative_heading;
   if (degrees) *degrees /= kDegree;
   text << ',' << decimals("%.3f", row.contact_after) << ',' << decimals("%.2f", degrees);
-  for (const auto& share : {row.confidence, row.off_road_share, row.own_off_road_share}) {
+  for (const auto& share : {row.confidence, row.off_road_share}) {
     text << ',' << decimals("%.4f", share);
   }
   if (row.request) {
@@ -145,15 +148,15 @@ std::optional<ResultRow> rowFromCsv(const std::string& line, Protocol protocol) 
     row.meets.push_back(met == "1");
   }
   const std::string* part = &parts[7 + measures];
-  for (auto* number : {&row.contact_after, &row.relative_heading, &row.confidence,
-                       &row.off_road_share, &row.own_off_road_share}) {
+  for (auto* number :
+       {&row.contact_after, &row.relative_heading, &row.confidence, &row.off_road_share}) {
     if (!parse(*part++, *number)) return std::nullopt;
   }
   if (row.relative_heading && std::abs(*row.relative_heading) > 180.0) return std::nullopt;
   if (row.relative_heading) *row.relative_heading *= kDegree;
   if (parts.size() == columns) return row;
   const auto rest = parts.begin() + static_cast<std::ptrdiff_t>(columns - 1);
-  if (!parse({rest, parts.end() - 1}, row.scene, row.request.emplace())) return std::nullopt;
+  if (!parse({rest, parts.end() - 1}, row.request.emplace())) return std::nullopt;
   return row;
 }
 

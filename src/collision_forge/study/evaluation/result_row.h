@@ -7,7 +7,6 @@
 
 #include "collision_forge/base/scene/collision_request.h"
 #include "collision_forge/planner_test/statistics/rate_table.h"
-#include "collision_forge/study/evaluation/attack_figures.h"
 
 namespace forge {
 
@@ -24,7 +23,8 @@ const std::vector<Measure>& measuresOf(Protocol protocol);
 struct RequestFacts {
   std::optional<bool> road_allows;  ///< roadAllows() for the recorded ego; empty: no frame at t0
   std::optional<bool> believable;   ///< plausible up to the recorded contact; empty: no contact
-  std::optional<AttackFigures> attack;  ///< of an attack; empty for baselines
+  std::string attacker;  ///< id of the attacker; empty without an attack and for baselines
+  std::optional<AgentClass> attacker_class;  ///< empty if `attacker` is
 };
 
 /// The result of one method on one clip or request: a row of results.csv.
@@ -42,8 +42,6 @@ struct ResultRow {
   std::optional<double> confidence;        ///< predicted by the search, 0..1
   /// Mean share, 0..1, of the attacker's box off the drivable area from t0 to contact.
   std::optional<double> off_road_share;
-  /// The same share of the agent's own recorded motion; empty for a recording with a gap.
-  std::optional<double> own_off_road_share;
   std::string note;  ///< broken limit, other agent touched, reason of implausibility or rejection
   std::optional<RequestFacts> request;  ///< requests only
 };

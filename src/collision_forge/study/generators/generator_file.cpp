@@ -114,9 +114,9 @@ class LoadedModels : public TrafficMethods {
  public:
   explicit LoadedModels(std::vector<LoadedModel> models) : models_(std::move(models)) {}
 
-  std::unique_ptr<const AttackMethod> method(const std::string& name, const AttackOptions& options,
+  std::unique_ptr<const AttackMethod> method(const AttackOptions& options,
                                              const std::string& unseen_scene) const override {
-    return of(unseen_scene).method(name, options);
+    return of(unseen_scene).method(options);
   }
 
  private:

@@ -126,8 +126,7 @@ Attack GeneratorMethod::answer(const Moment& moment, const CollisionRequest& req
   });
 }
 
-std::unique_ptr<const AttackMethod> TrafficGenerator::method(const std::string&,
-                                                             const AttackOptions& options) const {
+std::unique_ptr<const AttackMethod> TrafficGenerator::method(const AttackOptions& options) const {
   return std::make_unique<GeneratorMethod>(
       std::static_pointer_cast<const TrafficGenerator>(shared_from_this()), options);
 }

@@ -19,20 +19,9 @@ std::shared_ptr<TrafficModel> makeTrafficModel(const std::string& name, Generato
   }
   if (name == "c_sgan") return makeSocialGan(options.c_sgan, options.traffic, device);
   if (name == "c_mid") return makeMid(options.c_mid, options.traffic, device);
-  if (name == "c_strive") {
-    return makeStrive(options.c_strive, options.strive_optimised, options.traffic, device);
-  }
+  if (name == "c_strive") return makeStrive(options.c_strive, options.traffic, device);
   if (name == "published_network") {
-    return makePublishedNetwork(PublishedHead::kRegionProposal, options.published_network,
-                                options.traffic, device);
-  }
-  if (name == "published_network_target_points") {
-    return makePublishedNetwork(PublishedHead::kTargetPoints, options.published_network,
-                                options.traffic, device);
-  }
-  if (name == "published_network_regression") {
-    return makePublishedNetwork(PublishedHead::kRegression, options.published_network,
-                                options.traffic, device);
+    return makePublishedNetwork(options.published_network, options.traffic, device);
   }
   std::string known;
   for (const std::string& model : trafficModelNames()) known += (known.empty() ? "" : ", ") + model;

@@ -95,9 +95,9 @@ static void readOptions(Section& section, StriveOptions& options) {
 }
 
 static void readOptions(Section& section, PublishedNetworkOptions& options) {
-  section.ignore({"decay", "dropout", "positive_weight", "anchors_loss", "anchor_offset_loss",
-                  "target_points_loss", "regression_loss", "ego_yaw_loss", "attacker_offset_loss",
-                  "attacker_yaw_loss", "selection_loss"});
+  section.ignore({"decay", "dropout", "place_scale", "positive_weight", "anchors_loss",
+                  "anchor_offset_loss", "target_points_loss", "regression_loss", "ego_yaw_loss",
+                  "attacker_offset_loss", "attacker_yaw_loss", "selection_loss"});
   options.epochs = section.count("epochs", 1);
   options.batch = section.count("batch", 1);
   options.learning_rate = section.positive("learning_rate");
@@ -110,22 +110,14 @@ static void readOptions(Section& section, PublishedNetworkOptions& options) {
   options.anchor_2 = section.count("anchor_2", 1, kMaxModelWidth);
   options.anchor_3 = section.count("anchor_3", 1, kMaxModelWidth);
   options.anchor_scale = section.positive("anchor_scale");
-  options.place_scale = section.positive("place_scale");
   options.positive_radius = section.positive("positive_radius");
 }
 
 std::vector<std::string> trafficModelNames() {
-  return {"c_sgan",
-          "c_mid",
-          "c_strive",
-          "published_network",
-          "published_network_target_points",
-          "published_network_regression"};
+  return {"c_sgan", "c_mid", "c_strive", "published_network"};
 }
 
-bool isPublishedNetwork(const std::string& model) {
-  return model.rfind("published_network", 0) == 0;
-}
+bool isPublishedNetwork(const std::string& model) { return model == "published_network"; }
 
 std::string configFileOf(const std::string& model) {
   return isPublishedNetwork(model) ? "study/network_published.yaml" : "study/generators.yaml";

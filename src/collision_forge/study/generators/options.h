@@ -106,24 +106,6 @@ struct StriveOptions {
   double off_lanes_weight = 0.1;
 };
 
-/// Options of strive_optimised, STRIVE's search in the latent space (configs/adv_gen_*.cfg).
-/// "Others" are all agents but the attacker.
-struct StriveAttackOptions {
-  int iterations = 200;  ///< maximum
-  int hold = 10;         ///< iterations with the collision that end the search; original: none
-  int window = 1;        ///< frames before t0 + TTA in which the collision may come
-  double learning_rate = 0.05;
-  double temperature = 1.0;  ///< m, of the soft minimum over frames
-  double crash_weight = 2.0;
-  double heading_weight = 5.0;  ///< relative heading of the type; original: none
-  double prior_weight = 1.0;    ///< others
-  double attacker_prior_weight = 0.005;
-  double stay_weight = 0.5;  ///< others
-  double attacker_stay_weight = 0.05;
-  double overlap_weight = 20.0;    ///< all agents but the ego
-  double off_lanes_weight = 20.0;  ///< all agents but the ego
-};
-
 /// config/study/network_published.yaml, section network. "Original": the code released with arXiv
 /// 2510.12206. Integers without comment are layer widths.
 struct PublishedNetworkOptions {
@@ -141,14 +123,11 @@ struct PublishedNetworkOptions {
   int anchor_2 = 0;
   int anchor_3 = 0;
   double anchor_scale = 0.0;      ///< m, unit of anchor positions
-  double place_scale = 0.0;       ///< m, unit of the regressed ego position
   double positive_radius = 0.0;   ///< m around the ego at the crash; anchors within it are positive
   double positive_weight = 28.0;  ///< loss weight of positive anchors, others 1; original 27 to 29
   // Weights of the losses, each summed over a clip, then averaged over a batch.
   double anchors_loss = 0.02;       ///< original 0.001, for a loss with probabilities as logits
   double anchor_offset_loss = 0.1;  ///< over positive anchors; original 0.008 over all anchors
-  double target_points_loss = 1.0;  ///< not published
-  double regression_loss = 0.4;     ///< not published
   double ego_yaw_loss = 10.0;       ///< this and all below: original values
   double attacker_offset_loss = 0.4;
   double attacker_yaw_loss = 20.0;
@@ -163,12 +142,10 @@ struct GeneratorOptions {
   SocialGanOptions c_sgan;
   MidOptions c_mid;
   StriveOptions c_strive;
-  StriveAttackOptions strive_optimised;
   PublishedNetworkOptions published_network;
 };
 
-/// Returns the names of all models: "c_sgan", "c_mid", "c_strive", and "published_network",
-/// "published_network_target_points", "published_network_regression".
+/// Returns the names of all models: "c_sgan", "c_mid", "c_strive" and "published_network".
 std::vector<std::string> trafficModelNames();
 
 /// Returns true for the models that use GeneratorOptions::published_network.

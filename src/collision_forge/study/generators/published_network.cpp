@@ -65,19 +65,19 @@ Truth truthOf(const TrafficBatch& batch, int history_frames) {
 
 /// The inputs of the heads.
 struct Seen {
-  Tensor all;                ///< [B, width] F_final
-  PublishedAnchors anchors;  ///< empty for the regression head
-  Tensor scores;             ///< [N] logits of the anchors
+  Tensor all;  ///< [B, width] F_final
+  PublishedAnchors anchors;
+  Tensor scores;  ///< [N] logits of the anchors
 };
 
 class PublishedNetwork : public TrafficModel {
  public:
-  PublishedNetwork(PublishedHead head, const PublishedNetworkOptions& options,
-                   const TrafficOptions& traffic, torch::Device device)
+  PublishedNetwork(const PublishedNetworkOptions& options, const TrafficOptions& traffic,
+                   torch::Device device)
       : options_(options),
         traffic_(traffic),
         device_(device),
-        patterns_(std::make_shared<PublishedPatterns>(head, options, traffic)),
+        patterns_(std::make_shared<PublishedPatterns>(options, traffic)),
         steps_(patterns_->parameters(), torch::optim::AdamOptions(options.learning_rate)) {
     patterns_->to(device);
   }
@@ -135,8 +135,7 @@ class PublishedNetwork : public TrafficModel {
     batches_ = batches.item<std::int64_t>();
   }
 
-  std::unique_ptr<const AttackMethod> method(const std::string& name,
-                                             const AttackOptions& options) const override;
+  std::unique_ptr<const AttackMethod> method(const AttackOptions& options) const override;
 
   /// Predicts from histories, which must be on the network's device. The module must be in eval
   /// mode.
@@ -160,13 +159,10 @@ class PublishedNetwork : public TrafficModel {
     for (auto& group : steps_.param_groups()) group.options().set_lr(rate);
   }
 
-  bool hasAnchors() const { return patterns_->head != PublishedHead::kRegression; }
-
   Seen encode(const TrafficBatch& batch) const {
     const PublishedPieces pieces = piecesOf(batch, traffic_.lanes.reach);
     const Tensor graph = patterns_->graphOf(batch, pieces);
     Seen seen{patterns_->joined(graph.select(1, 0), batch.condition), {}, {}};
-    if (!hasAnchors()) return seen;
     seen.anchors = anchorsOf(pieces, graph.size(0));
     const Tensor row = pieces.clip * graph.size(1) + pieces.polyline;
     seen.scores = patterns_->scores(seen.anchors, graph.flatten(0, 1).index_select(0, row),
@@ -175,37 +171,19 @@ class PublishedNetwork : public TrafficModel {
   }
 
   /// Returns a mask of the clips with a predicted ego position, and the positions [B, 2]: the best
-  /// anchor with its offset, or the regression.
+  /// anchor with its offset.
   std::pair<Tensor, Tensor> egoPlace(const Seen& seen) const {
     const long clips = seen.all.size(0);
-    if (!hasAnchors()) {
-      return {torch::ones({clips}, torch::kBool), patterns_->regressed(seen.all)};
-    }
     const Tensor scores = seen.anchors.inRows(seen.scores, clips, kAbsentLogit);
     const Tensor best = scores.argmax(1);
     const Tensor row = torch::arange(clips, best.options());
-    Tensor place = seen.anchors.inRows(seen.anchors.place, clips, 0.0).index({row, best});
-    if (patterns_->head == PublishedHead::kRegionProposal) {
-      place = place + patterns_->shifts(place, seen.all);
-    }
-    return {scores.amax(1) > kAbsentLogit, place};
-  }
-
-  Tensor placeLoss(const Seen& seen, const Truth& truth) const {
-    const Tensor ego = truth.ego.slice(1, 0, 2);
-    switch (patterns_->head) {
-      case PublishedHead::kRegression:
-        return options_.regression_loss * smoothL1(patterns_->regressed(seen.all) - ego);
-      case PublishedHead::kTargetPoints:
-        return options_.target_points_loss * targetPointLoss(seen, ego);
-      case PublishedHead::kRegionProposal:
-        break;
-    }
-    return proposalLoss(seen, ego);
+    const Tensor place = seen.anchors.inRows(seen.anchors.place, clips, 0.0).index({row, best});
+    return {scores.amax(1) > kAbsentLogit, place + patterns_->shifts(place, seen.all)};
   }
 
   /// Returns the losses of anchor scores and of the offsets of positive anchors.
-  Tensor proposalLoss(const Seen& seen, const Tensor& ego) const {
+  Tensor placeLoss(const Seen& seen, const Truth& truth) const {
+    const Tensor ego = truth.ego.slice(1, 0, 2);
     const PublishedAnchors& anchors = seen.anchors;
     const Tensor missing = ego.index({anchors.clip}) - anchors.place;
     const Tensor positive = missing.norm(2, 1) < options_.positive_radius;
@@ -217,16 +195,6 @@ class PublishedNetwork : public TrafficModel {
         anchors.place.index({which}), seen.all.index_select(0, anchors.clip.index({which})));
     const Tensor shifted = (predicted - missing.index({which})).abs().sum();
     return (options_.anchors_loss * scored + options_.anchor_offset_loss * shifted) / ego.size(0);
-  }
-
-  /// Returns the classification loss; the target is the point nearest to the true ego position.
-  Tensor targetPointLoss(const Seen& seen, const Tensor& ego) const {
-    const PublishedAnchors& anchors = seen.anchors;
-    const long clips = ego.size(0);
-    const Tensor apart = (ego.index({anchors.clip}) - anchors.place).norm(2, 1);
-    const Tensor nearest = anchors.inRows(apart, clips, -kAbsentLogit).argmin(1);
-    const Tensor logits = anchors.inRows(seen.scores, clips, kAbsentLogit);
-    return torch::cross_entropy_loss(logits, nearest);
   }
 
   static Tensor selectionLoss(const Tensor& logits) {
@@ -264,8 +232,7 @@ std::vector<ErrorSum> PublishedNetwork::errorsOn(const TrafficBatch& batch,
           {sumOf(apart * predicted.placed), sumOf(predicted.placed)}};
 }
 
-std::unique_ptr<const AttackMethod> PublishedNetwork::method(const std::string&,
-                                                             const AttackOptions& options) const {
+std::unique_ptr<const AttackMethod> PublishedNetwork::method(const AttackOptions& options) const {
   patterns_->eval();
   const auto self = std::static_pointer_cast<const PublishedNetwork>(shared_from_this());
   const auto tell = [self](const TrafficBatch& batch) {
@@ -277,11 +244,10 @@ std::unique_ptr<const AttackMethod> PublishedNetwork::method(const std::string&,
 
 }  // namespace
 
-std::shared_ptr<TrafficModel> makePublishedNetwork(PublishedHead head,
-                                                   const PublishedNetworkOptions& options,
+std::shared_ptr<TrafficModel> makePublishedNetwork(const PublishedNetworkOptions& options,
                                                    const TrafficOptions& traffic,
                                                    torch::Device device) {
-  return std::make_shared<PublishedNetwork>(head, options, traffic, device);
+  return std::make_shared<PublishedNetwork>(options, traffic, device);
 }
 
 }  // namespace forge

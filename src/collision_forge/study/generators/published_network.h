@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "collision_forge/study/generators/published_head.h"
 #include "collision_forge/study/generators/traffic_model.h"
 
 namespace forge {
@@ -11,8 +10,7 @@ namespace forge {
 /// code): VectorNet over the ego's history and the lanes, joined with type and time; heads for the
 /// ego's position, the attacker's offset and the choice of the attacker. Its attack methods drive
 /// one quintic to the predicted box. The .cpp lists deviations.
-std::shared_ptr<TrafficModel> makePublishedNetwork(PublishedHead head,
-                                                   const PublishedNetworkOptions& options,
+std::shared_ptr<TrafficModel> makePublishedNetwork(const PublishedNetworkOptions& options,
                                                    const TrafficOptions& traffic,
                                                    torch::Device device);
 

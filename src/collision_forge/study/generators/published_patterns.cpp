@@ -110,9 +110,9 @@ PublishedAnchors anchorsOf(const PublishedPieces& pieces, long clips) {
   return {place, clip, piece, point, column, std::max(1L, counts.max().item<long>())};
 }
 
-PublishedPatterns::PublishedPatterns(PublishedHead head, const PublishedNetworkOptions& options,
+PublishedPatterns::PublishedPatterns(const PublishedNetworkOptions& options,
                                      const TrafficOptions& traffic)
-    : head(head), options(options), traffic(traffic) {
+    : options(options), traffic(traffic) {
   const long width = options.width;
   subgraph = register_module("subgraph", std::make_shared<PublishedSubGraph>(width));
   query = register_module("query", linear(width + 2, width));
@@ -133,12 +133,7 @@ PublishedPatterns::PublishedPatterns(PublishedHead head, const PublishedNetworkO
   selector_2 = register_module("selector_2",
                                std::make_shared<PublishedBlock>(width + options.selector, width));
   selector_3 = register_module("selector_3", linear(width, 1));
-  if (head == PublishedHead::kRegression) {
-    place_1 = register_module("place_1", std::make_shared<PublishedBlock>(width, width));
-    place_2 = register_module("place_2", linear(width, 2));
-  } else {
-    addAnchorLayers();
-  }
+  addAnchorLayers();
 }
 
 void PublishedPatterns::addAnchorLayers() {
@@ -154,7 +149,6 @@ void PublishedPatterns::addAnchorLayers() {
   scene = register_module("scene", linear(width, width));
   score_1 = register_module("score_1", std::make_shared<PublishedBlock>(3 * width, width));
   score_2 = register_module("score_2", linear(width, 1));
-  if (head != PublishedHead::kRegionProposal) return;
   shift_1 = register_module("shift_1", std::make_shared<PublishedBlock>(width + 2, width));
   shift_2 = register_module("shift_2", linear(width, 2));
 }
@@ -240,10 +234,6 @@ Tensor PublishedPatterns::scores(const PublishedAnchors& anchors, const Tensor& 
 Tensor PublishedPatterns::shifts(const Tensor& places, const Tensor& seen) {
   const Tensor all = torch::cat({seen, places / traffic.lanes.reach}, 1);
   return shift_2(dropout(shift_1->forward(all)));
-}
-
-Tensor PublishedPatterns::regressed(const Tensor& seen) {
-  return options.place_scale * place_2(dropout(place_1->forward(seen)));
 }
 
 Tensor PublishedPatterns::egoYawOf(const Tensor& seen) {

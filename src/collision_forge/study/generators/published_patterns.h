@@ -2,7 +2,6 @@
 
 #include <memory>
 
-#include "collision_forge/study/generators/published_head.h"
 #include "collision_forge/study/generators/traffic_model.h"
 
 namespace forge {
@@ -44,10 +43,9 @@ struct PublishedSubGraph;
 
 /// The modules of the published network.
 struct PublishedPatterns : torch::nn::Module {
-  PublishedPatterns(PublishedHead head, const PublishedNetworkOptions& options,
-                    const TrafficOptions& traffic);
+  PublishedPatterns(const PublishedNetworkOptions& options, const TrafficOptions& traffic);
 
-  /// Registers the layers of the two heads with anchors.
+  /// Registers the layers of the anchors.
   void addAnchorLayers();
   /// Returns vectors [N, V, kVectorNumbers] from positions `at` and `steps` [N, V, 2] and
   /// attributes.
@@ -73,8 +71,6 @@ struct PublishedPatterns : torch::nn::Module {
   /// Returns the offsets [N, 2] (m) from anchors to the ego. `places`: placesOf(); `seen`: F_final
   /// of each anchor's clip.
   torch::Tensor shifts(const torch::Tensor& places, const torch::Tensor& seen);
-  /// Returns the ego position [B, 2] (m) of the regression head.
-  torch::Tensor regressed(const torch::Tensor& seen);
   /// Returns the ego's yaw [B] at the crash, rad.
   torch::Tensor egoYawOf(const torch::Tensor& seen);
   /// Returns the attacker's position [B, 2] in the frame of the ego's box, m.
@@ -84,15 +80,14 @@ struct PublishedPatterns : torch::nn::Module {
   /// Returns the logits [B, A] of the choice of the attacker.
   torch::Tensor selection(const TrafficBatch& batch, const torch::Tensor& seen);
 
-  PublishedHead head;
   PublishedNetworkOptions options;
   TrafficOptions traffic;
   std::shared_ptr<PublishedSubGraph> subgraph;
-  std::shared_ptr<PublishedBlock> ego_yaw_1, selector_2, place_1, anchor_4, score_1, shift_1;
+  std::shared_ptr<PublishedBlock> ego_yaw_1, selector_2, anchor_4, score_1, shift_1;
   torch::nn::Linear query{nullptr}, key{nullptr}, value{nullptr};
   torch::nn::Linear type_1{nullptr}, type_2{nullptr}, time{nullptr}, join_1{nullptr},
       join_2{nullptr};
-  torch::nn::Linear ego_yaw_2{nullptr}, offset{nullptr}, attacker_yaw{nullptr}, place_2{nullptr};
+  torch::nn::Linear ego_yaw_2{nullptr}, offset{nullptr}, attacker_yaw{nullptr};
   torch::nn::Linear selector_1{nullptr}, selector_3{nullptr};
   torch::nn::Linear anchor_1{nullptr}, anchor_2{nullptr}, anchor_3{nullptr}, anchor_5{nullptr};
   torch::nn::LayerNorm anchor_norm_1{nullptr}, anchor_norm_2{nullptr}, anchor_norm_3{nullptr};

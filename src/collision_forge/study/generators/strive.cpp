@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "collision_forge/study/generators/strive_attack.h"
 #include "collision_forge/study/generators/strive_network.h"
 
 // Deviations from STRIVE, which has 4 frames of history and 12 of future instead of 8 and 4:
@@ -37,11 +36,9 @@ Tensor meanOf(const Tensor& numbers, const Tensor& counted) {
 
 class Strive : public TrafficGenerator {
  public:
-  Strive(const StriveOptions& options, const StriveAttackOptions& attack,
-         const TrafficOptions& traffic, torch::Device device)
+  Strive(const StriveOptions& options, const TrafficOptions& traffic, torch::Device device)
       : TrafficGenerator(traffic),
         options_(options),
-        attack_(attack),
         device_(device),
         network_(std::make_shared<StriveNetwork>(options, traffic)),
         adam_(network_->parameters(), torch::optim::AdamOptions(options.learning_rate)) {
@@ -105,12 +102,6 @@ class Strive : public TrafficGenerator {
     steps_ = steps.item<std::int64_t>();
   }
 
-  std::unique_ptr<const AttackMethod> method(const std::string& name,
-                                             const AttackOptions& options) const override {
-    if (name != "strive_optimised") return TrafficGenerator::method(name, options);
-    return makeStriveAttack(network_, options_, attack_, traffic(), options);
-  }
-
  private:
   Tensor drive(const StriveScene& scene, const StriveLatent& latent) const {
     return network_->drive(scene, drawn(latent, torch::randn_like(latent.mean)),
@@ -152,7 +143,6 @@ class Strive : public TrafficGenerator {
   }
 
   StriveOptions options_;
-  StriveAttackOptions attack_;
   torch::Device device_;
   std::shared_ptr<StriveNetwork> network_;
   torch::optim::Adam adam_;
@@ -162,9 +152,8 @@ class Strive : public TrafficGenerator {
 }  // namespace
 
 std::shared_ptr<TrafficGenerator> makeStrive(const StriveOptions& options,
-                                             const StriveAttackOptions& attack,
                                              const TrafficOptions& traffic, torch::Device device) {
-  return std::make_shared<Strive>(options, attack, traffic, device);
+  return std::make_shared<Strive>(options, traffic, device);
 }
 
 }  // namespace forge

@@ -245,12 +245,10 @@ StriveLatent StriveNetwork::posterior(const StriveScene& scene, const TrafficBat
       posterior_->forward(scene, torch::cat({scene.past, scene.map, came}, 1), scene.pose));
 }
 
-Tensor StriveNetwork::drive(const StriveScene& scene, const Tensor& latent, long frames,
-                            const Tensor& ego) {
+Tensor StriveNetwork::drive(const StriveScene& scene, const Tensor& latent, long frames) {
   Bicycle bicycle{scene.pose, scene.speed, scene.turn};
   Tensor past = scene.past;
   Tensor memory = past.unsqueeze(0).repeat({3, 1, 1});
-  const Tensor is_ego = (scene.agent == static_cast<long>(kEgoAgent)).unsqueeze(1);
   std::vector<Tensor> poses;
   for (long frame = 0; frame < frames; ++frame) {
     const Tensor nodes = torch::cat({past, scene.map, latent, scene.condition}, 1);
@@ -258,10 +256,6 @@ Tensor StriveNetwork::drive(const StriveScene& scene, const Tensor& latent, long
     const Tensor before = bicycle.pose;
     bicycle = bicycle.driven(options_.acceleration_scale * asked.select(1, 0),
                              options_.turn_change_scale * asked.select(1, 1), options_.length);
-    if (ego.defined()) {
-      bicycle.pose =
-          torch::where(is_ego, ego.select(1, frame).index_select(0, scene.window), bicycle.pose);
-    }
     poses.push_back(bicycle.pose);
     const Tensor step = seenFrom(before, bicycle.pose, options_.position_scale);
     Tensor heard;

@@ -45,10 +45,8 @@ class StriveNetwork : public torch::nn::Module {
   /// Returns the distribution of the latent given history and future. `future`: the batch of
   /// `scene` with history and future frames.
   StriveLatent posterior(const StriveScene& scene, const TrafficBatch& future);
-  /// Decodes `latent` [N, latent] to poses [N, frames, 3]. If `ego` [B, frames, 3] is defined, the
-  /// ego of each window follows it, and the other agents react to that motion.
-  torch::Tensor drive(const StriveScene& scene, const torch::Tensor& latent, long frames,
-                      const torch::Tensor& ego = {});
+  /// Decodes `latent` [N, latent] to poses [N, frames, 3].
+  torch::Tensor drive(const StriveScene& scene, const torch::Tensor& latent, long frames);
 
  private:
   torch::Tensor mapFeature(const TrafficBatch& history, const StriveScene& scene);

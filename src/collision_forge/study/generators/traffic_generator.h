@@ -23,8 +23,7 @@ class TrafficGenerator : public TrafficModel {
   const TrafficOptions& traffic() const override { return traffic_; }
 
   /// Returns a GeneratorMethod for any name.
-  std::unique_ptr<const AttackMethod> method(const std::string& name,
-                                             const AttackOptions& options) const override;
+  std::unique_ptr<const AttackMethod> method(const AttackOptions& options) const override;
 
  private:
   TrafficOptions traffic_;

@@ -50,9 +50,8 @@ class TrafficModel : public std::enable_shared_from_this<TrafficModel> {
   virtual void saveTraining(torch::serialize::OutputArchive& archive) const = 0;
   virtual void loadTraining(torch::serialize::InputArchive& archive) = 0;
 
-  /// Returns the attack method `name` based on this model. The method keeps the model alive.
-  virtual std::unique_ptr<const AttackMethod> method(const std::string& name,
-                                                     const AttackOptions& options) const = 0;
+  /// Returns the attack method based on this model. The method keeps the model alive.
+  virtual std::unique_ptr<const AttackMethod> method(const AttackOptions& options) const = 0;
 };
 
 /// Returns a new CPU random number generator with the given seed.

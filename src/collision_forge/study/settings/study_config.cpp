@@ -27,23 +27,17 @@ StudyConfig loadStudyConfig(const ConfigFolder& folder) {
   static_cast<Config&>(config) = loadConfig(folder);
   readStudyFile(folder, "speed_model_fit", config.speed_model_fit);
   readConfigFile(openStudyFile(folder, "training"), static_cast<LearningOptions&>(config));
-  readStudyFile(folder, "planner_training", config.planner_training);
   const int history_frames = config.attack.prediction.history_frames;
   readConfigFile(openStudyFile(folder, "generators"), config.generators, sectionsOfGenerators(),
                  history_frames);
   readConfigFile(openStudyFile(folder, "network_published"), config.published_network,
                  sectionsOf("published_network"), history_frames);
-  readStudyFile(folder, "evaluation", config.evaluation);
   readStudyFile(folder, "dataset", config.dataset, config.attack.search.time_margin);
   return config;
 }
 
 std::map<std::string, std::string> studyFingerprints(const ConfigFolder& folder) {
-  std::map<std::string, std::string> found;
-  for (const char* name : {"study/dataset.yaml", "study/evaluation.yaml"}) {
-    found[std::string("config/") + name] = fingerprintOfValues(folder, name);
-  }
-  return found;
+  return {{"config/study/dataset.yaml", fingerprintOfValues(folder, "study/dataset.yaml")}};
 }
 
 }  // namespace forge

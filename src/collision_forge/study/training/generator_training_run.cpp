@@ -93,7 +93,6 @@ class GeneratorTrainer {
       clearLine();
       std::cout << table.lastRow() << '\n' << std::flush;
     }
-    drawCurves(run_, "Training of " + run_.generator + ": validation", curves());
   }
 
  private:
@@ -103,15 +102,8 @@ class GeneratorTrainer {
 
   std::vector<std::string> columns() const {
     std::vector<std::string> names = model_->lossNames();
-    for (const std::string& curve : curves()) names.push_back(curve);
+    for (const std::string& name : model_->errorNames()) names.push_back("validation_" + name);
     return names;
-  }
-
-  /// Returns the columns with the validation errors.
-  std::vector<std::string> curves() const {
-    std::vector<std::string> found;
-    for (const std::string& name : model_->errorNames()) found.push_back("validation_" + name);
-    return found;
   }
 
   void load() {
@@ -186,7 +178,7 @@ void trainGenerator(const TrainingRun& run) {
   const std::set<std::string> left_out = leftOutScenes(run);
   const std::string file = configFileOf(run.generator);
   const std::string asked = "generator = " + run.generator + "\n";
-  const OutputLock lock = openRunFolder(run, asked + describeRun(run, 1, file));
+  const OutputLock lock = openRunFolder(run, asked + describeRun(run, file));
   torch::set_num_threads(run.threads);
   GeneratorTrainer trainer(run, {run.generator,
                                  run.config.textOfSections(file, sectionsOf(run.generator)),

@@ -16,18 +16,6 @@ static void readOptions(Section& section, TrainingOptions& options, double max_t
   options.min_vehicle_speed = section.nonNegative("min_vehicle_speed");
 }
 
-void readOptions(Section& section, PlannerTrainingOptions& options) {
-  options.epochs = section.count("epochs", 1);
-  options.batch = section.count("batch", 1);
-  options.hidden = section.count("hidden", 1);
-  options.terms = section.count("terms", 1);
-  options.learning_rate = section.positive("learning_rate");
-  options.weight_decay = section.nonNegative("weight_decay");
-  options.max_gradient = section.positive("max_gradient");
-  options.heading_weight = section.nonNegative("heading_weight");
-  options.mirrored_share = section.share("mirrored_share");
-}
-
 void readOptions(Section& file, LearningOptions& options) {
   const PredictionOptions& prediction = options.attack.prediction;
   file.read("features", options.pattern_features, prediction.history_frames);

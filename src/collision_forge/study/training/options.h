@@ -32,36 +32,12 @@ struct TrainingOptions {
   double noise_across = 0.1;  ///< m/s
 };
 
-/// config/study/planner_training.yaml. A sample is a moment of a recording.
-struct PlannerTrainingOptions {
-  int epochs = 0;
-  int batch = 0;               ///< samples per step
-  int hidden = 0;              ///< width of the hidden layers
-  int terms = 0;               ///< powers of time in the deviation of a plan from constant velocity
-  double learning_rate = 0.0;  ///< peak value
-  double weight_decay = 0.0;
-  double max_gradient = 0.0;          ///< norm
-  double heading_weight = 0.0;        ///< m/rad, weight of the heading error
-  double mirrored_share = 0.0;        ///< share 0..1 of samples with left and right exchanged
-  double hidden_history_share = 0.5;  ///< share 0..1 of samples with a truncated ego history
-  double moved_share = 0.5;           ///< share 0..1 of samples with the ego displaced by noise ...
-  double lateral_noise = 0.5;         ///< m, standard deviation of that displacement
-  double heading_noise = 0.05;        ///< rad, standard deviation of that displacement
-  double return_time = 1.5;  ///< s, time constant of the target's return to the recorded path
-  double min_future = 1.0;   ///< s, minimum recorded future of a sample
-};
-
-/// The configuration of trainings: config/study/training.yaml, one member per section, and
-/// planner_training.yaml.
+/// The configuration of trainings: config/study/training.yaml, one member per section.
 struct LearningOptions : StudyOptions {
   PatternFeatureOptions pattern_features;
   PatternNetworkOptions pattern_layers;
   TrainingOptions training;
-  PlannerTrainingOptions planner_training;
 };
-
-/// Reads planner_training.yaml. Throws ConfigError.
-void readOptions(Section& section, PlannerTrainingOptions& options);
 
 /// Reads training.yaml. `options.attack` must have been read before. Throws ConfigError.
 void readOptions(Section& file, LearningOptions& options);

@@ -59,7 +59,6 @@ struct PatternTrainer::State {
   std::uint64_t seed = 0;
   int epochs = 0;
   std::int64_t steps = 0;
-  TrainingRanks ranks;
   PatternModule module{nullptr};
   PatternModule average{nullptr};
   std::unique_ptr<torch::optim::AdamW> optimizer;
@@ -105,72 +104,17 @@ struct PatternTrainer::State {
     }
   }
 
-  /// Trains one step; this rank computes its part of the batch. Returns the losses of the whole
-  /// batch (of the part, weighted by its share, with one rank).
+  /// Trains one step. Returns the losses of the batch.
   TrainingLosses step(const std::vector<TrainingDraw>& draws, double steps_in_all) {
-    const std::size_t rank = static_cast<std::size_t>(ranks.rank);
-    const std::size_t size = static_cast<std::size_t>(ranks.size);
-    const auto begin = static_cast<std::ptrdiff_t>(draws.size() * rank / size);
-    const auto end = static_cast<std::ptrdiff_t>(draws.size() * (rank + 1) / size);
-    const double share = static_cast<double>(end - begin) / static_cast<double>(draws.size());
-    TrainingLosses result;
     setRate(steps_in_all);
     optimizer->zero_grad();
-    if (begin < end) {
-      const PatternBatch batch =
-          movedTo(batchOf({draws.begin() + begin, draws.begin() + end}, features, options), device);
-      const BatchLosses losses = lossesOf(module, batch);
-      torch::Tensor loss = total(losses);
-      if (size > 1) loss = loss * share;
-      loss.backward();
-      result = weighed(numbers(losses), share);
-    }
-    if (size > 1) shareGradients(result);
+    const BatchLosses losses = lossesOf(module, movedTo(batchOf(draws, features, options), device));
+    total(losses).backward();
     torch::nn::utils::clip_grad_norm_(module->parameters(), options.max_gradient);
     optimizer->step();
     ++steps;
     followAverage();
-    return result;
-  }
-
-  /// Replaces gradients and losses by their sums over the ranks.
-  void shareGradients(TrainingLosses& losses) {
-    std::vector<double> numbers = {losses.ego, losses.heading, losses.offset, losses.selection,
-                                   losses.total};
-    const std::size_t first = numbers.size();
-    for (const torch::Tensor& parameter : module->parameters()) {
-      torch::Tensor gradient =
-          parameter.grad().defined() ? parameter.grad() : torch::zeros_like(parameter);
-      gradient = gradient.to(torch::kCPU, torch::kFloat64).contiguous();
-      numbers.insert(numbers.end(), gradient.data_ptr<double>(),
-                     gradient.data_ptr<double>() + gradient.numel());
-    }
-    ranks.sum(numbers);
-    losses = {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]};
-    double* next = numbers.data() + first;
-    for (torch::Tensor& parameter : module->parameters()) {
-      parameter.mutable_grad() =
-          torch::from_blob(next, parameter.sizes(), torch::kFloat64).to(parameter.options());
-      next += parameter.numel();
-    }
-  }
-
-  /// Exchanges fingerprints of the weights between the ranks and throws if they differ.
-  void checkRanks() const {
-    std::vector<double> prints(static_cast<std::size_t>(ranks.size), 0.0);
-    std::uint64_t hash = kHashBasis;
-    for (const torch::Tensor& parameter : module->parameters()) {
-      const RowMatrix matrix = toMatrix(parameter);
-      hash = hashOf({reinterpret_cast<const char*>(matrix.data()),
-                     static_cast<std::size_t>(matrix.size()) * sizeof(float)},
-                    hash);
-    }
-    const auto print = static_cast<double>(mixed(hash) >> 11);  // 53 bits, exact in a double
-    prints[static_cast<std::size_t>(ranks.rank)] = print;
-    ranks.sum(prints);
-    for (const double other : prints) {
-      if (other != print) throw TrainingError("the weights of the ranks differ");
-    }
+    return numbers(losses);
   }
 
   PatternWeights exported(const PatternModule& from) const {
@@ -214,8 +158,6 @@ PatternTrainer::PatternTrainer(const PatternFeatureOptions& features,
 
 PatternTrainer::~PatternTrainer() = default;
 
-void PatternTrainer::setRanks(TrainingRanks ranks) { state_->ranks = std::move(ranks); }
-
 int PatternTrainer::epochsDone() const { return state_->epochs; }
 
 TrainingLosses PatternTrainer::trainEpoch(const std::vector<TrainingSample>& samples,
@@ -223,8 +165,8 @@ TrainingLosses PatternTrainer::trainEpoch(const std::vector<TrainingSample>& sam
                                           const std::function<void(std::size_t)>& on_batch) {
   State& state = *state_;
   const std::uint64_t seed = state.seed * 1000003 + static_cast<std::uint64_t>(state.epochs) + 1;
-  torch::manual_seed(seed + 7919 * static_cast<std::uint64_t>(state.ranks.rank));
-  std::mt19937_64 engine(seed);  // the same on all ranks
+  torch::manual_seed(seed);
+  std::mt19937_64 engine(seed);
   std::vector<std::size_t> order = chosen;
   for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[engine() % i]);
   const auto batch_size = static_cast<std::size_t>(state.options.batch);
@@ -242,7 +184,6 @@ TrainingLosses PatternTrainer::trainEpoch(const std::vector<TrainingSample>& sam
     if (on_batch) on_batch(last);
   }
   ++state.epochs;
-  if (state.ranks.size > 1) state.checkRanks();
   return weighed(sum, 1.0 / static_cast<double>(order.size()));
 }
 

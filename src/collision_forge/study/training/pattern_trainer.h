@@ -24,15 +24,6 @@ struct TrainingLosses {
   double total = 0.0;      ///< sum with the weights of TrainingOptions
 };
 
-/// The ranks of a distributed training; each rank computes a part of every batch.
-struct TrainingRanks {
-  int rank = 0;
-  int size = 1;
-  /// Replaces each number by its sum over all ranks, bit-identical on all of them. Collective: all
-  /// ranks must call it equally often. Unused if size is 1.
-  std::function<void(std::vector<double>&)> sum;
-};
-
 /// Trains a collision-pattern network. Deterministic on one machine with one thread: the same
 /// samples, options and seed give the same weights, also if the training is interrupted between
 /// epochs and resumed with load(state()). Not thread-safe.
@@ -45,16 +36,11 @@ class PatternTrainer {
                  std::uint64_t seed);
   ~PatternTrainer();
 
-  /// Distributes the following epochs over `ranks`. All ranks must have the same samples, options
-  /// and seed, and get the same weights, which depend on the number of ranks.
-  void setRanks(TrainingRanks ranks);
-
   /// Returns the number of epochs trained, including the epochs of a loaded state.
   int epochsDone() const;
 
   /// Trains one epoch on the samples with the indices `chosen`, in random order. Calls `on_batch`
-  /// after each batch with the number of samples done. Returns the mean losses. Throws
-  /// TrainingError if the weights of the ranks differ afterwards.
+  /// after each batch with the number of samples done. Returns the mean losses.
   TrainingLosses trainEpoch(const std::vector<TrainingSample>& samples,
                             const std::vector<std::size_t>& chosen,
                             const std::function<void(std::size_t)>& on_batch = nullptr);

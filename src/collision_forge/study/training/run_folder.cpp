@@ -15,7 +15,6 @@
 #include "collision_forge/base/files/file_fingerprint.h"
 #include "collision_forge/base/files/fingerprint.h"
 #include "collision_forge/io/logs/log_fingerprints.h"
-#include "collision_forge/study/evaluation/study_program.h"
 
 namespace forge {
 namespace {
@@ -91,7 +90,7 @@ bool hasState(const TrainingRun& run) {
                            sumsPath(path) + "; delete " + path + " to start over");
 }
 
-std::string describeRun(const TrainingRun& run, int ranks, const std::string& config) {
+std::string describeRun(const TrainingRun& run, const std::string& config) {
   std::ostringstream text;
   text << "program = collision_forge " COLLISION_FORGE_VERSION << '\n';
   text << "collide = " << run.sources.collide << "\nsplits =";
@@ -103,7 +102,7 @@ std::string describeRun(const TrainingRun& run, int ranks, const std::string& co
     text << "\nclips = " << fingerprintOfTree(run.sources.collide + "/trajectory", ".csv");
   }
   text << "\nfold = " << run.fold << "\nfolds = " << run.folds << "\nseed = " << run.seed
-       << "\ndevice = " << run.device << "\nranks = " << ranks << '\n';
+       << "\ndevice = " << run.device << '\n';
   for (const auto& [name, found] : run.config_files) text << name << " = " << found << '\n';
   text << '\n';
   text << run.config.text(config);
@@ -216,14 +215,6 @@ void EpochTable::keep(const std::string& state) {
   for (const EpochSums& of_epoch : sums_) text += of_epoch.state + " " + of_epoch.rows + "\n";
   writeText(sumsPath(state_path_), text);
   writeText(state_path_, state);
-}
-
-void drawCurves(const TrainingRun& run, const std::string& title,
-                const std::vector<std::string>& columns) {
-  std::vector<std::string> arguments = {"--title", title, "--curves", run.out + "/metrics.csv",
-                                        "--columns"};
-  arguments.insert(arguments.end(), columns.begin(), columns.end());
-  runStudyProgram("charts.py", arguments);
 }
 
 }  // namespace forge

@@ -9,12 +9,12 @@
 #include "collision_forge/study/training/training_run.h"
 
 /// Helpers of all trainings: the run folder, which can only be resumed with unchanged inputs, the
-/// validation split, the table of metrics and its curves.
+/// validation split, and the table of metrics.
 namespace forge {
 
 /// Returns the text of run.txt: program version, fingerprints of all inputs, options, and the
 /// content of the configuration file `config` (path relative to config/).
-std::string describeRun(const TrainingRun& run, int ranks, const std::string& config);
+std::string describeRun(const TrainingRun& run, const std::string& config);
 
 /// Creates the run folder with run.txt, or checks that the existing run.txt equals `description`.
 /// Returns the lock of the folder. Throws std::runtime_error naming the first different line, or if
@@ -79,10 +79,5 @@ class EpochTable {
   std::vector<EpochSums> sums_;
   double best_;
 };
-
-/// Draws columns of metrics.csv to curves.png with charts.py. Throws the exceptions of
-/// runStudyProgram().
-void drawCurves(const TrainingRun& run, const std::string& title,
-                const std::vector<std::string>& columns);
 
 }  // namespace forge

@@ -3,25 +3,14 @@
 #include <malloc.h>
 
 #include <iostream>
-#include <optional>
 
-#include "collision_forge/io/batch/options.h"
 #include "collision_forge/io/batch/progress_line.h"
-#include "collision_forge/io/batch/ranks.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
 #include "collision_forge/study/training/pattern_trainer.h"
 #include "collision_forge/study/training/run_folder.h"
 
 namespace forge {
 namespace {
-
-/// Returns the MPI ranks, and monitors them: a silent rank ends the run.
-TrainingRanks launchedRanks(const ConfigFolder& config) {
-  Ranks::watch(loadRankOptions(config));
-  const Ranks& ranks = Ranks::get();
-  return {ranks.rank(), ranks.size(),
-          [&ranks](std::vector<double>& numbers) { ranks.sum(numbers); }};
-}
 
 /// Returns the column names of numbersOf().
 std::vector<std::string> columns() {
@@ -51,19 +40,17 @@ void record(const PatternTrainer& trainer, const std::set<std::string>& left_out
   std::cout << table.lastRow() << '\n' << std::flush;
 }
 
-/// Trains all epochs. Only rank 0 (`is_first`) writes files and prints.
+/// Trains all epochs, writes files and prints.
 void trainOn(const std::vector<TrainingSample>& samples, const std::set<std::string>& left_out,
-             const TrainingRun& run, bool is_first, PatternTrainer& trainer) {
+             const TrainingRun& run, PatternTrainer& trainer) {
   std::vector<std::string> scenes;
   for (const TrainingSample& sample : samples) scenes.push_back(sample.scene);
   const SampleSplit split = splitByScene(scenes, run.options.training.validation_share, run.seed);
   if (split.training.empty()) {
     throw std::runtime_error("no training samples: all scenes are left out or too short");
   }
-  if (is_first) {
-    std::cout << samples.size() << " moments, " << split.validation.size()
-              << " of them for validation; " << left_out.size() << " scenes left out\n";
-  }
+  std::cout << samples.size() << " moments, " << split.validation.size()
+            << " of them for validation; " << left_out.size() << " scenes left out\n";
   const int first = trainer.epochsDone();
   EpochTable table(run, columns(), first);
   ProgressLine progress("training");
@@ -77,17 +64,11 @@ void trainOn(const std::vector<TrainingSample>& samples, const std::set<std::str
                     "epoch " + std::to_string(epoch + 1) + " of " +
                         std::to_string(run.options.training.epochs));
     };
-    const TrainingLosses training = trainer.trainEpoch(
-        samples, split.training, is_first ? std::function<void(std::size_t)>(show) : nullptr);
-    if (!is_first) continue;
+    const TrainingLosses training = trainer.trainEpoch(samples, split.training, show);
     const bool is_chosen = !split.validation.empty();
     const TrainingLosses validation =
         is_chosen ? trainer.losses(samples, split.validation) : training;
     record(trainer, left_out, run, is_chosen, table, numbersOf(training, validation));
-  }
-  if (is_first) {
-    drawCurves(run, "Training: negative log density of the ego position",
-               {"ego", "validation_ego"});
   }
 }
 
@@ -107,22 +88,15 @@ std::set<std::string> leftOutScenes(const TrainingRun& run) {
 void trainPatternNetwork(const TrainingRun& run) {
   const LearningOptions& options = run.options;
   const std::set<std::string> left_out = leftOutScenes(run);
-  const TrainingRanks ranks = launchedRanks(run.config);
-  const bool is_first = ranks.rank == 0;
-  std::optional<OutputLock> lock;
-  if (is_first)
-    lock.emplace(openRunFolder(run, describeRun(run, ranks.size, "study/training.yaml")));
+  const OutputLock lock = openRunFolder(run, describeRun(run, "study/training.yaml"));
   PatternTrainer trainer(options.pattern_features, options.pattern_layers, options.training,
                          run.device, run.threads, run.seed);
-  trainer.setRanks(ranks);
   if (hasState(run)) trainer.load(statePath(run));
   ProgressLine reading("reading");
   const std::vector<TrainingSample> samples = collectTrainingSamples(
-      run.sources, options, left_out, run.seed, [&](std::size_t done, std::size_t all) {
-        if (is_first) reading.show(double(done) / double(all));
-      });
-  trainOn(samples, left_out, run, is_first, trainer);
-  Ranks::get().settle();
+      run.sources, options, left_out, run.seed,
+      [&](std::size_t done, std::size_t all) { reading.show(double(done) / double(all)); });
+  trainOn(samples, left_out, run, trainer);
 }
 
 }  // namespace forge
@@ -132,11 +106,9 @@ void forgeTrain(const forge::TrainingRun& run) {
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, -1);
   mallopt(M_TOP_PAD, 128 << 20);
-  if (run.is_planner) {
-    forge::trainPlanner(run);
-  } else if (!run.generator.empty()) {
-    forge::trainGenerator(run);
-  } else {
+  if (run.generator.empty()) {
     forge::trainPatternNetwork(run);
+  } else {
+    forge::trainGenerator(run);
   }
 }

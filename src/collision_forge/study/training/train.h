@@ -11,18 +11,13 @@ namespace forge {
 /// std::runtime_error for a fold without scenes.
 std::set<std::string> leftOutScenes(const TrainingRun& run);
 
-/// Trains the collision-pattern network on logs and clips, under mpirun on all ranks; resumes an
-/// interrupted run. Writes weights.bin of the best epoch, metrics, curves and the training state.
+/// Trains the collision-pattern network on logs and clips; resumes an interrupted
+/// run. Writes weights.bin of the best epoch, metrics and the training state.
 /// Throws std::runtime_error.
 void trainPatternNetwork(const TrainingRun& run);
 
-/// Trains the small learned planner on logs. Writes planner.pt, its losses, and its errors on
-/// training scenes and left-out scenes. Takes a minute and is not resumable. Throws
-/// std::runtime_error.
-void trainPlanner(const TrainingRun& run);
-
 /// Trains the learned baseline run.generator on clips; resumes an interrupted run. Writes
-/// weights.pt of the best epoch, metrics, curves and the training state. Throws std::runtime_error.
+/// weights.pt of the best epoch, metrics and the training state. Throws std::runtime_error.
 void trainGenerator(const TrainingRun& run);
 
 }  // namespace forge

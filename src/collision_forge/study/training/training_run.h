@@ -4,7 +4,6 @@
 #include <map>
 #include <string>
 
-#include "collision_forge/planner_test/planners/options.h"
 #include "collision_forge/study/generators/options.h"
 #include "collision_forge/study/training/training_data.h"
 
@@ -14,12 +13,10 @@ namespace forge {
 struct TrainingRun {
   TrainingSources sources;
   std::string out;      ///< folder of the run
-  ConfigFolder config;  ///< source of `options`, `planners` and `generators`
+  ConfigFolder config;  ///< source of `options` and `generators`
   /// Fingerprints of further configuration files that the results depend on, by name.
   std::map<std::string, std::string> config_files;
   LearningOptions options;
-  PlannerOptions planners;      ///< only for a planner
-  bool is_planner = false;      ///< train a planner instead of the network
   std::string generator;        ///< name of the learned baseline to train; empty: none
   GeneratorOptions generators;  ///< only for a learned baseline, from its configuration file
   std::string device = "cpu";   ///< "cpu" or "cuda"
