@@ -30,7 +30,7 @@ struct Arguments {
   std::string out;
   ConfigFolder config;
   std::string topics;  ///< topic mapping of third-party bags; empty: `logs` has none
-  std::string map;     ///< map expansion file of third-party bags; empty: /lane_map of each bag
+  std::string map;     ///< map file of third-party bags; empty: /lane_map of each bag
   int jobs = defaultJobs();
   bool force = false;
   bool to_scenario_net = false;
@@ -156,7 +156,7 @@ void addConvert(CommandLine& line) {
                      "topic mapping of third-party bags, e.g. config/topics_autoware.yaml")
           ->check(CLI::ExistingFile);
   app.add_option("--map", arguments->map,
-                 "map expansion file for third-party bags; default: /lane_map in each bag")
+                 "map file for third-party bags (docs/maps.md); default: /lane_map in each bag")
       ->check(CLI::ExistingFile)
       ->needs(topics);
   addScenes(app, arguments->scenes);
