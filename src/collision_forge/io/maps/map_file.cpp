@@ -7,6 +7,7 @@
 #include "collision_forge/base/scene/input_limits.h"
 #include "collision_forge/io/logs/nuscenes_map.h"
 #include "collision_forge/io/maps/map_error.h"
+#include "collision_forge/io/maps/open_drive_map.h"
 #include "collision_forge/io/maps/xml_input.h"
 
 namespace forge {
@@ -31,6 +32,7 @@ struct MapKind {
 
 constexpr std::array kMapKinds = {
     MapKind{"nuScenes map expansion", kJsonRoot, readMapExpansion},
+    MapKind{"OpenDRIVE", "<OpenDRIVE>", readOpenDriveMap},
 };
 
 std::string describe(const std::string& root) {
