@@ -9,7 +9,7 @@
 
 namespace forge {
 
-/// What the area of a lane of OpenDRIVE is in the map.
+/// Use of the area of a lane of OpenDRIVE in the map.
 enum class LaneUse {
   kNothing,  ///< no surface for traffic, such as a median
   kLane,     ///< a lane, and drivable area
