@@ -79,6 +79,7 @@ const std::map<std::string, ReadFile>& readers() {
       {"requests", sectionOf<RequestListOptions>()},
       {"search", readAttack},
       {"topics_autoware", readTopics},
+      {"topics_carla", readTopics},
       {"topics_derived_object", readTopics},
       {"tuning", readTuning},
       {"vehicle_limits", readAttack},

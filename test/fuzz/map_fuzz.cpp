@@ -2,22 +2,20 @@
 #include <vector>
 
 #include "collision_forge/base/map/lane_queries.h"
-#include "collision_forge/io/logs/nuscenes_map.h"
+#include "collision_forge/io/maps/map_file.h"
 #include "fuzz/reading.h"
 #include "fuzz/targets.h"
 
 namespace forge {
 
-/// A file of nuScenes' map expansion.
+/// A map file of any kind.
 bool fuzzMap(const std::string& input) {
   const InputFolder folder;
-  const std::string path = folder.write("town.json", input);
+  const std::string path = folder.write("boston.any", input);  // has a driving side
   return isTaken(path, [&] {
     const Config& config = configuration();
     std::vector<std::string> warnings;
-    LaneMap map = readNuScenesMapFile(
-        path, DrivingSide::kRight, {config.conversion.centerline_resolution, config.input_limits},
-        &warnings);
+    LaneMap map = readMapFile(path, config, &warnings);
     for (const Lane& lane : map.lanes) {
       for (const Pose2& pose : lane.centerline) {
         require(isWithin(pose, config.input_limits), "lane " + lane.id + " is far away");

@@ -16,6 +16,7 @@
 #include "io/collide/collide_fixture.h"
 #include "io/logs/map_fixture.h"
 #include "io/logs/nuscenes_fixture.h"
+#include "io/maps/open_drive_fixture.h"
 
 namespace forge {
 namespace {
@@ -57,7 +58,7 @@ Seeds configSeeds() {
   return seeds;
 }
 
-Seeds mapSeeds() { return {tinyMap(), embeddedMap()}; }
+Seeds mapSeeds() { return {tinyMap(), embeddedMap(), openDriveCrossing()}; }
 
 Seeds numberSeeds() {
   return {"0",

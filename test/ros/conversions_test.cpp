@@ -26,6 +26,47 @@ TEST(StampOf, TakesTheMicrosecondAmongStampsOfOneTime) {
   EXPECT_EQ(stampOf(0.0), ros::Time(0, 0));
 }
 
+/// A lane with an outline and an area at northings of UTM, with coordinates that float32 rounds by
+/// up to 0.25 m.
+LaneMap farMap() {
+  const Vector2 corner(500924.162, 4649776.224);
+  const std::vector<Vector2> ring = {corner, corner + Vector2(40.1, 0.3),
+                                     corner + Vector2(40.2, 3.7)};
+  LaneMap map;
+  Lane lane;
+  lane.id = "a";
+  lane.centerline = {{corner.x(), corner.y(), 0.0}, {corner.x() + 40.0, corner.y(), 0.0}};
+  lane.polygon = ring;
+  map.lanes = {lane};
+  map.drivable_area = {{ring, {ring}}};
+  map.walkways = {{ring, {}}};
+  return map;
+}
+
+TEST(LaneMapMessage, PolygonsFarFromTheOriginOfTheMapKeepAMillimetre) {
+  const LaneMap map = farMap();
+  const collision_forge::LaneMap message = toMessage(map, ros::Time(1.0));
+  EXPECT_EQ(message.origin.x, 61 * 8192.0);
+  EXPECT_EQ(message.origin.y, 568 * 8192.0);
+  const LaneMap read = fromMessage(message);
+  const std::vector<Vector2>& ring = map.lanes[0].polygon;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    for (const std::vector<Vector2>* const got :
+         {&read.lanes.at(0).polygon, &read.drivable_area.at(0).exterior,
+          &read.drivable_area.at(0).holes.at(0), &read.walkways.at(0).exterior}) {
+      EXPECT_LT((got->at(i) - ring[i]).norm(), 1e-3);
+    }
+  }
+}
+
+TEST(LaneMapMessage, TheOriginOfALocalMapIsZero) {
+  LaneMap map = farMap();
+  map.lanes[0].centerline = {{3000.0, -3000.0, 0.0}, {3040.0, -3000.0, 0.0}};
+  const collision_forge::LaneMap message = toMessage(map, ros::Time(1.0));
+  EXPECT_EQ(message.origin.x, 0.0);
+  EXPECT_EQ(message.origin.y, 0.0);
+}
+
 TEST(AttackerWay, WithTooFewPointsIsRefusedWithItsAttacker) {
   collision_forge::AttackerWay message;
   message.attacker_id = "added-1";

@@ -5,7 +5,7 @@
 #include <rosbag/view.h>
 
 #include "base/scene/shipped_limits.h"
-#include "collision_forge/base/config/config_error.h"
+#include "collision_forge/io/maps/map_error.h"
 #include "collision_forge/ros/bags/bag_file.h"
 #include "collision_forge/ros/bags/bag_writer.h"
 #include "io/logs/nuscenes_fixture.h"
@@ -82,7 +82,7 @@ TEST_F(ForeignLogsTest, AMapThatIsGivenTakesThePlaceOfTheBags) {
   EXPECT_GT(logged.lanes->map().lanes.size(), 10U);
   EXPECT_EQ(logs->recording("two").lanes, logged.lanes) << "it is read once";
   how_.map = kMaps + "nowhere.json";
-  EXPECT_THROW(open()->recording("one"), ConfigError) << "of which nobody knows the side";
+  EXPECT_THROW(open()->recording("one"), MapError);
 }
 
 TEST_F(ForeignLogsTest, ABagWithoutLanesNeedsAMap) {

@@ -183,6 +183,20 @@ TEST(MapMarkers, HoldAreaLanesAndConnectorsOnceEach) {
   EXPECT_EQ(inNamespace(array, "connectors")[0].points.size(), 2U * 1);
 }
 
+TEST(MapMarkers, AreasAreMovedByTheOriginOfTheMap) {
+  collision_forge::LaneMap map = junctionMap();
+  map.origin.x = 8192.0;
+  map.origin.y = -8192.0;
+  for (const char* const name : {"drivable_area", "walkways"}) {
+    const auto areas = inNamespace(mapMarkers(map), name);
+    ASSERT_FALSE(areas.empty());
+    for (const auto& point : areas[0].points) {
+      EXPECT_NEAR(point.x, 8192.0, 20.0);
+      EXPECT_NEAR(point.y, -8192.0, 20.0);
+    }
+  }
+}
+
 TEST(MapMarkers, KeepEveryCentrelineWithinThreeCentimetresWithFewPoints) {
   constexpr double kRadius = 20.0;  // m
   collision_forge::LaneMap map = junctionMap();

@@ -1,7 +1,10 @@
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 
 #include "collision_forge/app/command_line.h"
@@ -29,7 +32,7 @@ struct Arguments {
   std::string out;
   ConfigFolder config;
   std::string topics;  ///< topic mapping of third-party bags; empty: `logs` has none
-  std::string map;     ///< map expansion file of third-party bags; empty: /lane_map of each bag
+  std::string map;     ///< map file of third-party bags; empty: /lane_map of each bag
   int jobs = defaultJobs();
   bool force = false;
   bool to_scenario_net = false;
@@ -46,7 +49,23 @@ bool isConverted(const Arguments& arguments, const std::string& scene) {
   return !arguments.force && std::filesystem::exists(resultPath(arguments, scene));
 }
 
-/// Returns the part of the map within `radius` (m) of the recorded ego path.
+/// Returns words for a map without a lane within `radius` (m) of the ego's path.
+std::string farWords(const NuScenesEgoPose& start, const LaneMap& map, double radius) {
+  Eigen::AlignedBox2d box;
+  for (const Lane& lane : map.lanes) {
+    for (const Pose2& pose : lane.centerline) box.extend(pose.position());
+  }
+  std::ostringstream words;
+  words << std::fixed << std::setprecision(0) << "no lane of the map " << map.location
+        << " is within " << radius << " m of the ego's path, which begins at ("
+        << start.translation.x() << ", " << start.translation.y() << "); the lanes are within ("
+        << box.min().x() << ", " << box.min().y() << ") and (" << box.max().x() << ", "
+        << box.max().y() << "): the log and the map have different coordinates";
+  return words.str();
+}
+
+/// Returns the part of the map within `radius` (m) of the recorded ego path. Throws
+/// std::runtime_error if the map has lanes, but none there.
 LaneMap mapAround(const NuScenesRecording& recording, const LaneMap& map, double radius) {
   std::vector<Vector2> points;
   for (const NuScenesEgoPose& pose : recording.ego_poses) {
@@ -54,7 +73,11 @@ LaneMap mapAround(const NuScenesRecording& recording, const LaneMap& map, double
     constexpr double kSpacing = 5.0;  // m; closer points add nothing to the crop
     if (points.empty() || (point - points.back()).norm() > kSpacing) points.push_back(point);
   }
-  return cropped(map, points, radius);
+  LaneMap part = cropped(map, points, radius);
+  if (part.lanes.empty() && !map.lanes.empty() && !points.empty()) {
+    throw std::runtime_error(farWords(recording.ego_poses.front(), map, radius));
+  }
+  return part;
 }
 
 void writeScenarioNetFile(const Arguments& arguments, const Scene& scene, const Config& config,
@@ -151,7 +174,7 @@ void addConvert(CommandLine& line) {
                      "topic mapping of third-party bags, e.g. config/topics_autoware.yaml")
           ->check(CLI::ExistingFile);
   app.add_option("--map", arguments->map,
-                 "map expansion file for third-party bags; default: /lane_map in each bag")
+                 "map file for third-party bags (docs/maps.md); default: /lane_map in each bag")
       ->check(CLI::ExistingFile)
       ->needs(topics);
   addScenes(app, arguments->scenes);

@@ -79,7 +79,8 @@ std::string errorOfTrajectory(const std::function<void(AttackerTrajectory&)>& sp
 
 TEST(InputLimits, ErrorsInMapsNameThePoint) {
   EXPECT_EQ(errorOfMap([](LaneMap& map) { map.lanes[0].centerline[1].x = 1e9; }),
-            "town: lane \"a\": centerline[1].x = 1000000000 is outside -50000 to 50000");
+            "town: lane \"a\": centerline[1].x = 1000000000 is outside -50000 to 50000, "
+            "max_coordinate in input_limits.yaml");
   EXPECT_EQ(errorOfMap([](LaneMap& map) { map.lanes[0].centerline[0].yaw = kNan; }),
             "town: lane \"a\": centerline[0].yaw = nan is not finite");
   EXPECT_THAT(errorOfMap([](LaneMap& map) { map.lanes[0].polygon[2].y() = -50001.0; }),
@@ -87,12 +88,14 @@ TEST(InputLimits, ErrorsInMapsNameThePoint) {
   EXPECT_THAT(errorOfMap([](LaneMap& map) { map.drivable_area[0].exterior[0].x() = kNan; }),
               StartsWith("town: drivable_area[0].exterior[0].x = nan is"));
   EXPECT_THAT(errorOfMap([](LaneMap& map) { map.lanes[0].speed_limit = 1e3; }),
-              StartsWith("town: lane \"a\": speed_limit = 1000 is outside 0 to 150"));
+              StartsWith("town: lane \"a\": speed_limit = 1000 is outside 0 to 150, max_speed in "
+                         "input_limits.yaml"));
 }
 
 TEST(InputLimits, ChecksEgoAndFramesOfAScene) {
   EXPECT_EQ(errorOfScene([](Scene& scene) { scene.ego.states[1].pose.y = -6e4; }),
-            "log: ego: states[1].y = -60000 is outside -50000 to 50000");
+            "log: ego: states[1].y = -60000 is outside -50000 to 50000, max_coordinate in "
+            "input_limits.yaml");
   EXPECT_THAT(errorOfScene([](Scene& scene) { scene.ego.states[1].velocity.x() = 200.0; }),
               StartsWith("log: ego: states[1].speed = 200 is outside 0 to 150"));
   EXPECT_THAT(errorOfScene([](Scene& scene) { scene.ego.states[0].time = 11.0; }),
@@ -101,8 +104,10 @@ TEST(InputLimits, ChecksEgoAndFramesOfAScene) {
               StartsWith("log: ego.length = 0 is outside 0.1 to 50"));
   EXPECT_THAT(errorOfScene([](Scene& scene) { scene.frame_times[0] = -1.0; }),
               StartsWith("log: frames[0].time = -1 is outside 0 to 4294967295"));
-  EXPECT_THAT(errorOfScene([](Scene& scene) { scene.agents.resize(20001); }),
-              StartsWith("log: agents: 20001 is above the limit of 20000"));
+  EXPECT_THAT(
+      errorOfScene([](Scene& scene) { scene.agents.resize(20001); }),
+      StartsWith(
+          "log: agents: 20001 is above the limit of 20000, max_agents in input_limits.yaml"));
   EXPECT_THAT(errorOfScene([](Scene& scene) {
                 LaneMap map = oneLane();
                 map.lanes[0].centerline[1].x = 1e9;
@@ -197,7 +202,8 @@ TEST(InputLimits, PlansMustHaveFewPointsNearby) {
   EXPECT_EQ(errorOf([&] { checkPlan(plan, shippedLimits(), "plan"); }), "");
   plan[3].pose.y = -6e4;
   EXPECT_EQ(errorOf([&] { checkPlan(plan, shippedLimits(), "plan"); }),
-            "plan: points[3].y = -60000 is outside -50000 to 50000");
+            "plan: points[3].y = -60000 is outside -50000 to 50000, max_coordinate in "
+            "input_limits.yaml");
   plan.emplace_back();
   EXPECT_EQ(errorOf([&] { checkPlan(plan, shippedLimits(), "plan"); }),
             "plan: points: 5001 is above the limit of 5000");

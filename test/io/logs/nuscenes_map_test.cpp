@@ -159,6 +159,8 @@ const Defect kDefects[] = {
      "1 degenerate holes of polygons (first: pd)"},
     {"unknownDrivable", R"("polygon_tokens": ["pd"])", R"("polygon_tokens": ["pd", "px"])",
      "1 drivable areas without a usable polygon (first: px)"},
+    {"nullDrivable", R"("polygon_tokens": ["pd"])", R"("polygon_tokens": ["pd", null])",
+     "1 drivable areas without a usable polygon (first: )"},
 };
 
 INSTANTIATE_TEST_SUITE_P(All, DefectiveNuScenesMap, ::testing::ValuesIn(kDefects),
@@ -191,27 +193,48 @@ TEST(NuScenesMap, nanArclineLeavesTheLaneWithoutLine) {
   EXPECT_EQ(laneOf(result.map, "b").polygon.size(), 4U);
 }
 
-TEST(NuScenesMap, namesFileLayerTokenAndField) {
-  const auto error = [](const std::string& from, const std::string& to) {
-    return errorOf([&] { readDamaged(from, to); });
+TEST(NuScenesMap, rowThatCannotBeUsedCostsThatRowAlone) {
+  const auto warningOf = [](const std::string& from, const std::string& to) {
+    const Result result = readDamaged(from, to);
+    EXPECT_GE(result.map.lanes.size(), 2U) << to;
+    for (const std::string& line : result.warnings) {
+      if (line.find("rows of ") != std::string::npos) return line;
+    }
+    return std::string();
   };
-  const std::string file = "maps/expansion/tiny-town.json: ";
-  EXPECT_THAT(error(R"("x": 20, "y": -2)", R"("x": "20", "y": -2)"),
-              HasSubstr(file + "node: token n4: field x is not a number"));
-  EXPECT_THAT(error(R"({"token": "n4", )", "{"),
-              HasSubstr(file + "node: token of row 4: field token is missing"));
-  EXPECT_THAT(error(R"("exterior_node_tokens")", R"("nodes")"),
-              HasSubstr(file + "polygon: token pa: field exterior_node_tokens is missing"));
-  EXPECT_THAT(error(R"("is_intersection": true)", R"("is_intersection": 1)"),
-              HasSubstr(file + "road_segment: token r: field is_intersection is neither"));
-  EXPECT_THAT(error(R"("start_pose": [0, 0, 0])", R"("start_pose": [0, 0])"),
-              HasSubstr(file + "arcline_path_3: token a: field start_pose is not an array of 3"));
-  EXPECT_THAT(error(R"({"token": "c"})", R"({"token": "a"})"),
-              HasSubstr(file + "lane: token a: field token is a duplicate"));
-  EXPECT_THAT(error(R"("road_segment")", R"("road_segments")"),
-              HasSubstr(file + "layer road_segment is missing"));
-  EXPECT_THAT(error(R"("lane": [)", R"("lane": 3, "other": [)"),
-              HasSubstr(file + "layer lane is not an array"));
+  const std::string file = "maps/expansion/tiny-town.json: 1 rows of ";
+  EXPECT_THAT(warningOf(R"("x": 20, "y": -2)", R"("x": "20", "y": -2)"),
+              HasSubstr(file + "node that cannot be used (first: n4: field x is not a number)"));
+  EXPECT_THAT(
+      warningOf(R"({"token": "n4", )", "{"),
+      HasSubstr(file + "node that cannot be used (first: of row 4: field token is missing)"));
+  EXPECT_THAT(warningOf(R"("exterior_node_tokens")", R"("nodes")"),
+              HasSubstr("polygon that cannot be used (first: pa: field exterior_node_tokens is "));
+  EXPECT_THAT(
+      warningOf(R"("is_intersection": true)", R"("is_intersection": 1)"),
+      HasSubstr("road_segment that cannot be used (first: r: field is_intersection is nei"));
+  EXPECT_THAT(
+      warningOf(R"("start_pose": [0, 0, 0])", R"("start_pose": [0, 0])"),
+      HasSubstr("arcline_path_3 that cannot be used (first: a: field start_pose is not an"));
+  EXPECT_THAT(warningOf(R"({"token": "c"})", R"({"token": "a"})"),
+              HasSubstr("lane that cannot be used (first: a: field token is a duplicate)"));
+}
+
+TEST(NuScenesMap, nullPolygonOfAWalkwayCostsThatWalkway) {
+  const Result result = readDamaged(R"("walkway": [{"token": "w", "polygon_token": "pb"})",
+                                    R"("walkway": [{"token": "v", "polygon_token": null},
+                                                   {"token": "w", "polygon_token": "pb"})");
+  EXPECT_EQ(result.map.walkways.size(), 1U);
+  EXPECT_THAT(result.warnings,
+              testing::Contains(HasSubstr("1 rows of walkway that cannot be used (first: v: field "
+                                          "polygon_token is not a string)")));
+}
+
+TEST(NuScenesMap, namesTheMissingLayer) {
+  EXPECT_THAT(errorOf([&] { readDamaged(R"("road_segment")", R"("road_segments")"); }),
+              HasSubstr("maps/expansion/tiny-town.json: layer road_segment is missing"));
+  EXPECT_THAT(errorOf([&] { readDamaged(R"("lane": [)", R"("lane": 3, "other": [)"); }),
+              HasSubstr("maps/expansion/tiny-town.json: layer lane is not an array"));
 }
 
 TEST(NuScenesMap, namesTheByteWhereAFileIsCutOffAndAMissingFile) {
@@ -220,7 +243,16 @@ TEST(NuScenesMap, namesTheByteWhereAFileIsCutOffAndAMissingFile) {
               HasSubstr("tiny-town.json: invalid JSON at byte 100"));
   EXPECT_THAT(errorOf([&] { readTiny(std::string(1000000, '[')); }), HasSubstr("invalid JSON"));
   EXPECT_THAT(errorOf([&] { readNuScenesMap("/nowhere", "town", DrivingSide::kRight, {}); }),
-              HasSubstr("/nowhere/maps/expansion/town.json: cannot be opened: No such file"));
+              HasSubstr("/nowhere/maps/expansion/town.json: does not exist; the folder "
+                        "/nowhere/maps/expansion must contain the map expansion"));
+}
+
+TEST(NuScenesMap, namesAMapInTheFolderOfOlderVersions) {
+  const TemporaryFolder folder;
+  folder.write("maps/town.json", tinyMap());
+  EXPECT_THAT(
+      errorOf([&] { readNuScenesMap(folder.path(), "town", DrivingSide::kRight, {}); }),
+      HasSubstr(folder.path() + "/maps/town.json is in the folder of version 1.2 and before"));
 }
 
 TEST(NuScenesMap, cropKeepsWhatIsNearAndCutsLinks) {

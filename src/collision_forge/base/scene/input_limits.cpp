@@ -19,18 +19,30 @@ template <typename... Parts>
 /// Returns false for NaN.
 bool isWithin(double value, double min, double max) { return value >= min && value <= max; }
 
-void check(double value, double min, double max, const std::string& field) {
-  if (!isWithin(value, min, max)) refuse(field, " = ", value, " is outside ", min, " to ", max);
+// Keys that several checks name.
+constexpr char kMaxCoordinate[] = "max_coordinate";
+constexpr char kMaxSpeed[] = "max_speed";
+constexpr char kMaxAgents[] = "max_agents";
+
+/// Words that name the key of a limit; "" for a limit that is fixed.
+std::string settingWords(const char* key) {
+  return *key == '\0' ? "" : ", " + std::string(key) + " in input_limits.yaml";
 }
 
-void checkCount(std::size_t count, int max, const std::string& what) {
-  if (count > static_cast<std::size_t>(max))
-    refuse(what, ": ", count, " is above the limit of ", max);
+void check(double value, double min, double max, const std::string& field, const char* key = "") {
+  if (isWithin(value, min, max)) return;
+  refuse(field, " = ", value, " is outside ", min, " to ", max, settingWords(key));
+}
+
+void checkCount(std::size_t count, int max, const std::string& what, const char* key = "") {
+  if (count <= static_cast<std::size_t>(max)) return;
+  refuse(what, ": ", count, " is above the limit of ", max, settingWords(key));
 }
 
 void check(const Vector2& position, const InputLimits& limits, const std::string& field) {
-  check(position.x(), -limits.max_coordinate, limits.max_coordinate, field + ".x");
-  check(position.y(), -limits.max_coordinate, limits.max_coordinate, field + ".y");
+  const double most = limits.max_coordinate;
+  check(position.x(), -most, most, field + ".x", kMaxCoordinate);
+  check(position.y(), -most, most, field + ".y", kMaxCoordinate);
 }
 
 void check(const Pose2& pose, const InputLimits& limits, const std::string& field) {
@@ -51,7 +63,7 @@ bool isWithin(const AgentState& state, const InputLimits& limits) {
 void check(const AgentState& state, const InputLimits& limits, const std::string& field) {
   check(state.time, 0.0, limits.max_time, field + ".time");
   check(state.pose, limits, field);
-  check(state.velocity.norm(), 0.0, limits.max_speed, field + ".speed");
+  check(state.velocity.norm(), 0.0, limits.max_speed, field + ".speed", kMaxSpeed);
 }
 
 std::string element(const std::string& list, std::size_t index) {
@@ -118,7 +130,7 @@ bool isWithin(const BoxSize& size, const InputLimits& limits) {
 }
 
 void checkMap(const LaneMap& map, const InputLimits& limits, const std::string& where) {
-  checkCount(map.lanes.size(), limits.max_lanes, where + ": lanes");
+  checkCount(map.lanes.size(), limits.max_lanes, where + ": lanes", "max_lanes");
   std::size_t points = 0;
   for (const Lane& lane : map.lanes) {
     const std::string name = where + ": lane \"" + lane.id + "\": ";
@@ -129,12 +141,12 @@ void checkMap(const LaneMap& map, const InputLimits& limits, const std::string& 
     }
     checkRing(lane.polygon, limits, points, name + "polygon");
     if (lane.speed_limit) {
-      check(*lane.speed_limit, 0.0, limits.max_speed, name + "speed_limit");
+      check(*lane.speed_limit, 0.0, limits.max_speed, name + "speed_limit", kMaxSpeed);
     }
   }
   checkAreas(map.drivable_area, limits, points, where + ": drivable_area");
   checkAreas(map.walkways, limits, points, where + ": walkways");
-  checkCount(points, limits.max_map_points, where + ": points of the map");
+  checkCount(points, limits.max_map_points, where + ": points of the map", "max_map_points");
 }
 
 void keepWithin(std::vector<Track>& agents, const InputLimits& limits,
@@ -162,25 +174,25 @@ void checkScene(Scene& scene, const InputLimits& limits, const std::string& wher
     check(scene.frame_times[i], 0.0, limits.max_time, frame + ".time");
     if (i > 0) checkTimes(scene.frame_times[i - 1], scene.frame_times[i], frame);
   }
-  checkCount(scene.agents.size(), limits.max_agents, where + ": agents");
+  checkCount(scene.agents.size(), limits.max_agents, where + ": agents", kMaxAgents);
   keepWithin(scene.agents, limits, warnings);
 }
 
 void checkSnapshot(Snapshot& snapshot, const InputLimits& limits, const std::string& where) {
   check(snapshot.now, 0.0, limits.max_time, where + ": now");
   checkTrack(snapshot.ego, limits, where + ": " + kEgoId);
-  checkCount(snapshot.agents.size(), limits.max_agents, where + ": agents");
+  checkCount(snapshot.agents.size(), limits.max_agents, where + ": agents", kMaxAgents);
   keepWithin(snapshot.agents, limits);
 }
 
 void checkFuture(Future& future, const InputLimits& limits, const std::string& where) {
   checkFutureTrack(future.ego, limits, where + ": " + kEgoId);
-  checkCount(future.agents.size(), limits.max_agents, where + ": agents");
+  checkCount(future.agents.size(), limits.max_agents, where + ": agents", kMaxAgents);
   keepWithin(future.agents, limits);
   future.agents.erase(std::remove_if(future.agents.begin(), future.agents.end(),
                                      [](const Track& agent) { return agent.states.empty(); }),
                       future.agents.end());
-  checkCount(future.ego_samples.size(), limits.max_agents, where + ": ego_samples");
+  checkCount(future.ego_samples.size(), limits.max_agents, where + ": ego_samples", kMaxAgents);
   for (std::size_t i = 0; i < future.ego_samples.size(); ++i) {
     checkFutureTrack(future.ego_samples[i], limits, element(where + ": ego_samples", i));
   }
@@ -200,7 +212,7 @@ void checkTrajectory(const AttackerTrajectory& trajectory, const InputLimits& li
     check(points[i].time, 0.0, limits.max_time, field + ".time");
     check(points[i].time - now, 0.0, limits.max_trajectory, field + ".time from the first point");
     check(points[i].pose, limits, field);
-    check(points[i].speed, -limits.max_speed, limits.max_speed, field + ".speed");
+    check(points[i].speed, -limits.max_speed, limits.max_speed, field + ".speed", kMaxSpeed);
     for (const double value : {points[i].acceleration, points[i].curvature}) {
       if (!std::isfinite(value)) refuse(field, " is not finite");
     }
@@ -230,8 +242,9 @@ void checkPattern(const CollisionPattern& pattern, const InputLimits& limits,
   check(pattern.ego.center, limits, name + "ego");
   check(pattern.ego.size, limits, name + "ego");
   check(pattern.attacker_offset, limits, name + "attacker_offset");
-  check(pattern.attacker_speed, -limits.max_speed, limits.max_speed, name + "attacker_speed");
-  check(pattern.tolerance, 0.0, limits.max_coordinate, name + "tolerance");
+  check(pattern.attacker_speed, -limits.max_speed, limits.max_speed, name + "attacker_speed",
+        kMaxSpeed);
+  check(pattern.tolerance, 0.0, limits.max_coordinate, name + "tolerance", kMaxCoordinate);
 }
 
 }  // namespace forge

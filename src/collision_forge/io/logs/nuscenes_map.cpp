@@ -121,8 +121,17 @@ void linkLanes(std::vector<Lane>& lanes, const NuScenesMapLayers& layers,
 LaneMap readNuScenesMap(const std::string& dataroot, const std::string& location,
                         DrivingSide driving_side, const NuScenesMapOptions& options,
                         std::vector<std::string>* warnings) {
-  return readNuScenesMapFile(pathIn(dataroot + "/maps/expansion", location + ".json"), driving_side,
-                             options, warnings);
+  const std::string folder = dataroot + "/maps/expansion";
+  const std::string path = pathIn(folder, location + ".json");
+  if (!std::filesystem::exists(path)) {
+    const std::string misplaced = pathIn(dataroot + "/maps", location + ".json");
+    throw NuScenesError(path + ": does not exist; the folder " + folder +
+                        " must contain the map expansion, version 1.3 or later" +
+                        (std::filesystem::exists(misplaced)
+                             ? "; " + misplaced + " is in the folder of version 1.2 and before"
+                             : ""));
+  }
+  return readNuScenesMapFile(path, driving_side, options, warnings);
 }
 
 LaneMap readNuScenesMapFile(const std::string& path, DrivingSide driving_side,

@@ -20,11 +20,11 @@ struct NuScenesMapOptions {
 /// an intersection if the centroid of its outline or the middle of its centreline is in one.
 ///
 /// Leaves out known defects of the published maps: links to missing tokens, lanes without links,
-/// arclines or outlines, unusable arclines and polygons, and values beyond the limits. Appends one
-/// line per kind to `warnings`, if given, with the number of cases and the first token. Throws
-/// NuScenesError for a file that is missing, not JSON or of another version, a missing layer, and a
-/// row with a missing field or a field of another type; InputError for more lanes or points than
-/// the limits allow.
+/// arclines or outlines, unusable arclines and polygons, values beyond the limits, and rows with a
+/// missing field or a field of another type. Appends one line per kind to `warnings`, if given,
+/// with the number of cases and the first token. Throws NuScenesError for a file that is missing,
+/// not JSON or of another version, and for a missing layer; InputError for more lanes or points
+/// than the limits allow.
 LaneMap readNuScenesMap(const std::string& dataroot, const std::string& location,
                         DrivingSide driving_side, const NuScenesMapOptions& options,
                         std::vector<std::string>* warnings = nullptr);

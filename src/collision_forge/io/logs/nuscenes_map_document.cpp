@@ -26,6 +26,15 @@ constexpr std::pair<int, int> kOldestVersion = {1, 3};
 
 std::string textOf(const Value& value) { return {value.GetString(), value.GetStringLength()}; }
 
+/// Returns the token of the row with this index, or words for a row without one.
+std::string tokenOf(const Value& row, std::size_t index) {
+  if (row.IsObject()) {
+    const auto token = row.FindMember("token");
+    if (token != row.MemberEnd() && token->value.IsString()) return textOf(token->value);
+  }
+  return "of row " + std::to_string(index);
+}
+
 /// Returns true for "1.3" or later, compared by the first two numbers: "1.10" is later than "1.3".
 bool isSupported(std::string_view version) {
   std::pair<int, int> numbers;
@@ -92,9 +101,7 @@ std::vector<MapRow> NuScenesMapDocument::rows(const char* layer_name) const {
   std::vector<MapRow> rows;
   rows.reserve(array.Size());
   for (const Value& value : array.GetArray()) {
-    MapRow row{value, layer_name, "of row " + std::to_string(rows.size())};
-    row.token = text(row, "token");
-    rows.push_back(std::move(row));
+    rows.push_back({value, layer_name, tokenOf(value, rows.size())});
   }
   return rows;
 }

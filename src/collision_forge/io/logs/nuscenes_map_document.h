@@ -21,7 +21,8 @@ class NuScenesMapDocument {
   /// Throws NuScenesError for a file that is missing, not JSON, or of a version before 1.3.
   explicit NuScenesMapDocument(const std::string& path);
 
-  /// Returns the rows of a layer that is an array of objects, each with a "token".
+  /// Returns the rows of a layer that is an array; MapRow::token is "of row N" for a row without
+  /// one.
   std::vector<MapRow> rows(const char* layer) const;
   /// Returns the entries of a layer that is a dictionary keyed by token.
   std::vector<MapRow> entries(const char* layer) const;

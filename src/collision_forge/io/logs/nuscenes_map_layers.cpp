@@ -44,11 +44,26 @@ class LayerReader {
  private:
   using Nodes = std::unordered_map<std::string, Vector2>;
 
-  Nodes readNodes() const {
-    Nodes nodes;
-    for (const MapRow& row : document_.rows("node")) {
-      nodes[row.token] = {document_.number(row, "x"), document_.number(row, "y")};
+  /// Calls `read` with each row; a row that cannot be used costs that row alone.
+  template <typename Read>
+  void eachRow(const std::vector<MapRow>& rows, const Read& read) {
+    for (const MapRow& row : rows) {
+      try {
+        read(row);
+      } catch (const NuScenesError& error) {
+        const std::string place = path_ + ": " + row.layer + ": token ";
+        warnings_.add(std::string("rows of ") + row.layer + " that cannot be used",
+                      std::string(error.what()).substr(place.size()));
+      }
     }
+  }
+
+  Nodes readNodes() {
+    Nodes nodes;
+    eachRow(document_.rows("node"), [&](const MapRow& row) {
+      nodes[document_.text(row, "token")] = {document_.number(row, "x"),
+                                             document_.number(row, "y")};
+    });
     return nodes;
   }
 
@@ -67,7 +82,8 @@ class LayerReader {
 
   void readPolygons() {
     const Nodes nodes = readNodes();
-    for (const MapRow& row : document_.rows("polygon")) {
+    eachRow(document_.rows("polygon"), [&](const MapRow& row) {
+      const std::string token = document_.text(row, "token");
       Polygon polygon;
       polygon.exterior = ringOf(nodes, document_.texts(row, "exterior_node_tokens"));
       const MapRow holes{document_.field(row, "holes"), row.layer, row.token};
@@ -82,43 +98,48 @@ class LayerReader {
       if (polygon.exterior.empty()) {
         warnings_.add("degenerate polygons", row.token);
       } else {
-        layers_.polygons[row.token] = std::move(polygon);
+        layers_.polygons[token] = std::move(polygon);
       }
-    }
+    });
   }
 
   void readLanes(const char* layer, bool is_connector) {
-    for (const MapRow& row : document_.rows(layer)) {
-      if (!lane_tokens_.insert(row.token).second) {
-        throw NuScenesError(path_ + ": " + layer + ": token " + row.token +
+    eachRow(document_.rows(layer), [&](const MapRow& row) {
+      const std::string token = document_.text(row, "token");
+      if (!lane_tokens_.insert(token).second) {
+        throw NuScenesError(path_ + ": " + layer + ": token " + token +
                             ": field token is a duplicate");
       }
       const auto polygon = row.value.FindMember("polygon_token");
       const bool has_polygon = polygon != row.value.MemberEnd() && !polygon->value.IsNull();
       layers_.lanes.push_back(
-          {row.token, has_polygon ? document_.text(row, "polygon_token") : "", is_connector});
-    }
+          {token, has_polygon ? document_.text(row, "polygon_token") : "", is_connector});
+    });
   }
 
   void readAreas() {
-    for (const MapRow& row : document_.rows("drivable_area")) {
-      const std::vector<std::string> polygons = document_.texts(row, "polygon_tokens");
-      layers_.drivable_area.insert(layers_.drivable_area.end(), polygons.begin(), polygons.end());
-    }
-    for (const MapRow& row : document_.rows("walkway")) {
+    eachRow(document_.rows("drivable_area"), [&](const MapRow& row) {
+      const MapRow polygons{document_.field(row, "polygon_tokens"), row.layer, row.token};
+      for (const MapRow& polygon : document_.elements(polygons, "polygon_tokens")) {
+        // An area has hundreds of polygons: a token that is none costs one of them.
+        const bool is_token = polygon.value.IsString();
+        layers_.drivable_area.emplace_back(is_token ? polygon.value.GetString() : "");
+      }
+    });
+    eachRow(document_.rows("walkway"), [&](const MapRow& row) {
       layers_.walkways.push_back(document_.text(row, "polygon_token"));
-    }
-    for (const MapRow& row : document_.rows("road_segment")) {
-      if (!document_.flag(row, "is_intersection")) continue;
+    });
+    eachRow(document_.rows("road_segment"), [&](const MapRow& row) {
+      if (!document_.flag(row, "is_intersection")) return;
       layers_.intersections.push_back(document_.text(row, "polygon_token"));
-    }
+    });
   }
 
   void readConnectivity() {
-    for (const MapRow& entry : document_.entries("connectivity")) {
+    eachRow(document_.entries("connectivity"), [&](const MapRow& entry) {
       layers_.connectivity.push_back(
           {entry.token, document_.texts(entry, "incoming"), document_.texts(entry, "outgoing")});
-    }
+    });
   }
 
   /// Returns nullopt for an arc beyond the limits, of unknown shape or of negative length.
@@ -143,7 +164,7 @@ class LayerReader {
 
   /// One unusable arc drops the lane's whole line: a part of it would end where no lane ends.
   void readArclines() {
-    for (const MapRow& entry : document_.entries("arcline_path_3")) {
+    eachRow(document_.entries("arcline_path_3"), [&](const MapRow& entry) {
       std::vector<ArcPath> paths;
       bool is_usable = true;
       for (const MapRow& row : document_.elements(entry, "arcs")) {
@@ -156,7 +177,7 @@ class LayerReader {
       } else if (!paths.empty()) {
         layers_.arclines[entry.token] = std::move(paths);
       }
-    }
+    });
   }
 
   std::string path_;

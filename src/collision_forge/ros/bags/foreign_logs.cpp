@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "collision_forge/base/files/plain_name.h"
-#include "collision_forge/io/logs/nuscenes_map.h"
+#include "collision_forge/io/maps/map_file.h"
 #include "collision_forge/ros/bags/bag_reader.h"
 #include "collision_forge/ros/bags/foreign_bag.h"
 #include "collision_forge/ros/bags/log_sources.h"
@@ -53,14 +53,12 @@ class ForeignLogs : public SceneReader {
   std::shared_ptr<const LaneIndex> lanesOfMap() {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (lanes_) return lanes_;
-    const std::string location = std::filesystem::path(how_.map).stem().string();
-    const DataOptions& options = reading_.options;
     std::vector<std::string> warnings;
-    lanes_ = std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>(readNuScenesMapFile(
-        how_.map, drivingSide(options, location),
-        {options.conversion.centerline_resolution, options.input_limits}, &warnings)));
-    if (reading_.on_warnings && !warnings.empty())
-      reading_.on_warnings("map " + location, warnings);
+    lanes_ = std::make_shared<const LaneIndex>(
+        std::make_shared<const LaneMap>(readMapFile(how_.map, reading_.options, &warnings)));
+    if (reading_.on_warnings && !warnings.empty()) {
+      reading_.on_warnings("map " + lanes_->map().location, warnings);
+    }
     return lanes_;
   }
 

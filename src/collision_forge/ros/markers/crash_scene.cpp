@@ -56,18 +56,16 @@ std::vector<Vector2> placesIn(const Points& points) {
   return places;
 }
 
-template <typename Ring>
-void appendRing(const Ring& ring, std::vector<Vector2>& ends) {
-  std::vector<Vector2> places = placesIn(ring.points);
-  if (!places.empty()) places.push_back(places.front());
-  appendPolyline(places, ends);
+void appendRing(std::vector<Vector2> ring, std::vector<Vector2>& ends) {
+  if (!ring.empty()) ring.push_back(ring.front());
+  appendPolyline(ring, ends);
 }
 
 SceneEntity areaEntity(const collision_forge::LaneMap& map) {
   std::vector<Vector2> ends;
-  for (const auto& polygon : map.drivable_area) {
+  for (const Polygon& polygon : fromMessage(map).drivable_area) {
     appendRing(polygon.exterior, ends);
-    for (const auto& hole : polygon.holes) appendRing(hole, ends);
+    for (const std::vector<Vector2>& hole : polygon.holes) appendRing(hole, ends);
   }
   SceneEntity entity;
   entity.id = "drivable_area";

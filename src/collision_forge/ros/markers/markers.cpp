@@ -48,12 +48,6 @@ std::vector<Vector2> positions(const Ring& points) {
   return ring;
 }
 
-Polygon polygonOf(const collision_forge::PolygonWithHoles& message) {
-  Polygon polygon{positions(message.exterior.points), {}};
-  for (const auto& hole : message.holes) polygon.holes.push_back(positions(hole.points));
-  return polygon;
-}
-
 void appendArrowHead(const Pose2& pose, std::vector<Vector2>& lines) {
   const auto point = [&pose](double forward, double left) {
     return compose(pose, {forward, left, 0.0}).position();
@@ -135,11 +129,11 @@ void addPatternBox(const OrientedBox& box, const std::string& name_space, double
   markers.addLines(name_space, outline, kPatternWidth, height, color);
 }
 
-void addArea(const char* name_space, const std::vector<collision_forge::PolygonWithHoles>& polygons,
-             double height, const colors::MarkerColor& color, MarkerList& markers) {
+void addArea(const char* name_space, const std::vector<Polygon>& polygons, double height,
+             const colors::MarkerColor& color, MarkerList& markers) {
   std::vector<Vector2> area;
-  for (const auto& polygon : polygons) {
-    const std::vector<Vector2> triangles = fillTriangles(polygonOf(polygon));
+  for (const Polygon& polygon : polygons) {
+    const std::vector<Vector2> triangles = fillTriangles(polygon);
     area.insert(area.end(), triangles.begin(), triangles.end());
   }
   markers.addTriangles(name_space, area, height, color);
@@ -193,8 +187,9 @@ void addWords(const CrashView& view, MarkerList& markers) {
 
 MarkerArray mapMarkers(const collision_forge::LaneMap& map) {
   MarkerList markers(map.header);
-  addArea("drivable_area", map.drivable_area, kAreaHeight, colors::kDrivableArea, markers);
-  addArea("walkways", map.walkways, kWalkwayHeight, colors::kWalkway, markers);
+  const LaneMap areas = fromMessage(map);
+  addArea("drivable_area", areas.drivable_area, kAreaHeight, colors::kDrivableArea, markers);
+  addArea("walkways", areas.walkways, kWalkwayHeight, colors::kWalkway, markers);
   addLanes(map, markers);
   return markers.take();
 }

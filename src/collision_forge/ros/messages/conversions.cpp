@@ -21,20 +21,35 @@ double yawOf(const Quaternion& q) {
   return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
 }
 
-geometry_msgs::Polygon toPolygonMessage(const std::vector<Vector2>& ring) {
+/// Corners of polygons are float32: relative to an origin within 6 km their error is below 1 mm.
+/// A multiple of this power of two makes the subtraction exact, and is zero for most local maps.
+constexpr double kOriginGrid = 8192.0;  // m
+
+Vector2 originOf(const LaneMap& map) {
+  Vector2 near = Vector2::Zero();
+  for (const Lane& lane : map.lanes) {
+    if (lane.centerline.empty()) continue;
+    near = lane.centerline.front().position();
+    break;
+  }
+  return {kOriginGrid * std::round(near.x() / kOriginGrid),
+          kOriginGrid * std::round(near.y() / kOriginGrid)};
+}
+
+geometry_msgs::Polygon toPolygonMessage(const std::vector<Vector2>& ring, const Vector2& origin) {
   geometry_msgs::Polygon message;
   for (const Vector2& point : ring) {
     geometry_msgs::Point32 corner;
-    corner.x = static_cast<float>(point.x());
-    corner.y = static_cast<float>(point.y());
+    corner.x = static_cast<float>(point.x() - origin.x());
+    corner.y = static_cast<float>(point.y() - origin.y());
     message.points.push_back(corner);
   }
   return message;
 }
 
-std::vector<Vector2> fromMessage(const geometry_msgs::Polygon& message) {
+std::vector<Vector2> fromMessage(const geometry_msgs::Polygon& message, const Vector2& origin) {
   std::vector<Vector2> ring;
-  for (const auto& point : message.points) ring.emplace_back(point.x, point.y);
+  for (const auto& point : message.points) ring.push_back(origin + Vector2(point.x, point.y));
   return ring;
 }
 
@@ -46,25 +61,25 @@ AgentClass agentClass(std::uint8_t value, const std::string& id) {
   return static_cast<AgentClass>(value);
 }
 
-Lane fromMessage(const collision_forge::Lane& message) {
+Lane fromMessage(const collision_forge::Lane& message, const Vector2& origin) {
   Lane lane;
   lane.id = message.id;
   lane.is_connector = message.is_connector;
   lane.is_intersection = message.is_intersection;
   for (const auto& pose : message.centerline) lane.centerline.push_back(forge::fromMessage(pose));
-  lane.polygon = fromMessage(message.polygon);
+  lane.polygon = fromMessage(message.polygon, origin);
   lane.incoming = message.incoming;
   lane.outgoing = message.outgoing;
   return lane;
 }
 
-collision_forge::Lane toMessage(const Lane& lane) {
+collision_forge::Lane toMessage(const Lane& lane, const Vector2& origin) {
   collision_forge::Lane message;
   message.id = lane.id;
   message.is_connector = lane.is_connector;
   message.is_intersection = lane.is_intersection;
   for (const Pose2& pose : lane.centerline) message.centerline.push_back(toPose2dMessage(pose));
-  message.polygon = toPolygonMessage(lane.polygon);
+  message.polygon = toPolygonMessage(lane.polygon, origin);
   message.incoming = lane.incoming;
   message.outgoing = lane.outgoing;
   return message;
@@ -254,16 +269,16 @@ collision_forge::TrajectoryPoint toMessage(const TrajectoryPoint& point) {
   return message;
 }
 
-Polygon fromMessage(const collision_forge::PolygonWithHoles& message) {
-  Polygon polygon{fromMessage(message.exterior), {}};
-  for (const auto& hole : message.holes) polygon.holes.push_back(fromMessage(hole));
+Polygon fromMessage(const collision_forge::PolygonWithHoles& message, const Vector2& origin) {
+  Polygon polygon{fromMessage(message.exterior, origin), {}};
+  for (const auto& hole : message.holes) polygon.holes.push_back(fromMessage(hole, origin));
   return polygon;
 }
 
-collision_forge::PolygonWithHoles toMessage(const Polygon& polygon) {
+collision_forge::PolygonWithHoles toMessage(const Polygon& polygon, const Vector2& origin) {
   collision_forge::PolygonWithHoles message;
-  message.exterior = toPolygonMessage(polygon.exterior);
-  for (const auto& hole : polygon.holes) message.holes.push_back(toPolygonMessage(hole));
+  message.exterior = toPolygonMessage(polygon.exterior, origin);
+  for (const auto& hole : polygon.holes) message.holes.push_back(toPolygonMessage(hole, origin));
   return message;
 }
 
@@ -273,9 +288,12 @@ LaneMap fromMessage(const collision_forge::LaneMap& message) {
   map.driving_side = message.driving_side == collision_forge::LaneMap::DRIVE_LEFT
                          ? DrivingSide::kLeft
                          : DrivingSide::kRight;
-  for (const auto& lane : message.lanes) map.lanes.push_back(fromMessage(lane));
-  for (const auto& area : message.drivable_area) map.drivable_area.push_back(fromMessage(area));
-  for (const auto& walkway : message.walkways) map.walkways.push_back(fromMessage(walkway));
+  const Vector2 origin(message.origin.x, message.origin.y);
+  for (const auto& lane : message.lanes) map.lanes.push_back(fromMessage(lane, origin));
+  for (const auto& area : message.drivable_area) {
+    map.drivable_area.push_back(fromMessage(area, origin));
+  }
+  for (const auto& walkway : message.walkways) map.walkways.push_back(fromMessage(walkway, origin));
   return map;
 }
 
@@ -287,9 +305,15 @@ collision_forge::LaneMap toMessage(const LaneMap& map, const ros::Time& stamp) {
   message.driving_side = map.driving_side == DrivingSide::kLeft
                              ? collision_forge::LaneMap::DRIVE_LEFT
                              : collision_forge::LaneMap::DRIVE_RIGHT;
-  for (const Lane& lane : map.lanes) message.lanes.push_back(toMessage(lane));
-  for (const Polygon& area : map.drivable_area) message.drivable_area.push_back(toMessage(area));
-  for (const Polygon& walkway : map.walkways) message.walkways.push_back(toMessage(walkway));
+  const Vector2 origin = originOf(map);
+  message.origin.x = origin.x();
+  message.origin.y = origin.y();
+  for (const Lane& lane : map.lanes) message.lanes.push_back(toMessage(lane, origin));
+  for (const Polygon& area : map.drivable_area) {
+    message.drivable_area.push_back(toMessage(area, origin));
+  }
+  for (const Polygon& walkway : map.walkways)
+    message.walkways.push_back(toMessage(walkway, origin));
   return message;
 }
 

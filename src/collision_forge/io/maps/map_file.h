@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "collision_forge/base/map/lane_map.h"
+#include "collision_forge/io/logs/options.h"
+
+namespace forge {
+
+/// Reads the lanes of a map file of any kind in kMapKinds of map_file.cpp. The kind follows from
+/// the content: a JSON object, or the root element of XML. The location is the file's name without
+/// its extension. Appends one line per kind of defect to `warnings`, if given.
+///
+/// Throws MapError for a file that cannot be opened or is of another kind, for a map without lanes,
+/// and as the reader of the kind; InputError for a map beyond the input limits; ConfigError for a
+/// location without a driving side, if the kind of file does not contain it.
+LaneMap readMapFile(const std::string& path, const DataOptions& options,
+                    std::vector<std::string>* warnings = nullptr);
+
+}  // namespace forge

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <variant>
+#include <vector>
+
+#include "collision_forge/base/geometry/pose2.h"
+
+namespace forge {
+
+/// A point of a reference line. Frame of the file, metres, radians.
+struct LinePoint {
+  Pose2 pose;
+  double curvature = 0.0;  ///< 1/m, positive to the left
+};
+
+/// Cubic polynomial a + b x + c x^2 + d x^3.
+struct Cubic {
+  double a = 0.0;
+  double b = 0.0;
+  double c = 0.0;
+  double d = 0.0;
+
+  double value(double x) const { return a + x * (b + x * (c + x * d)); }
+  double slope(double x) const { return b + x * (2.0 * c + x * 3.0 * d); }
+  double bend(double x) const { return 2.0 * c + 6.0 * d * x; }  ///< second derivative
+};
+
+/// A line, arc or spiral of OpenDRIVE: the curvature changes linearly along it.
+class Clothoid {
+ public:
+  /// `length` in m, > 0; curvatures in 1/m.
+  Clothoid(const Pose2& start, double length, double curvature_at_start, double curvature_at_end);
+
+  /// Returns the point at an arc length (m from the start). Arcs and lines are exact; on spirals
+  /// the position is integrated by Gauss-Legendre quadrature, accurate to 1e-9 m for each
+  /// kilometre.
+  LinePoint at(double arc_length) const;
+
+ private:
+  double turnAt(double arc_length) const;
+
+  Pose2 start_;
+  double curvature_;
+  double rate_;  // 1/m^2, change of curvature along the line
+};
+
+/// A poly3 or paramPoly3 of OpenDRIVE: u(p), v(p) in the frame of the start.
+class CubicCurve {
+ public:
+  /// The curve for p in [0, `p_end`]. An arc length on it is the share of `length` (m, > 0, as in
+  /// the file), so that p need not be the arc length. Throws std::invalid_argument if the curve has
+  /// no length.
+  CubicCurve(const Pose2& start, double length, const Cubic& u, const Cubic& v, double p_end);
+
+  /// The curve v = v(u) with the given arc length.
+  static CubicCurve ofHeight(const Pose2& start, double length, const Cubic& v);
+
+  /// Returns the point at an arc length (m from the start), accurate to 1e-6 m.
+  LinePoint at(double arc_length) const;
+
+ private:
+  static constexpr int kPieces = 32;
+
+  double speed(double p) const;
+  double lengthBetween(double from, double to) const;
+  double parameterAt(double arc_length) const;
+
+  Pose2 start_;
+  double length_;
+  Cubic u_, v_;
+  double p_end_;
+  std::array<double, kPieces + 1> lengths_;  // m from p = 0 to each end of the pieces
+};
+
+/// The reference line of a road: pieces in order of their arc length.
+class ReferenceLine {
+ public:
+  /// Appends a piece at the end. `length` in m, > 0.
+  void append(double length, std::variant<Clothoid, CubicCurve> shape);
+
+  /// Returns the sum of the lengths of the pieces, m.
+  double length() const { return length_; }
+  /// Returns the arc length (m) at which each piece begins, ascending.
+  const std::vector<double>& begins() const { return begins_; }
+
+  /// Returns the point at an arc length (m) within 0..length(). There must be a piece.
+  LinePoint at(double arc_length) const;
+
+ private:
+  double length_ = 0.0;
+  std::vector<double> begins_;
+  std::vector<std::variant<Clothoid, CubicCurve>> shapes_;  // one per piece
+};
+
+/// A function of the arc length: a cubic polynomial from each begin on; 0 before the first.
+class PiecewiseCubic {
+ public:
+  /// Adds a polynomial of the distance (m) from `begin`, which is an arc length (m).
+  void add(double begin, const Cubic& cubic);
+
+  bool empty() const { return pieces_.empty(); }
+  const std::map<double, Cubic>& pieces() const { return pieces_; }
+  double value(double arc_length) const;
+  double slope(double arc_length) const;
+
+ private:
+  std::map<double, Cubic> pieces_;  // by begin
+};
+
+}  // namespace forge

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <optional>
+#include <pugixml.hpp>
+#include <string>
+#include <vector>
+
+#include "collision_forge/base/map/lane_map.h"
+#include "collision_forge/base/scene/input_limits.h"
+#include "collision_forge/io/maps/open_drive_line.h"
+
+namespace forge {
+
+/// Driving direction of a lane. OpenDRIVE 1.8: attribute `direction`.
+enum class LaneDirection {
+  kStandard,  ///< by the driving side and the side of the reference line
+  kReversed,
+  kBoth,
+};
+
+/// A lane of a lane section.
+struct OpenDriveLane {
+  int id = 0;  ///< > 0: left of the reference line; < 0: right; never 0
+  std::string type;
+  LaneDirection direction = LaneDirection::kStandard;
+  /// Over the arc length of the road, m: the width of the lane, or its outer border's distance from
+  /// the lane offset, positive to the left.
+  PiecewiseCubic outline;
+  bool is_border = false;             ///< `outline` is the border
+  std::vector<int> predecessors;      ///< ids in the previous section, or at the start of the road
+  std::vector<int> successors;        ///< ids in the next section, or at the end of the road
+  std::optional<double> speed_limit;  ///< m/s, of the lane or its road
+};
+
+/// Lanes between two arc lengths of a road.
+struct OpenDriveSection {
+  double begin = 0.0;                ///< m
+  double end = 0.0;                  ///< m, >= begin
+  std::vector<OpenDriveLane> left;   ///< from the reference line outwards
+  std::vector<OpenDriveLane> right;  ///< from the reference line outwards
+  /// The next section is the rest of this one: its lanes have the same ids.
+  bool continues = false;
+};
+
+/// The element that follows a road at its start or end.
+struct OpenDriveLink {
+  enum class To { kNothing, kRoad, kJunction };
+  To to = To::kNothing;
+  std::string id;
+  bool at_end = false;  ///< the other road is joined at its end, else at its start
+};
+
+struct OpenDriveRoad {
+  std::string id;
+  std::string junction;  ///< "" for a road that is not inside a junction
+  DrivingSide side = DrivingSide::kRight;
+  ReferenceLine line;  ///< frame of the map; at least one piece
+  PiecewiseCubic lane_offset;
+  std::vector<OpenDriveSection> sections;  ///< ascending; at least one
+  OpenDriveLink before;
+  OpenDriveLink after;
+};
+
+/// Reads one element <road>, of OpenDRIVE 1.4 to 1.8. `origin`: pose of the file's coordinates in
+/// the map (element <offset>); `path` is for messages. Sections longer than 500 m are cut.
+///
+/// Throws MapError, naming element, attribute and value, for a road without geometry or lanes, an
+/// unknown geometry, a missing number, and a line beyond the limits. Unusable links and speed
+/// limits are left out.
+OpenDriveRoad readOpenDriveRoad(const pugi::xml_node& road, const Pose2& origin,
+                                const InputLimits& limits, const std::string& path);
+
+}  // namespace forge

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "collision_forge/io/maps/open_drive_road.h"
+
+namespace forge {
+
+/// The area of a lane in one lane section. Points follow the reference line; frame of the map.
+struct LaneStrip {
+  std::vector<Pose2> centre;   ///< yaw along the lane in the direction of the reference line
+  std::vector<Vector2> left;   ///< border to the left of the reference line's direction
+  std::vector<Vector2> right;  ///< one point of each border per pose of `centre`
+  double widest = 0.0;         ///< m
+};
+
+/// The strips of a section's lanes, in their order.
+struct SectionStrips {
+  std::vector<LaneStrip> left;
+  std::vector<LaneStrip> right;
+};
+
+/// Returns the strips of a section of `road`. All strips have points at the same arc lengths, so
+/// that neighbours share their border's points: at most `resolution` (m, > 0) apart along the
+/// reference line, in bends so close that a chord is within 1 cm. Superelevation is ignored.
+SectionStrips laneStrips(const OpenDriveRoad& road, const OpenDriveSection& section,
+                         double resolution);
+
+}  // namespace forge
