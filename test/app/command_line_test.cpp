@@ -324,7 +324,7 @@ TEST(BashCompletion, CompletesCommandsOptionsAndValues) {
   EXPECT_THAT(script, HasSubstr("complete -o default -F _forge_complete forge\n"));
   EXPECT_THAT(script, HasSubstr("'forge generate --mode') words='history replay adaptive'"));
   EXPECT_THAT(script, HasSubstr("'forge generate --requests') words=''"));
-  EXPECT_THAT(script, HasSubstr("'forge study measure') words='controls coverage "));
+  EXPECT_THAT(script, HasSubstr("'forge study measure') words='latency patterns "));
   EXPECT_THAT(script, HasSubstr("--scenarios"));
   EXPECT_THAT(script, Not(HasSubstr("'forge convert --force')")));
   EXPECT_THAT(script, HasSubstr("'forge report --dataroot') words=''"));

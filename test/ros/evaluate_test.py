@@ -165,7 +165,7 @@ class EvaluateRequestsTest(road.RoadTest):
         times = self.result.stdout[len(table):].strip().splitlines()
         self.assertEqual(len(times), 2)
         for line in times:
-            self.assertRegex(line, r'^(search|replay)_\w+: mean [0-9.]+ ms on one core, median [0-9.]+ ms, '
+            self.assertRegex(line, r'^(search|replay): mean [0-9.]+ ms on one core, median [0-9.]+ ms, '
                                    r'95 % quantile [0-9.]+ ms \({} measurements in this process\)$'.format(len(self.listed)))
         self.assertNotIn(' ms', table)
 

@@ -155,7 +155,7 @@ TEST_F(RequestEvaluationTest, SearchesEqualTheRequestSolver) {
       EXPECT_EQ(*row.request->believable, outcome.report.believable());
     }
   }
-  EXPECT_GT(answered, 6);
+  EXPECT_GT(answered, 3);
 }
 
 TEST_F(RequestEvaluationTest, AdaptiveAttackersAreMeasuredBesideFixedOnes) {

@@ -84,7 +84,7 @@ TEST(Mid, OverfitsAFewClips) {
   const TrafficBatch batch = sampleBatch(clips, options.traffic);
   EXPECT_GT(driveError(*mid, batch, options.traffic), 1.0);
   mid->network()->train();
-  for (int step = 0; step < 500; ++step) {
+  for (int step = 0; step < 300; ++step) {
     const std::vector<double> losses = mid->trainStep(batch);
     ASSERT_EQ(losses.size(), mid->lossNames().size());
     ASSERT_TRUE(std::isfinite(losses[0]));

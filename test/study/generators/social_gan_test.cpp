@@ -29,7 +29,7 @@ TEST(SocialGan, OverfitsAFewClips) {
   const std::vector<TrafficClip> clips = sampleClips(options.traffic, 4);
   const TrafficBatch batch = sampleBatch(clips, options.traffic);
   const double before = driveError(*gan, batch, options.traffic);
-  for (int step = 0; step < 1500; ++step) {
+  for (int step = 0; step < 600; ++step) {
     const std::vector<double> losses = gan->trainStep(batch);
     ASSERT_EQ(losses.size(), gan->lossNames().size());
     EXPECT_EQ(std::isnan(losses[2]), step % 3 == 2) << "two steps of the judge, one of the driver";
