@@ -16,6 +16,7 @@
 #include "io/collide/collide_fixture.h"
 #include "io/logs/map_fixture.h"
 #include "io/logs/nuscenes_fixture.h"
+#include "io/maps/small_lanelet2.h"
 
 namespace forge {
 namespace {
@@ -56,6 +57,21 @@ Seeds configSeeds() {
   std::sort(seeds.begin(), seeds.end());  // folders are in any order
   return seeds;
 }
+
+/// Writes two lanes of opposite direction and a parking area.
+std::string twoLanelets(SmallLanelet2 osm) {
+  const std::string left = osm.line({{49.0003, 8.0}, {49.0003, 8.003}});
+  const std::string middle = osm.line({{49.0, 8.0}, {49.0, 8.003}});
+  const std::string right = osm.line({{48.9997, 8.0}, {48.9997, 8.003}});
+  osm.lanelet(left, middle, "road", SmallLanelet2::tag("one_way", "no"));
+  osm.lanelet(middle, right, "road", SmallLanelet2::tag("speed_limit", "30 mph"));
+  osm.relation(
+      SmallLanelet2::member("outer", osm.line({{1.0, 1.0}, {2.0, 1.0}, {2.0, 2.0}})),
+      SmallLanelet2::tag("type", "multipolygon") + SmallLanelet2::tag("subtype", "parking"));
+  return osm.text();
+}
+
+Seeds laneletSeeds() { return {twoLanelets(SmallLanelet2())}; }
 
 Seeds mapSeeds() { return {tinyMap(), embeddedMap()}; }
 
@@ -188,6 +204,7 @@ const SeedMakers& seedMakers() {
                                     {"clips", clipSeeds},
                                     {"config", configSeeds},
                                     {"definitions", definitionSeeds},
+                                    {"lanelets", laneletSeeds},
                                     {"map", mapSeeds},
                                     {"messages", messageSeeds},
                                     {"numbers", numberSeeds},

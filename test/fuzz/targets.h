@@ -18,6 +18,7 @@ bool fuzzBags(const std::string& input);
 bool fuzzClips(const std::string& input);
 bool fuzzConfig(const std::string& input);
 bool fuzzDefinitions(const std::string& input);
+bool fuzzLanelets(const std::string& input);
 bool fuzzMap(const std::string& input);
 bool fuzzMessages(const std::string& input);
 bool fuzzNumbers(const std::string& input);
@@ -34,6 +35,7 @@ inline constexpr FuzzTarget kFuzzTargets[] = {
     {"clips", fuzzClips},
     {"config", fuzzConfig},
     {"definitions", fuzzDefinitions},
+    {"lanelets", fuzzLanelets},
     {"map", fuzzMap},
     {"messages", fuzzMessages},
     {"numbers", fuzzNumbers},
