@@ -16,6 +16,7 @@
 #include "io/collide/collide_fixture.h"
 #include "io/logs/map_fixture.h"
 #include "io/logs/nuscenes_fixture.h"
+#include "io/maps/small_common_road.h"
 #include "io/maps/small_lanelet2.h"
 
 namespace forge {
@@ -56,6 +57,17 @@ Seeds configSeeds() {
   }
   std::sort(seeds.begin(), seeds.end());  // folders are in any order
   return seeds;
+}
+
+Seeds commonRoadSeeds() {
+  SmallCommonRoad file("DEU_Town-1_1_T-1");
+  file.lanelet("1", 0.0, 0.0,
+               SmallCommonRoad::ref("successor", "2") + "<speedLimit>9</speedLimit>");
+  file.lanelet("2", 20.0, 0.0, "<userBidirectional>vehicle</userBidirectional>");
+  file.moving("11", "car", {0.0, 0.0}, 9.0, 0, 3).moving("12", "bus", {30.0, 0.0}, 5.0, 1, 4);
+  file.add("<staticObstacle id='20'><type>unknown</type>" + std::string(SmallCommonRoad::kBox) +
+           SmallCommonRoad::state("initialState", {5.0, 4.0, 0.1}, 0, 0.0) + "</staticObstacle>");
+  return {file.problem({0.0, 0.0, 0.0}, 0).text()};
 }
 
 /// Writes two lanes of opposite direction and a parking area.
@@ -202,6 +214,7 @@ Seeds definitionSeeds() {
 const SeedMakers& seedMakers() {
   static const SeedMakers makers = {{"bags", bagSeeds},
                                     {"clips", clipSeeds},
+                                    {"commonroad", commonRoadSeeds},
                                     {"config", configSeeds},
                                     {"definitions", definitionSeeds},
                                     {"lanelets", laneletSeeds},

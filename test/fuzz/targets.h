@@ -16,6 +16,7 @@ struct FuzzTarget {
 
 bool fuzzBags(const std::string& input);
 bool fuzzClips(const std::string& input);
+bool fuzzCommonroad(const std::string& input);
 bool fuzzConfig(const std::string& input);
 bool fuzzDefinitions(const std::string& input);
 bool fuzzLanelets(const std::string& input);
@@ -33,6 +34,7 @@ bool fuzzWeights(const std::string& input);
 inline constexpr FuzzTarget kFuzzTargets[] = {
     {"bags", fuzzBags},
     {"clips", fuzzClips},
+    {"commonroad", fuzzCommonroad},
     {"config", fuzzConfig},
     {"definitions", fuzzDefinitions},
     {"lanelets", fuzzLanelets},

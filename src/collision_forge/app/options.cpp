@@ -9,6 +9,7 @@
 #include "collision_forge/io/batch/dispatch.h"
 #include "collision_forge/io/batch/progress_line.h"
 #include "collision_forge/io/logs/scenario_net_logs.h"
+#include "collision_forge/io/maps/common_road_logs.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
 #include "collision_forge/io/weights/traffic_generators.h"
 #include "collision_forge/planner_test/planners/planner_factory.h"
@@ -36,8 +37,10 @@ const std::string& packageFolder() {
 #ifdef COLLISION_FORGE_WITHOUT_ROS
 /// A build without ROS cannot read bags.
 LogSource logSourceAt(const std::string& path, const std::string& version) {
-  const LogFormat& scenario_net = scenarioNetFormat();
-  return {path, version, scenario_net.accepts(path) ? &scenario_net : &nuScenesFormat()};
+  for (const LogFormat* format : {&scenarioNetFormat(), &commonRoadFormat()}) {
+    if (format->accepts(path)) return {path, version, format};
+  }
+  return {path, version};
 }
 #endif
 
@@ -141,11 +144,19 @@ CLI::Option* addSource(CLI::App& app, LogSource& logs, const std::string& text) 
       app.add_option_function<std::string>(
              "--source,--dataroot",
              [&logs](const std::string& path) { logs = logSourceAt(path, logs.version); },
-             text + ": nuScenes root, ScenarioNet folder, bag, or folder of bags")
+             text +
+                 ": nuScenes root, ScenarioNet folder, bag or folder of bags, CommonRoad scenario "
+                 "or "
+                 "folder of scenarios")
           ->type_name("PATH")
           ->check(CLI::ExistingPath);
   app.add_option("--version", logs.version,
                  "table folder in a nuScenes root, e.g. v1.0-mini; optional if there is only one")
+      ->needs(source);
+  app.add_option(
+         "--ego-obstacle", logs.ego,
+         "CommonRoad: id of the dynamic obstacle that is the ego; default: the vehicle at the "
+         "start of a planning problem, else the one in sight for the longest time")
       ->needs(source);
   return source;
 }

@@ -6,6 +6,7 @@
 
 #include "collision_forge/base/scene/input_limits.h"
 #include "collision_forge/io/logs/nuscenes_map.h"
+#include "collision_forge/io/maps/common_road_map.h"
 #include "collision_forge/io/maps/lanelet2_map.h"
 #include "collision_forge/io/maps/map_error.h"
 #include "collision_forge/io/maps/xml_input.h"
@@ -33,6 +34,7 @@ struct MapKind {
 constexpr std::array kMapKinds = {
     MapKind{"nuScenes map expansion", kJsonRoot, readMapExpansion},
     MapKind{"Lanelet2", "<osm>", readLanelet2Map},
+    MapKind{"CommonRoad", "<commonRoad>", readCommonRoadMap},
 };
 
 std::string describe(const std::string& root) {
