@@ -17,6 +17,8 @@
 #include "io/logs/map_fixture.h"
 #include "io/logs/nuscenes_fixture.h"
 #include "io/maps/open_drive_fixture.h"
+#include "io/maps/small_common_road.h"
+#include "io/maps/small_lanelet2.h"
 
 namespace forge {
 namespace {
@@ -57,6 +59,32 @@ Seeds configSeeds() {
   std::sort(seeds.begin(), seeds.end());  // folders are in any order
   return seeds;
 }
+
+Seeds commonRoadSeeds() {
+  SmallCommonRoad file("DEU_Town-1_1_T-1");
+  file.lanelet("1", 0.0, 0.0,
+               SmallCommonRoad::ref("successor", "2") + "<speedLimit>9</speedLimit>");
+  file.lanelet("2", 20.0, 0.0, "<userBidirectional>vehicle</userBidirectional>");
+  file.moving("11", "car", {0.0, 0.0}, 9.0, 0, 3).moving("12", "bus", {30.0, 0.0}, 5.0, 1, 4);
+  file.add("<staticObstacle id='20'><type>unknown</type>" + std::string(SmallCommonRoad::kBox) +
+           SmallCommonRoad::state("initialState", {5.0, 4.0, 0.1}, 0, 0.0) + "</staticObstacle>");
+  return {file.problem({0.0, 0.0, 0.0}, 0).text()};
+}
+
+/// Writes two lanes of opposite direction and a parking area.
+std::string twoLanelets(SmallLanelet2 osm) {
+  const std::string left = osm.line({{49.0003, 8.0}, {49.0003, 8.003}});
+  const std::string middle = osm.line({{49.0, 8.0}, {49.0, 8.003}});
+  const std::string right = osm.line({{48.9997, 8.0}, {48.9997, 8.003}});
+  osm.lanelet(left, middle, "road", SmallLanelet2::tag("one_way", "no"));
+  osm.lanelet(middle, right, "road", SmallLanelet2::tag("speed_limit", "30 mph"));
+  osm.relation(
+      SmallLanelet2::member("outer", osm.line({{1.0, 1.0}, {2.0, 1.0}, {2.0, 2.0}})),
+      SmallLanelet2::tag("type", "multipolygon") + SmallLanelet2::tag("subtype", "parking"));
+  return osm.text();
+}
+
+Seeds laneletSeeds() { return {twoLanelets(SmallLanelet2())}; }
 
 Seeds mapSeeds() { return {tinyMap(), embeddedMap(), openDriveCrossing()}; }
 
@@ -187,8 +215,10 @@ Seeds definitionSeeds() {
 const SeedMakers& seedMakers() {
   static const SeedMakers makers = {{"bags", bagSeeds},
                                     {"clips", clipSeeds},
+                                    {"commonroad", commonRoadSeeds},
                                     {"config", configSeeds},
                                     {"definitions", definitionSeeds},
+                                    {"lanelets", laneletSeeds},
                                     {"map", mapSeeds},
                                     {"messages", messageSeeds},
                                     {"numbers", numberSeeds},

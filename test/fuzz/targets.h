@@ -16,8 +16,10 @@ struct FuzzTarget {
 
 bool fuzzBags(const std::string& input);
 bool fuzzClips(const std::string& input);
+bool fuzzCommonroad(const std::string& input);
 bool fuzzConfig(const std::string& input);
 bool fuzzDefinitions(const std::string& input);
+bool fuzzLanelets(const std::string& input);
 bool fuzzMap(const std::string& input);
 bool fuzzMessages(const std::string& input);
 bool fuzzNumbers(const std::string& input);
@@ -32,8 +34,10 @@ bool fuzzWeights(const std::string& input);
 inline constexpr FuzzTarget kFuzzTargets[] = {
     {"bags", fuzzBags},
     {"clips", fuzzClips},
+    {"commonroad", fuzzCommonroad},
     {"config", fuzzConfig},
     {"definitions", fuzzDefinitions},
+    {"lanelets", fuzzLanelets},
     {"map", fuzzMap},
     {"messages", fuzzMessages},
     {"numbers", fuzzNumbers},

@@ -7,6 +7,7 @@
 
 #include "collision_forge/io/export/export_formats.h"
 #include "collision_forge/io/logs/scenario_net_logs.h"
+#include "collision_forge/io/maps/common_road_logs.h"
 #include "io/logs/nuscenes_fixture.h"
 #include "properties/plane_change.h"
 #include "properties/same_verdict.h"
@@ -32,41 +33,56 @@ ReadCrash readOfScenarioNet(const std::string& path, const CrashRecord& written)
   return read;
 }
 
+std::vector<Vector2> pointsOf(const std::vector<Pose2>& poses) {
+  std::vector<Vector2> points;
+  for (const Pose2& pose : poses) points.push_back(pose.position());
+  return points;
+}
+
+/// Returns false for a lane without two poses that are more than 1 mm apart.
+bool isExported(const Lane& lane) {
+  return std::any_of(lane.centerline.begin(), lane.centerline.end(), [&](const Pose2& pose) {
+    return (pose.position() - lane.centerline.front().position()).norm() > 1e-3;
+  });
+}
+
+/// Every lane that can be exported is read back: its links, and its centreline to 1 cm.
+void expectSameLanes(const LaneMap& read, const LaneMap& written) {
+  std::vector<const Lane*> exported;
+  for (const Lane& lane : written.lanes) {
+    if (isExported(lane)) exported.push_back(&lane);
+  }
+  EXPECT_EQ(read.driving_side, written.driving_side);
+  ASSERT_EQ(read.lanes.size(), exported.size());
+  for (std::size_t i = 0; i < exported.size(); ++i) {
+    const Lane& lane = read.lanes[i];
+    const Polyline line(pointsOf(exported[i]->centerline));
+    for (const Pose2& pose : lane.centerline) {
+      EXPECT_LT(line.project(pose.position()).distance, 0.01) << exported[i]->id;
+    }
+    EXPECT_LT((lane.centerline.back().position() - line.points().back()).norm(), 0.01);
+    EXPECT_LT((lane.centerline.front().position() - line.points().front()).norm(), 0.01);
+    EXPECT_EQ(lane.is_connector, exported[i]->is_connector || exported[i]->is_intersection);
+  }
+}
+
 pugi::xml_document documentAt(const std::string& path) {
   pugi::xml_document document;
   if (!document.load_file(path.c_str())) throw std::runtime_error(path + ": is no XML");
   return document;
 }
 
-AgentState stateOfCommonRoad(const pugi::xml_node& state, double step) {
-  const pugi::xml_node point = state.child("position").child("point");
-  const auto exact = [&](const char* name) {
-    return state.child(name).child("exact").text().as_double();
-  };
-  const double yaw = exact("orientation");
-  return {step * exact("time"),
-          {point.child("x").text().as_double(), point.child("y").text().as_double(), yaw},
-          exact("velocity") * Pose2{0.0, 0.0, yaw}.heading()};
-}
-
-Track trackOfCommonRoad(const pugi::xml_node& root, const char* number) {
-  const pugi::xml_node obstacle = root.find_child_by_attribute("dynamicObstacle", "id", number);
-  const pugi::xml_node box = obstacle.child("shape").child("rectangle");
-  const double step = root.attribute("timeStepSize").as_double();
-  Track track{number,
-              AgentClass::kCar,
-              {box.child("length").text().as_double(), box.child("width").text().as_double()},
-              {stateOfCommonRoad(obstacle.child("initialState"), step)}};
-  for (const pugi::xml_node& state : obstacle.child("trajectory").children("state")) {
-    track.states.push_back(stateOfCommonRoad(state, step));
-  }
-  return track;
-}
-
-ReadCrash readOfCommonRoad(const std::string& path, const CrashRecord& /*written*/) {
-  const pugi::xml_document document = documentAt(path);
-  const pugi::xml_node root = document.child("commonRoad");
-  return {trackOfCommonRoad(root, "1"), trackOfCommonRoad(root, "2")};
+ReadCrash readOfCommonRoad(const std::string& path, const CrashRecord& written) {
+  const Config& config = embeddedConfig();
+  const Scene scene =
+      flattened(readCommonRoadScenario(path, "1", config), {{}, config, {}, {}}).scene;
+  ReadCrash read{scene.ego, *std::find_if(scene.agents.begin(), scene.agents.end(),
+                                          [](const Track& agent) { return agent.id == "2"; })};
+  const double begin = scene.ego.states.front().time;
+  move(read.ego, -begin);
+  move(read.attacker, -begin);
+  expectSameLanes(*scene.map, written.lanes);
+  return read;
 }
 
 /// The file tells who stands by the first and last state of that time alone.

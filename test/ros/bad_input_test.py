@@ -111,7 +111,7 @@ class BadInputTest(MadeUpTest):
     def test_numbers_beyond_the_limits(self):
         """A box of a kilometre and a place beyond the map's reach are left out, a trajectory of years is refused."""
         def agents(seconds):
-            broken = [agent('long', -10.0), agent('far', 60000.0)]
+            broken = [agent('long', -10.0), agent('far', 160000.0)]
             broken[0].size.x = 1000.0
             return broken + traffic(seconds)
         scene = self.show(drive(6, agents))

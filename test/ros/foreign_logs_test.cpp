@@ -85,6 +85,11 @@ TEST_F(ForeignLogsTest, AMapThatIsGivenTakesThePlaceOfTheBags) {
   EXPECT_THROW(open()->recording("one"), MapError);
 }
 
+TEST_F(ForeignLogsTest, WithoutLanesTheMapIsEmpty) {
+  how_.without_lanes = true;
+  EXPECT_TRUE(open()->recording("one").lanes->map().lanes.empty());
+}
+
 TEST_F(ForeignLogsTest, ABagWithoutLanesNeedsAMap) {
   const auto path = folder_.path() + "/two.bag";
   {

@@ -86,7 +86,7 @@ TEST_F(LogSourcesTest, ABagIsHeldToTheLimitsOfInput) {
   const std::string path = write(far);
   EXPECT_THAT(errorOf<InputError>([&] { readSource(path); }),
               AllOf(HasSubstr(path), HasSubstr("ego: states[0].x = 1000000"),
-                    HasSubstr("outside -50000 to 50000")));
+                    HasSubstr("outside -100000 to 100000")));
 }
 
 TEST_F(LogSourcesTest, AgentsOfABagBeyondThemAreLeftOut) {

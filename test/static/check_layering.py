@@ -24,6 +24,7 @@ LIBRARIES = {
     'cairo': r'cairo',
     'giflib': r'gif_lib\.h$',
     'pugixml': r'pugixml',
+    'GeographicLib': r'GeographicLib/',
     'LZ4': r'lz4frame\.h$',
     'zlib': r'zlib\.h$',
     'Qt': r'(Qt\w+/)?Q[A-Z]\w+$',

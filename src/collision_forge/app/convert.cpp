@@ -32,7 +32,8 @@ struct Arguments {
   std::string out;
   ConfigFolder config;
   std::string topics;  ///< topic mapping of third-party bags; empty: `logs` has none
-  std::string map;     ///< map file of third-party bags; empty: /lane_map of each bag
+  bool without_lanes = false;
+  std::string map;  ///< map file of third-party bags; empty: /lane_map of each bag
   int jobs = defaultJobs();
   bool force = false;
   bool to_scenario_net = false;
@@ -113,8 +114,9 @@ std::unique_ptr<SceneReader> openLogs(const Arguments& arguments, const Config& 
     throw std::runtime_error(arguments.out +
                              ": this folder holds the input bags; choose another --out");
   }
-  return openForeignBags(arguments.logs.path, {readTopicMapping(arguments.topics), arguments.map},
-                         reading);
+  return openForeignBags(
+      arguments.logs.path,
+      {readTopicMapping(arguments.topics), arguments.map, arguments.without_lanes}, reading);
 }
 
 int convert(const Arguments& arguments) {
@@ -173,10 +175,15 @@ void addConvert(CommandLine& line) {
       app.add_option("--topics", arguments->topics,
                      "topic mapping of third-party bags, e.g. config/topics_autoware.yaml")
           ->check(CLI::ExistingFile);
-  app.add_option("--map", arguments->map,
-                 "map file for third-party bags (docs/maps.md); default: /lane_map in each bag")
-      ->check(CLI::ExistingFile)
-      ->needs(topics);
+  CLI::Option* const map =
+      app.add_option("--map", arguments->map,
+                     "map file for third-party bags (docs/maps.md); default: /lane_map in each bag")
+          ->check(CLI::ExistingFile)
+          ->needs(topics);
+  app.add_flag("--without-lanes", arguments->without_lanes,
+               "convert third-party bags without lanes (docs/maps.md says which attacks need none)")
+      ->needs(topics)
+      ->excludes(map);
   addScenes(app, arguments->scenes);
   addOut(app, arguments->out, "output folder, one file per scene");
   addChoice<bool>(app, "--to", arguments->to_scenario_net, {{"bag", false}, {"scenarionet", true}},

@@ -12,6 +12,7 @@
 #include "collision_forge/base/scene/request_words.h"
 #include "collision_forge/io/batch/dispatch.h"
 #include "collision_forge/io/batch/progress_line.h"
+#include "collision_forge/io/maps/common_road_logs.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
 #include "collision_forge/io/weights/traffic_generators.h"
 #include "collision_forge/planner_test/planners/planner_factory.h"
@@ -127,11 +128,19 @@ CLI::Option* addSource(CLI::App& app, LogSource& logs, const std::string& text) 
       app.add_option_function<std::string>(
              "--source,--dataroot",
              [&logs](const std::string& path) { logs = logSourceAt(path, logs.version); },
-             text + ": nuScenes root, ScenarioNet folder, bag, or folder of bags")
+             text +
+                 ": nuScenes root, ScenarioNet folder, bag or folder of bags, CommonRoad scenario "
+                 "or "
+                 "folder of scenarios")
           ->type_name("PATH")
           ->check(CLI::ExistingPath);
   app.add_option("--version", logs.version,
                  "table folder in a nuScenes root, e.g. v1.0-mini; optional if there is only one")
+      ->needs(source);
+  app.add_option(
+         "--ego-obstacle", logs.ego,
+         "CommonRoad: id of the dynamic obstacle that is the ego; default: the vehicle at the "
+         "start of a planning problem, else the one in sight for the longest time")
       ->needs(source);
   return source;
 }

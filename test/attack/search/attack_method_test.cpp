@@ -64,6 +64,20 @@ TEST(GenerateCollision, ReturnsVerifiedAttacksOnly) {
   EXPECT_TRUE(refused.trajectory.attacker_id.empty());
 }
 
+TEST(GenerateCollision, PlausibleAttacksNeedAMapWithLanes) {
+  const PredictionOptions options = shippedOptions().prediction;
+  Moment bare = moment();
+  bare.lanes = std::make_shared<const LaneIndex>(emptyMap());
+  CollisionRequest request = believableRequestFor(CollisionType::kRearEnd);
+  const Status status = generateCollision(Told(verifiedReport()), bare, request, options).status;
+  EXPECT_EQ(status.code, StatusCode::kRoadDoesNotAllow);
+  EXPECT_NE(status.message.find("set believable = false, or convert the log with a map"),
+            std::string::npos);
+  request.crash.believable = false;
+  EXPECT_EQ(generateCollision(Told(verifiedReport()), bare, request, options).status.code,
+            StatusCode::kOk);
+}
+
 TEST(GenerateCollision, RejectsAttacksThatViolateTheControls) {
   const PredictionOptions options = shippedOptions().prediction;
   CollisionReport report = verifiedReport();

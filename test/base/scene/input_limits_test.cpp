@@ -79,12 +79,12 @@ std::string errorOfTrajectory(const std::function<void(AttackerTrajectory&)>& sp
 
 TEST(InputLimits, ErrorsInMapsNameThePoint) {
   EXPECT_EQ(errorOfMap([](LaneMap& map) { map.lanes[0].centerline[1].x = 1e9; }),
-            "town: lane \"a\": centerline[1].x = 1000000000 is outside -50000 to 50000, "
+            "town: lane \"a\": centerline[1].x = 1000000000 is outside -100000 to 100000, "
             "max_coordinate in input_limits.yaml");
   EXPECT_EQ(errorOfMap([](LaneMap& map) { map.lanes[0].centerline[0].yaw = kNan; }),
             "town: lane \"a\": centerline[0].yaw = nan is not finite");
-  EXPECT_THAT(errorOfMap([](LaneMap& map) { map.lanes[0].polygon[2].y() = -50001.0; }),
-              StartsWith("town: lane \"a\": polygon[2].y = -50001 is"));
+  EXPECT_THAT(errorOfMap([](LaneMap& map) { map.lanes[0].polygon[2].y() = -100001.0; }),
+              StartsWith("town: lane \"a\": polygon[2].y = -100001 is"));
   EXPECT_THAT(errorOfMap([](LaneMap& map) { map.drivable_area[0].exterior[0].x() = kNan; }),
               StartsWith("town: drivable_area[0].exterior[0].x = nan is"));
   EXPECT_THAT(errorOfMap([](LaneMap& map) { map.lanes[0].speed_limit = 1e3; }),
@@ -93,8 +93,8 @@ TEST(InputLimits, ErrorsInMapsNameThePoint) {
 }
 
 TEST(InputLimits, ChecksEgoAndFramesOfAScene) {
-  EXPECT_EQ(errorOfScene([](Scene& scene) { scene.ego.states[1].pose.y = -6e4; }),
-            "log: ego: states[1].y = -60000 is outside -50000 to 50000, max_coordinate in "
+  EXPECT_EQ(errorOfScene([](Scene& scene) { scene.ego.states[1].pose.y = -1.6e5; }),
+            "log: ego: states[1].y = -160000 is outside -100000 to 100000, max_coordinate in "
             "input_limits.yaml");
   EXPECT_THAT(errorOfScene([](Scene& scene) { scene.ego.states[1].velocity.x() = 200.0; }),
               StartsWith("log: ego: states[1].speed = 200 is outside 0 to 150"));
@@ -200,9 +200,9 @@ TEST(InputLimits, PlansMustHaveFewPointsNearby) {
   std::vector<TrajectoryPoint> plan(5000);
   plan[7].pose.x = kNan;
   EXPECT_EQ(errorOf([&] { checkPlan(plan, shippedLimits(), "plan"); }), "");
-  plan[3].pose.y = -6e4;
+  plan[3].pose.y = -1.6e5;
   EXPECT_EQ(errorOf([&] { checkPlan(plan, shippedLimits(), "plan"); }),
-            "plan: points[3].y = -60000 is outside -50000 to 50000, max_coordinate in "
+            "plan: points[3].y = -160000 is outside -100000 to 100000, max_coordinate in "
             "input_limits.yaml");
   plan.emplace_back();
   EXPECT_EQ(errorOf([&] { checkPlan(plan, shippedLimits(), "plan"); }),

@@ -178,7 +178,7 @@ TEST(CollideClip, RowErrorsNameLineColumnAndValue) {
   EXPECT_THAT(complaintAfter("-7.5,90.0", "nan,90.0"),
               HasSubstr("line 10: Y = \"nan\" is not finite"));
   EXPECT_THAT(complaintAfter("2.5,1.25", "2.5,1e9"),
-              HasSubstr("line 10: X = \"1e9\" is outside -50000 to 50000"));
+              HasSubstr("line 10: X = \"1e9\" is outside -100000 to 100000"));
   EXPECT_THAT(complaintAfter("2.5,1.25", "-1e308,1.25"),
               HasSubstr("line 10: V = \"-1e308\" is outside -150 to 150"));
   EXPECT_THAT(complaintAfter("2.5,1.25", "2.5"),

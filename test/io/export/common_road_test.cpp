@@ -158,9 +158,10 @@ TEST_F(CommonRoad, TheSourceDescribesTheCrash) {
   CrashRecord record = slowCarRecord();
   record.scenario.answer.report.manoeuvre = Manoeuvre::kLeadSlow;
   const std::string source = written(record).attribute("source").value();
-  EXPECT_THAT(source, AllOf(HasSubstr("type=rear_end;"), HasSubstr("tta=3.5;"),
-                            HasSubstr("manoeuvre=lead_slow;"), HasSubstr("attacker=a;"),
-                            HasSubstr("seed=7;"), HasSubstr("now=2;")));
+  EXPECT_THAT(source,
+              AllOf(HasSubstr("type=rear_end;"), HasSubstr("tta=3.5;"),
+                    HasSubstr("manoeuvre=lead_slow;"), HasSubstr("attacker=a;"),
+                    HasSubstr("seed=7;"), HasSubstr("now=2;"), HasSubstr("driving_side=right;")));
   const std::size_t at = source.find("contact=");
   ASSERT_NE(at, std::string::npos);
   EXPECT_NEAR(std::stod(source.substr(at + 8)), *record.contact, 1e-6);
@@ -240,10 +241,15 @@ TEST_F(CommonRoad, BoundsAreHalfAWidthOffTheCentreline) {
   }
 }
 
-TEST_F(CommonRoad, NoBoundRunsBackwardsInATightBend) {
+TEST_F(CommonRoad, NoBoundRunsBackwardsInATightBendAndTheMiddleIsTheCentreline) {
   std::vector<Pose2> poses = leftBend(1.0, 3.0);
   for (const bool is_mirrored : {false, true}) {
     const xml_node lanelet = laneletsOf({laneAlong("tight", poses)}).at(0);
+    const auto left = pointsOf(lanelet.child("leftBound"));
+    const auto right = pointsOf(lanelet.child("rightBound"));
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      EXPECT_NEAR((0.5 * (left[i] + right[i]) - poses[i].position()).norm(), 0.0, 1e-6);
+    }
     for (const char* side : {"leftBound", "rightBound"}) {
       const auto bound = pointsOf(lanelet.child(side));
       ASSERT_EQ(bound.size(), poses.size());
@@ -337,11 +343,15 @@ TEST_F(CommonRoad, AmbiguousNeighboursAreNotAdjacent) {
   }
 }
 
-TEST_F(CommonRoad, LaneletsInJunctionsAreMarked) {
+TEST_F(CommonRoad, ConnectorsAndLaneletsInJunctionsAreMarked) {
   Lane crossing = laneAlong("crossing", straight(0.0, 0.0, 20.0));
   crossing.is_intersection = true;
-  const auto lanelets = laneletsOf({crossing, laneAlong("road", straight(20.0, 0.0, 20.0))});
+  Lane connector = laneAlong("connector", straight(40.0, 0.0, 20.0));
+  connector.is_connector = true;
+  const auto lanelets =
+      laneletsOf({crossing, laneAlong("road", straight(20.0, 0.0, 20.0)), connector});
   EXPECT_TRUE(lanelets[0].select_node("laneletType[text()='intersection']"));
+  EXPECT_TRUE(lanelets[2].select_node("laneletType[text()='intersection']"));
   EXPECT_FALSE(lanelets[1].select_node("laneletType[text()='intersection']"));
   EXPECT_TRUE(lanelets[1].select_node("laneletType[text()='urban']"));
 }

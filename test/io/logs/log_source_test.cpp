@@ -59,9 +59,9 @@ NuScenesRecording recorded() {
 
 TEST(LogSource, RejectsARecordingWithTheEgoBeyondTheLimits) {
   NuScenesRecording recording = recorded();
-  recording.ego_poses[0].translation.y() = -6e4;
+  recording.ego_poses[0].translation.y() = -1.6e5;
   EXPECT_THAT(errorOf<InputError>([&] { keepWithin(recording, config(), nullptr); }),
-              testing::AllOf(HasSubstr("scene-0001: ego: states[0].y"), HasSubstr("-50000")));
+              testing::AllOf(HasSubstr("scene-0001: ego: states[0].y"), HasSubstr("-100000")));
 }
 
 TEST(LogSource, RemovesInstancesBeyondTheLimits) {

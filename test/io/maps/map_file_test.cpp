@@ -3,12 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "base/scene/shipped_limits.h"
 #include "collision_forge/base/config/config_error.h"
 #include "collision_forge/io/logs/nuscenes_json.h"
 #include "collision_forge/io/maps/map_error.h"
 #include "io/logs/map_fixture.h"
 #include "io/logs/nuscenes_fixture.h"
+#include "io/maps/map_options.h"
 
 namespace forge {
 namespace {
@@ -17,9 +17,7 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 DataOptions optionsOf(const std::string& location, DrivingSide side) {
-  DataOptions options;
-  options.conversion.centerline_resolution = 1.0;
-  options.input_limits = shippedLimits();
+  DataOptions options = mapOptions();
   options.locations[location] = side;
   return options;
 }
@@ -45,9 +43,12 @@ TEST(MapFile, AnotherJsonObjectIsRefusedAsAMapExpansion) {
 }
 
 TEST(MapFile, OtherFilesAreNamedByTheirContentWithTheKindsThatCanBeRead) {
-  EXPECT_THAT([] { readText("x,y\n1,2\n"); },
-              refusedWith("is neither a JSON object nor XML; the maps that can be read are: "
-                          "nuScenes map expansion ({)"));
+  EXPECT_THAT(
+      [] { readText("x,y\n1,2\n"); },
+      refusedWith("is neither a JSON object nor XML; the maps that can be read are: "
+                  "nuScenes map expansion ({), Lanelet2 (<osm>), CommonRoad (<commonRoad>)"));
+  EXPECT_THAT([] { readText("# Title<br>"); }, refusedWith("neither a JSON object nor XML"));
+  EXPECT_THAT([] { readText("\xEF\xBB\xBF<net/>"); }, refusedWith("the root element <net>"));
   EXPECT_THAT([] { readText(""); }, refusedWith("neither a JSON object nor XML"));
   EXPECT_THAT([] { readText("<?xml version='1.0'?><net/>"); },
               refusedWith("an XML file with the root element <net>"));

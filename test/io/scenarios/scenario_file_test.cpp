@@ -270,7 +270,7 @@ TEST(ScenarioFile, NumbersBeyondTheLimitsNameFieldValueAndLimit) {
       {"\"length\":4.6", "\"length\":1e7", "attacker.length = 10000000.0 is outside 0.1 to 50"},
       {"\"width\":1.9", "\"width\":0.01", "attacker.width = 0.01 is outside 0.1 to 50"},
       {"\"x\":1.9", "\"x\":1e9",
-       "attacker.trajectory[1].x = 1000000000.0 is outside -50000 to 50000"},
+       "attacker.trajectory[1].x = 1000000000.0 is outside -100000 to 100000"},
       {"\"t\":0.1,", "\"t\":1e9,",
        "attacker.trajectory[1].t = 1000000000.0 is outside -3600 to 60"},
       {"\"t\":0.1,", "\"t\":0,", "attacker.trajectory[1].t = 0 is not after the previous time"},

@@ -15,6 +15,11 @@ Attack generateOne(const AttackMethod& method, const Moment& moment, const Colli
   const CollisionRequest request = withFullId(asked, moment.snapshot);
   const Status status = checkRequest(request, moment.snapshot, options);
   if (status.code != StatusCode::kOk) return rejection(status);
+  if (request.crash.believable && moment.lanes->map().lanes.empty()) {
+    return rejection({StatusCode::kRoadDoesNotAllow,
+                      "the map has no lanes, and believable = true needs them: set believable = "
+                      "false, or convert the log with a map"});
+  }
   if (request.mode == Mode::kReplay && !moment.recorded) {
     return rejection({StatusCode::kNoRecording, "mode = replay needs a recording"});
   }

@@ -28,8 +28,9 @@ class AttackMethod {
 Attack attempt(const AttackMethod& method, const Moment& moment, const CollisionRequest& request);
 
 /// Returns one verified attack for a request, ignoring request.alternatives. Rejects without
-/// calling the method if checkRequest() does, and with kNoRecording in replay mode without a
-/// recorded future. An attack that violates the request becomes kNoAttackWithinLimits or
+/// calling the method if checkRequest() does, with kRoadDoesNotAllow if a plausible attack is
+/// requested on a map without lanes, and with kNoRecording in replay mode without a recorded
+/// future. An attack that violates the request becomes kNoAttackWithinLimits or
 /// kNotBelievable.
 Attack generateOne(const AttackMethod& method, const Moment& moment,
                    const CollisionRequest& request, const PredictionOptions& options);

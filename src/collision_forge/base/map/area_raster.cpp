@@ -11,7 +11,7 @@ namespace forge {
 namespace {
 
 constexpr double kCell = 0.5;     // m, side of a cell
-constexpr double kLargest = 1e5;  // m, largest extent
+constexpr double kLargest = 2e5;  // m, largest extent
 
 /// Adds where a ring crosses the centre line of each row of cells, in cells from the tile's left.
 template <std::size_t kRows>
@@ -47,7 +47,7 @@ AreaRaster::AreaRaster(const std::vector<Polygon>& area) : area_(area) {
   if (!(all.sizes().maxCoeff() <= kLargest)) {
     std::ostringstream complaint;
     complaint << "area of " << all.sizes().x() << " x " << all.sizes().y()
-              << " m is above the limit of 100 km";
+              << " m is above the limit of 200 km";
     throw std::invalid_argument(complaint.str());
   }
   // Aligned to whole tiles of the map frame, so that a crop of the map has the same cells.

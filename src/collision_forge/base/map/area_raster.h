@@ -16,7 +16,7 @@ namespace forge {
 class AreaRaster {
  public:
   /// `area`, metres in the map frame, must outlive the raster. Throws std::invalid_argument if it
-  /// extends over more than 100 km.
+  /// extends over more than 200 km.
   explicit AreaRaster(const std::vector<Polygon>& area);
   ~AreaRaster();
   AreaRaster(const AreaRaster&) = delete;

@@ -34,7 +34,7 @@ struct LanePath {
 class LaneIndex {
  public:
   /// Throws std::invalid_argument for a null map, a centreline that is not finite, and an area or a
-  /// centreline beyond 100 km. Ignores outgoing ids that the map does not have.
+  /// centreline beyond its limit (200 km, 100 km). Ignores outgoing ids that the map does not have.
   explicit LaneIndex(std::shared_ptr<const LaneMap> map);
 
   const LaneMap& map() const { return *map_; }

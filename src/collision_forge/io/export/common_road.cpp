@@ -16,6 +16,7 @@
 #include "collision_forge/base/geometry/polyline.h"
 #include "collision_forge/io/export/road_network.h"
 #include "collision_forge/io/export/xml.h"
+#include "collision_forge/io/maps/common_road_file.h"
 
 namespace forge {
 namespace {
@@ -95,14 +96,14 @@ double lengthOf(const std::vector<Pose2>& poses) {
   return length;
 }
 
-/// Returns the left (+1) or right (-1) bound. On the inner side of a bend it stays before the
-/// bend's centre, so that it never runs backwards.
+/// Returns the left (+1) or right (-1) bound. The middle of both bounds is the centreline; in a
+/// tight bend the lanelet is narrower, so that the inner bound never runs backwards.
 std::vector<Vector2> boundOf(const Lanelet& lanelet, double side) {
   const std::vector<Pose2>& middle = lanelet.middle;
   std::vector<double> offsets(middle.size(), 0.5 * lanelet.width);
   for (std::size_t i = 1; i < middle.size(); ++i) {
-    const double turn = side * angleBetween(middle[i - 1].yaw, middle[i].yaw);
-    if (turn <= 0.0) continue;
+    const double turn = std::abs(angleBetween(middle[i - 1].yaw, middle[i].yaw));
+    if (turn == 0.0) continue;
     const double length = (middle[i].position() - middle[i - 1].position()).norm();
     const double most = kLargestBendShare * length / turn;
     offsets[i - 1] = std::min(offsets[i - 1], most);
@@ -259,7 +260,8 @@ std::string sourceOf(const CrashRecord& record) {
                        "; manoeuvre=" + toString(record.scenario.answer.report.manoeuvre) +
                        "; attacker=" + record.attacker.id +
                        "; seed=" + std::to_string(asked.request.seed) +
-                       "; now=" + decimal(record.now);
+                       "; now=" + decimal(record.now) + "; " + kDrivingSideKey +
+                       (record.lanes.driving_side == DrivingSide::kLeft ? "left" : "right");
   if (record.contact) source += "; contact=" + decimal(*record.contact);
   return source;
 }
@@ -354,7 +356,8 @@ class CommonRoadFile {
     addNeighbour(element, "adjacentLeft", lanelet.left);
     addNeighbour(element, "adjacentRight", lanelet.right);
     addText(element, "laneletType", "urban");
-    if (lanelet.lane->is_intersection) addText(element, "laneletType", "intersection");
+    if (lanelet.lane->is_intersection || lanelet.lane->is_connector)
+      addText(element, "laneletType", "intersection");
   }
 
   static void addLinks(xml_node lanelet, const char* name, const std::vector<std::string>& lanes,

@@ -17,8 +17,8 @@ namespace forge {
 /// - States: poses are box centres, velocities are along the heading.
 /// - Planning problem: starts at t0; its goal is the ego's last pose. With a free ego, the ego is
 ///   not an obstacle and the goal is the end time alone.
-/// - Attributes: `source` holds type, TTA, manoeuvre, seed, t0 and contact time; `date` is the day
-///   of the recording.
+/// - Attributes: `source` holds type, TTA, manoeuvre, seed, t0, contact time and driving side;
+///   `date` is the day of the recording.
 ///
 /// Two deviations from the schema, which commonroad-io accepts: initial states after step 0, and no
 /// lanelet if no lane is near.

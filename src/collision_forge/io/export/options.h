@@ -3,18 +3,13 @@
 #include <map>
 #include <string>
 
+#include "collision_forge/base/map/geo_point.h"
 #include "collision_forge/base/map/lane_map.h"
 #include "collision_forge/base/scene/track.h"
 
 namespace forge {
 
 class Section;
-
-/// Degrees, north and east positive.
-struct GeoPoint {
-  double latitude = 0.0;
-  double longitude = 0.0;
-};
 
 /// Content of exported crashes (config/export.yaml).
 struct ExportOptions {

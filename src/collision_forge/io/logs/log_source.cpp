@@ -100,8 +100,10 @@ std::string versionOf(const LogSource& source) {
                           ": is a ROS 2 bag; convert it to a ROS 1 bag first, for instance with "
                           "rosbags-convert");
     }
-    throw NuScenesError(source.path + ": is neither a nuScenes root (no subfolder has " + kScenes +
-                        "), nor a folder of ScenarioNet files (sd_*.pkl), nor a bag (.bag)");
+    throw NuScenesError(
+        source.path + ": is neither a nuScenes root (no subfolder has " + kScenes +
+        "), nor a folder of ScenarioNet files (sd_*.pkl), nor a bag (.bag), nor a CommonRoad "
+        "scenario (.xml)");
   }
   std::string names;
   for (const std::string& name : found) names += (names.empty() ? "" : ", ") + name;
@@ -118,6 +120,7 @@ std::map<std::string, std::string> fingerprintsOf(const LogSource& source) {
   std::map<std::string, std::string> fingerprints = logFingerprints(source.path, version);
   fingerprints["source"] = fs::canonical(source.path).string();
   if (!version.empty()) fingerprints["version"] = version;
+  if (!source.ego.empty()) fingerprints["ego"] = source.ego;
   return fingerprints;
 }
 

@@ -69,6 +69,7 @@ struct LogSource {
   /// nuScenes root: folder of the tables, as "v1.0-mini"; empty: the only one there.
   std::string version;
   const LogFormat* format = &nuScenesFormat();
+  std::string ego = {};  ///< CommonRoad: id of the obstacle that is the ego; empty: by rule
 
   /// Returns the path with the version, for messages.
   std::string described() const { return version.empty() ? path : path + "/" + version; }

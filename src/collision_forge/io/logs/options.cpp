@@ -67,16 +67,18 @@ std::map<std::string, std::vector<std::string>> generatorWeights(const ModelOpti
   return weights;
 }
 
-DrivingSide drivingSide(const DataOptions& options, const std::string& location) {
+std::optional<DrivingSide> configuredSide(const DataOptions& options, const std::string& location) {
   const std::pair<const std::string, DrivingSide>* best = nullptr;
   for (const auto& entry : options.locations) {
     const bool fits = location.compare(0, entry.first.size(), entry.first) == 0;
     if (fits && (!best || entry.first.size() > best->first.size())) best = &entry;
   }
-  if (!best) {
-    throw ConfigError("locations.yaml: no prefix under locations matches location = " + location);
-  }
-  return best->second;
+  return best ? std::optional(best->second) : std::nullopt;
+}
+
+DrivingSide drivingSide(const DataOptions& options, const std::string& location) {
+  if (const auto side = configuredSide(options, location)) return *side;
+  throw ConfigError("locations.yaml: no prefix under locations matches location = " + location);
 }
 
 }  // namespace forge

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "collision_forge/attack/forecast/options.h"
 #include "collision_forge/base/config/config_folder.h"
+#include "collision_forge/base/map/geo_point.h"
 #include "collision_forge/base/map/lane_map.h"
 #include "collision_forge/base/scene/input_limits.h"
 #include "collision_forge/base/scene/scene.h"
@@ -33,6 +35,7 @@ struct DataOptions {
   ConversionOptions conversion;
   InputLimits input_limits;                      ///< config/input_limits.yaml
   std::map<std::string, DrivingSide> locations;  ///< config/locations.yaml, by prefix of the name
+  std::map<std::string, GeoPoint> origins;       ///< ExportOptions::origins
 };
 
 /// Files fitted to recordings (config/models.yaml); paths are "" if not set. methods.yaml adds
@@ -72,8 +75,9 @@ void readOptions(Section& section, AttackedBagOptions& options);
 void readOptions(Section& section, std::map<std::string, DrivingSide>& locations);
 void readOptions(Section& section, ModelOptions& options);
 
-/// Returns the driving side of a location by its longest matching prefix. Throws ConfigError if no
-/// prefix matches.
+/// Returns the driving side of a location by its longest matching prefix; nullopt if none matches.
+std::optional<DrivingSide> configuredSide(const DataOptions& options, const std::string& location);
+/// As above; throws ConfigError if no prefix matches.
 DrivingSide drivingSide(const DataOptions& options, const std::string& location);
 
 }  // namespace forge

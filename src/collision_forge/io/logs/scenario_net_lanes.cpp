@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
-#include <unordered_map>
 #include <utility>
 
 #include "collision_forge/base/geometry/polyline.h"
+#include "collision_forge/base/map/lane_links.h"
 
 namespace forge {
 namespace {
@@ -35,7 +35,7 @@ class MapReader {
         problems_.push_back(error.what());
       }
     }
-    link();
+    linkMutually(map_.lanes);
     return std::move(map_);
   }
 
@@ -84,33 +84,6 @@ class MapReader {
       poses.push_back({point.x(), point.y(), line.poseAt(line.arcLengths()[i]).yaw});
     }
     return poses;
-  }
-
-  /// Makes links mutual and drops links to lanes that are not in the file.
-  void link() {
-    std::unordered_map<std::string, std::size_t> places;
-    for (const Lane& lane : map_.lanes) places.emplace(lane.id, places.size());
-    std::vector<std::vector<std::string>> incoming(map_.lanes.size());
-    std::vector<std::vector<std::string>> outgoing(map_.lanes.size());
-    const auto add = [&](const std::string& from, const std::string& to) {
-      const auto before = places.find(from);
-      const auto after = places.find(to);
-      if (before == places.end() || after == places.end()) return;
-      std::vector<std::string>& out = outgoing[before->second];
-      if (std::find(out.begin(), out.end(), to) != out.end()) return;
-      out.push_back(to);
-      incoming[after->second].push_back(from);
-    };
-    for (const Lane& lane : map_.lanes) {
-      for (const std::string& next : lane.outgoing) add(lane.id, next);
-    }
-    for (const Lane& lane : map_.lanes) {
-      for (const std::string& before : lane.incoming) add(before, lane.id);
-    }
-    for (std::size_t i = 0; i < map_.lanes.size(); ++i) {
-      map_.lanes[i].incoming = std::move(incoming[i]);
-      map_.lanes[i].outgoing = std::move(outgoing[i]);
-    }
   }
 
   LaneMap map_;

@@ -6,6 +6,8 @@
 
 #include "collision_forge/base/scene/input_limits.h"
 #include "collision_forge/io/logs/nuscenes_map.h"
+#include "collision_forge/io/maps/common_road_map.h"
+#include "collision_forge/io/maps/lanelet2_map.h"
 #include "collision_forge/io/maps/map_error.h"
 #include "collision_forge/io/maps/open_drive_map.h"
 #include "collision_forge/io/maps/xml_input.h"
@@ -33,6 +35,8 @@ struct MapKind {
 constexpr std::array kMapKinds = {
     MapKind{"nuScenes map expansion", kJsonRoot, readMapExpansion},
     MapKind{"OpenDRIVE", "<OpenDRIVE>", readOpenDriveMap},
+    MapKind{"Lanelet2", "<osm>", readLanelet2Map},
+    MapKind{"CommonRoad", "<commonRoad>", readCommonRoadMap},
 };
 
 std::string describe(const std::string& root) {
@@ -61,7 +65,9 @@ LaneMap readMapFile(const std::string& path, const DataOptions& options,
   LaneMap map = kind.read(path, options, defects);
   map.location = std::filesystem::path(path).stem().string();
   if (map.lanes.empty()) {
-    throw MapError(path + ": is a map of the kind " + kind.name + ", but has no lanes");
+    std::string complaint = path + ": is a map of the kind " + kind.name + " without lanes";
+    for (const std::string& defect : defects) complaint += "; " + defect;
+    throw MapError(complaint);
   }
   checkMap(map, options.input_limits, path);
   if (warnings != nullptr) warnings->insert(warnings->end(), defects.begin(), defects.end());

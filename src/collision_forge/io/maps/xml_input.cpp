@@ -29,7 +29,14 @@ std::string rootOf(const std::string& path) {
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
   if (file.bad()) throw MapError(path + ": cannot be read: " + std::strerror(errno));
   start.resize(static_cast<std::size_t>(file.gcount()));
-  if (trimmed(start).substr(0, 1) == kJsonRoot) return kJsonRoot;
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  std::string_view text = start;
+  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
+    text.remove_prefix(kByteOrderMark.size());
+  }
+  const std::string_view first = trimmed(text).substr(0, 1);
+  if (first == kJsonRoot) return kJsonRoot;
+  if (first != "<") return "";
   pugi::xml_document document;
   document.load_buffer(start.data(), start.size());  // keeps the elements before an error
   const std::string name = document.document_element().name();

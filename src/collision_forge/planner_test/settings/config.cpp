@@ -36,6 +36,7 @@ Config loadConfig(const ConfigFolder& folder) {
   readConfigFile(folder, "requests", config.requests);
   readConfigFile(folder, "report", config.report);
   readConfigFile(openConfigFile(folder, "export.yaml"), config.exports);
+  config.origins = config.exports.origins;
   readConfigFile(openConfigFile(folder, "planners.yaml"), config.planners,
                  config.attack.verification.limits);
   for (std::string* path : weightsOf(config)) *path = allowedWeights(config, *path);

@@ -33,7 +33,7 @@ class ForeignLogs : public SceneReader {
     logged.recording = readForeignBag(path, how_.mapping, reading_.options.ego_vehicle, &warnings);
     keepWithin(logged.recording, reading_.options, &warnings);
     if (reading_.on_warnings && !warnings.empty()) reading_.on_warnings(name, warnings);
-    logged.lanes = how_.map.empty() ? lanesIn(path) : lanesOfMap();
+    logged.lanes = lanesOf(path);
     logged.recording.location = logged.lanes->map().location;
     return logged;
   }
@@ -43,10 +43,13 @@ class ForeignLogs : public SceneReader {
   }
 
  private:
-  std::shared_ptr<const LaneIndex> lanesIn(const std::string& path) const {
+  std::shared_ptr<const LaneIndex> lanesOf(const std::string& path) {
+    if (!how_.map.empty()) return lanesOfMap();
+    if (how_.without_lanes) return std::make_shared<const LaneIndex>(std::make_shared<LaneMap>());
     const auto map = readLaneMap(path, reading_.options.input_limits);
     if (map) return std::make_shared<const LaneIndex>(map);
-    throw BagError(path + ": no message on " + bagTopic(names::kLaneMap) + "; --map gives the map");
+    throw BagError(path + ": no message on " + bagTopic(names::kLaneMap) +
+                   "; --map gives the map, --without-lanes converts without one");
   }
 
   /// Read once.

@@ -13,6 +13,7 @@ struct ForeignBags {
   TopicMapping mapping;
   /// Path of a map file, see readMapFile(); empty: each bag has its map on /lane_map.
   std::string map;
+  bool without_lanes = false;  ///< each scene has a map without lanes; `map` must be empty
 };
 
 /// Opens a bag or a folder of bags, one scene per bag, read by readForeignBag(). Throws BagError if

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "collision_forge/io/logs/scenario_net_logs.h"
+#include "collision_forge/io/maps/common_road_logs.h"
 #include "collision_forge/ros/bags/bag_reader.h"
 
 namespace forge {
@@ -81,7 +82,7 @@ const LogFormat& bagFormat() {
 }
 
 LogSource logSourceAt(const std::string& path, const std::string& version) {
-  for (const LogFormat* format : {&bagFormat(), &scenarioNetFormat()}) {
+  for (const LogFormat* format : {&bagFormat(), &scenarioNetFormat(), &commonRoadFormat()}) {
     if (format->accepts(path)) return {path, version, format};
   }
   return {path, version};

@@ -11,7 +11,7 @@ namespace forge {
 const LogFormat& bagFormat();
 
 /// Returns the log source at `path` and detects its format: a bag or a folder of bags, a
-/// ScenarioNet folder, else a nuScenes root with tables of `version`.
+/// ScenarioNet folder, CommonRoad scenarios, else a nuScenes root with tables of `version`.
 LogSource logSourceAt(const std::string& path, const std::string& version);
 
 }  // namespace forge

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "collision_forge/base/map/lane_map.h"
+#include "collision_forge/io/logs/options.h"
+#include "collision_forge/io/maps/common_road_file.h"
+
+namespace forge {
+
+/// Returns the lanes of a CommonRoad file. Its location is `location`.
+///
+/// - Lanes: lanelets that cars use, by userOneWay and userBidirectional, else by laneletType. A
+///   lanelet that cars use in both directions becomes two lanes, the second with the id suffix
+///   kReverse. The centreline is the mean of the bounds.
+/// - Links: predecessors and successors.
+/// - Junctions: lanelets of the type `intersection` and the turns of <intersection> are connectors
+///   in an intersection; in a file without them see markJunctions().
+/// - Road area: all lanelets except sidewalks, crosswalks and bus stops. Walkways: sidewalks.
+/// - Driving side: config/locations.yaml, else as in an export of this package, else the country of
+///   the benchmark id, else the adjacent lanelets of opposite direction.
+LaneMap commonRoadLanes(const CommonRoadFile& file, const std::string& location,
+                        const DataOptions& options, WarningCounter& warnings);
+
+/// Reads the lanes of a CommonRoad file. Throws as readCommonRoadFile().
+LaneMap readCommonRoadMap(const std::string& path, const DataOptions& options,
+                          std::vector<std::string>& warnings);
+
+}  // namespace forge

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "collision_forge/base/map/lane_map.h"
+
+namespace forge {
+
+/// Suffix of the id of a lane against the direction of its lanelet.
+inline constexpr char kReverse[] = ":reverse";
+
+/// The two sides of a lane, in driving direction. Metres, map frame; two or more points each.
+struct LaneBounds {
+  std::vector<Vector2> left;
+  std::vector<Vector2> right;
+};
+
+/// Returns the line midway between two bounds: the middles of connections between their points,
+/// each as short as possible, from the first points to the last (as the centreline of
+/// lanelet2_core).
+std::vector<Vector2> middleOf(const LaneBounds& bounds);
+
+/// Returns the poses at the points of a line, and between them at most `spacing` (m) apart. Empty
+/// for a line with a length of 0 and for a line that would have more than `max_poses` poses.
+std::vector<Pose2> posesAlong(const std::vector<Vector2>& line, double spacing, int max_poses);
+
+/// Returns the outline of the area between the bounds.
+std::vector<Vector2> outlineOf(const LaneBounds& bounds);
+
+/// Returns the bounds of the opposite direction.
+LaneBounds reversedBounds(const LaneBounds& bounds);
+
+}  // namespace forge

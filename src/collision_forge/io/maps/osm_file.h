@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "collision_forge/base/geometry/pose2.h"
+#include "collision_forge/io/logs/nuscenes_map_layers.h"
+#include "collision_forge/io/logs/options.h"
+
+namespace forge {
+
+/// Tags of an element of OpenStreetMap.
+using OsmTags = std::map<std::string, std::string>;
+
+/// Returns the value of a tag, "" if the element does not have it.
+const std::string& tagOf(const OsmTags& tags, const std::string& key);
+
+/// A way: the ids of its nodes, in its direction.
+struct OsmWay {
+  std::vector<std::string> nodes;
+  OsmTags tags;
+};
+
+/// A relation and its members: the ids of ways by role, in the file's order.
+struct OsmRelation {
+  std::string id;
+  std::multimap<std::string, std::string> ways;
+  OsmTags tags;
+};
+
+/// The elements of an OpenStreetMap file that is a Lanelet2 map.
+struct OsmFile {
+  std::unordered_map<std::string, Vector2> nodes;  ///< m, map frame
+  std::map<std::string, OsmWay> ways;
+  std::vector<OsmRelation> relations;  ///< in the file's order
+};
+
+/// Reads an OpenStreetMap file. Leaves out deleted elements, and nodes without a usable position.
+///
+/// Nodes have the position in their tags local_x and local_y, as Autoware writes. If no node has
+/// these tags, their lat and lon are projected: UTM coordinates minus the UTM coordinates of the
+/// location's origin in `options`, as lanelet2's UtmProjector. Throws MapError for malformed XML
+/// and for a file without lanelets, and ConfigError if an origin is needed and missing.
+OsmFile readOsmFile(const std::string& path, const DataOptions& options, WarningCounter& warnings);
+
+}  // namespace forge
