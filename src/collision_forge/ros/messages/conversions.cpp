@@ -38,12 +38,17 @@ std::vector<Vector2> fromMessage(const geometry_msgs::Polygon& message) {
   return ring;
 }
 
-AgentClass agentClass(std::uint8_t value, const std::string& id) {
-  if (value > collision_forge::Agent::STATIC_OBJECT) {
-    throw MessageError("agent " + id + ": agent_class = " + std::to_string(value) +
-                       " does not exist");
+/// Converts the constant of a field, at most `last`. Throws MessageError for a larger one.
+template <typename Value>
+Value enumOf(std::uint8_t value, Value last, const std::string& field) {
+  if (value > static_cast<std::uint8_t>(last)) {
+    throw MessageError(field + " = " + std::to_string(value) + " does not exist");
   }
-  return static_cast<AgentClass>(value);
+  return static_cast<Value>(value);
+}
+
+AgentClass agentClass(std::uint8_t value, const std::string& id) {
+  return enumOf(value, AgentClass::kStaticObject, "agent " + id + ": agent_class");
 }
 
 Lane fromMessage(const collision_forge::Lane& message) {
@@ -267,6 +272,18 @@ collision_forge::PolygonWithHoles toMessage(const Polygon& polygon) {
   return message;
 }
 
+MapFeature fromMessage(const collision_forge::MapFeature& message) {
+  return {enumOf(message.kind, FeatureKind::kSpeedBump, "map feature: kind"),
+          fromMessage(message.points)};
+}
+
+collision_forge::MapFeature toMessage(const MapFeature& feature) {
+  collision_forge::MapFeature message;
+  message.kind = static_cast<std::uint8_t>(feature.kind);
+  message.points = toPolygonMessage(feature.points);
+  return message;
+}
+
 LaneMap fromMessage(const collision_forge::LaneMap& message) {
   LaneMap map;
   map.location = message.location;
@@ -276,6 +293,7 @@ LaneMap fromMessage(const collision_forge::LaneMap& message) {
   for (const auto& lane : message.lanes) map.lanes.push_back(fromMessage(lane));
   for (const auto& area : message.drivable_area) map.drivable_area.push_back(fromMessage(area));
   for (const auto& walkway : message.walkways) map.walkways.push_back(fromMessage(walkway));
+  for (const auto& feature : message.features) map.features.push_back(fromMessage(feature));
   return map;
 }
 
@@ -290,6 +308,33 @@ collision_forge::LaneMap toMessage(const LaneMap& map, const ros::Time& stamp) {
   for (const Lane& lane : map.lanes) message.lanes.push_back(toMessage(lane));
   for (const Polygon& area : map.drivable_area) message.drivable_area.push_back(toMessage(area));
   for (const Polygon& walkway : map.walkways) message.walkways.push_back(toMessage(walkway));
+  for (const MapFeature& feature : map.features) message.features.push_back(toMessage(feature));
+  return message;
+}
+
+std::vector<TrafficLight> fromMessage(const collision_forge::TrafficLightArray& message) {
+  std::vector<TrafficLight> lights;
+  for (const auto& light : message.lights) {
+    lights.push_back({light.lane,
+                      {light.stop_point.x, light.stop_point.y},
+                      {{message.header.stamp.toSec(), enumOf(light.color, LightColor::kGreen,
+                                                             "light " + light.lane + ": color")}}});
+  }
+  return lights;
+}
+
+collision_forge::TrafficLightArray toMessage(const std::vector<TrafficLight>& lights,
+                                             const ros::Time& stamp) {
+  collision_forge::TrafficLightArray message;
+  message.header.frame_id = names::kMapFrame;
+  message.header.stamp = stamp;
+  for (const TrafficLight& light : lights) {
+    collision_forge::TrafficLight& written = message.lights.emplace_back();
+    written.lane = light.lane;
+    written.stop_point.x = light.stop_point.x();
+    written.stop_point.y = light.stop_point.y();
+    written.color = static_cast<std::uint8_t>(colorAt(light, stamp.toSec()));
+  }
   return message;
 }
 
