@@ -38,6 +38,7 @@ Observation observationAt(const Scene& scene, double now, int frames) {
   for (const Track& track : snapshot.agents) {
     if (endsAt(track, now)) observation.agents.push_back(track);
   }
+  observation.red_lanes = redLanes(scene.lights, now);
   return observation;
 }
 
