@@ -16,8 +16,10 @@ Track driving(const char* id, AgentClass agent_class, double x, double y = 0.0) 
 
 TEST(Hitched, ATruckHasTheTrailerBehindIt) {
   const std::vector<Track> agents = {driving("tractor", AgentClass::kTruck, 10.0),
-                                     driving("trailer", AgentClass::kTrailer, 2.3)};
+                                     driving("trailer", AgentClass::kTrailer, -0.4),
+                                     driving("next", AgentClass::kTruck, -10.8)};
   EXPECT_EQ(hitchedTo(agents[0], agents), &agents[1]);
+  EXPECT_EQ(hitchedTo(agents[2], agents), nullptr) << "drives behind the trailer";
   EXPECT_EQ(hitchedTo(agents[1], agents), &agents[0]);
 }
 
@@ -37,7 +39,7 @@ TEST(Hitched, VehiclesInAQueueOrSideBySideAreNot) {
 TEST(Hitched, VehiclesThatPartAreNot) {
   std::vector<Track> agents = {driving("tractor", AgentClass::kTruck, 10.0),
                                driving("trailer", AgentClass::kTrailer, 2.3)};
-  agents[1].states.back().pose.x -= 2.0;
+  agents[1].states.back().pose.x -= 4.0;
   EXPECT_EQ(hitchedTo(agents[0], agents), nullptr);
 }
 

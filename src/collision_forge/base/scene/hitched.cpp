@@ -6,7 +6,8 @@
 namespace forge {
 namespace {
 
-constexpr double kDrawbar = 0.5;         // m between the boxes of two parts
+constexpr double kDrawbar = 3.0;         // m between the boxes of a vehicle and its trailer
+constexpr double kSplit = 0.5;           // m between the boxes of two halves
 constexpr std::size_t kMinTogether = 2;  // states that both must have
 
 bool isHeavy(AgentClass agent_class) {
@@ -14,16 +15,21 @@ bool isHeavy(AgentClass agent_class) {
          agent_class == AgentClass::kConstructionVehicle;
 }
 
-bool canBeOneVehicle(AgentClass agent, AgentClass other) {
-  if (agent == AgentClass::kTrailer) return isCarLike(other);
-  if (other == AgentClass::kTrailer) return isCarLike(agent);
-  return isHeavy(agent) && isHeavy(other);
+/// A quick test before the states are compared.
+bool mayBeOne(AgentClass agent, AgentClass other) {
+  return agent == AgentClass::kTrailer || other == AgentClass::kTrailer ||
+         (isHeavy(agent) && isHeavy(other));
 }
 
-/// Returns true if `other` is within kDrawbar, before or behind rather than beside.
-bool isInLine(const OrientedBox& agent, const OrientedBox& other) {
-  const Pose2 seen = relativeTo(agent.center, other.center);
-  return std::abs(seen.x) > std::abs(seen.y) && distance(agent, other) <= kDrawbar;
+/// Returns the largest gap (m) between the boxes of `agent` and `other` as one vehicle, in the
+/// order of driving for a trailer; 0 if they cannot be one.
+double largestGap(const Track& agent, const Track& other, const Pose2& seen) {
+  const bool is_trailer = agent.agent_class == AgentClass::kTrailer;
+  if (is_trailer || other.agent_class == AgentClass::kTrailer) {
+    const bool fits = isCarLike(is_trailer ? other.agent_class : agent.agent_class);
+    return fits && (seen.x > 0.0) == is_trailer ? kDrawbar : 0.0;
+  }
+  return isHeavy(agent.agent_class) && isHeavy(other.agent_class) ? kSplit : 0.0;
 }
 
 bool areTogether(const Track& agent, const Track& other) {
@@ -31,7 +37,11 @@ bool areTogether(const Track& agent, const Track& other) {
   for (const AgentState& state : agent.states) {
     const auto found = stateAt(other, state.time, 0.0);
     if (!found) continue;
-    if (!isInLine(boxAt(agent, state.pose), boxAt(other, found->pose))) return false;
+    const Pose2 seen = relativeTo(state.pose, found->pose);
+    const double gap = largestGap(agent, other, seen);
+    const bool is_in_line = std::abs(seen.x) > std::abs(seen.y);
+    if (gap == 0.0 || !is_in_line) return false;
+    if (distance(boxAt(agent, state.pose), boxAt(other, found->pose)) > gap) return false;
     ++together;
   }
   return together >= kMinTogether;
@@ -41,7 +51,7 @@ bool areTogether(const Track& agent, const Track& other) {
 
 const Track* hitchedTo(const Track& agent, const std::vector<Track>& agents) {
   const auto found = std::find_if(agents.begin(), agents.end(), [&](const Track& other) {
-    return other.id != agent.id && canBeOneVehicle(agent.agent_class, other.agent_class) &&
+    return other.id != agent.id && mayBeOne(agent.agent_class, other.agent_class) &&
            areTogether(agent, other);
   });
   return found == agents.end() ? nullptr : &*found;
