@@ -71,6 +71,7 @@ const std::map<std::string, ReadFile>& readers() {
       {"encoding", sectionOf<EncodingOptions>()},
       {"input_limits", sectionOf<InputLimits>()},
       {"live", sectionOf<LiveOptions>()},
+      {"categories", sectionOf<std::map<std::string, AgentClass>>()},
       {"locations", sectionOf<std::map<std::string, DrivingSide>>()},
       {"models", sectionOf<ModelOptions>()},
       {"planners", readPlanners},

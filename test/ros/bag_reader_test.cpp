@@ -59,6 +59,19 @@ class BagReaderTest : public testing::Test {
     bag.write(bagTopic(names::kAgents), time, agents);
   }
 
+  /// One frame without agents, and three poses of the ego.
+  static NuScenesRecording shortDrive() {
+    NuScenesRecording recording;
+    recording.name = "drive";
+    recording.frames.push_back({"", 1000000, {}});
+    for (std::int64_t i = 0; i < 3; ++i) {
+      recording.ego_poses.push_back({1000000 + i * 100000,
+                                     {static_cast<double>(i), 0.0, 0.0},
+                                     Eigen::Quaterniond::Identity()});
+    }
+    return recording;
+  }
+
   const Config config_ = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   const TemporaryFolder folder_;
   const std::string path_ = folder_.path() + "/drive.bag";
@@ -77,13 +90,7 @@ TEST_F(BagReaderTest, OfPosesAndFramesOfOneInstantTheFirstIsKept) {
 }
 
 TEST_F(BagReaderTest, TheBoxOfTheRecordedEgoIsTheEgosBox) {
-  NuScenesRecording recording;
-  recording.name = "drive";
-  recording.frames.push_back({"", 1000000, {}});
-  for (std::int64_t i = 0; i < 3; ++i) {
-    recording.ego_poses.push_back(
-        {1000000 + i * 100000, {static_cast<double>(i), 0.0, 0.0}, Eigen::Quaterniond::Identity()});
-  }
+  NuScenesRecording recording = shortDrive();
   writeBag(path_, recording, LaneMap());
   EXPECT_EQ(readBag(path_, config_).ego.size.length, config_.ego_vehicle.size.length);
   recording.ego_size = BoxSize{5.286, 2.332};
@@ -92,6 +99,21 @@ TEST_F(BagReaderTest, TheBoxOfTheRecordedEgoIsTheEgosBox) {
     EXPECT_EQ(read(path_, config_, nullptr).ego.size.length, 5.286);
     EXPECT_EQ(read(path_, config_, nullptr).ego.size.width, 2.332);
   }
+}
+
+TEST_F(BagReaderTest, TrafficLightsAreReadBack) {
+  NuScenesRecording recording = shortDrive();
+  recording.lights = {{"7", {3.0, 4.0}, {{1.0, LightColor::kRed}, {1.25, LightColor::kGreen}}},
+                      {"8", {5.0, 6.0}, {{1.0, LightColor::kYellow}}}};
+  writeBag(path_, recording, LaneMap());
+  const Scene scene = readBag(path_, config_);
+  ASSERT_EQ(scene.lights.size(), 2U);
+  EXPECT_EQ(scene.lights[0].lane, "7");
+  EXPECT_EQ(scene.lights[0].stop_point, Vector2(3.0, 4.0));
+  ASSERT_EQ(scene.lights[0].states.size(), 2U);
+  EXPECT_NEAR(scene.lights[0].states[1].time, 1.25, 1e-9);
+  EXPECT_EQ(scene.lights[0].states[1].color, LightColor::kGreen);
+  EXPECT_EQ(scene.lights[1].states.size(), 1U);
 }
 
 TEST_F(BagReaderTest, PosesOfOneInstantThatContradictEachOtherNameTopicAndTime) {

@@ -67,6 +67,19 @@ TEST(LaneMapMessage, TheOriginOfALocalMapIsZero) {
   EXPECT_EQ(message.origin.y, 0.0);
 }
 
+TEST(LaneMapMessage, FeaturesAreReadBack) {
+  LaneMap map;
+  map.features = {{FeatureKind::kMedian, {{1.0, 2.0}, {3.0, 4.0}}}};
+  collision_forge::LaneMap message = toMessage(map, ros::Time(1));
+  const LaneMap back = fromMessage(message);
+  ASSERT_EQ(back.features.size(), 1U);
+  EXPECT_EQ(back.features[0].kind, FeatureKind::kMedian);
+  EXPECT_EQ(back.features[0].points, map.features[0].points);
+  message.features[0].kind = 5;
+  EXPECT_THAT([&] { fromMessage(message); },
+              testing::ThrowsMessage<MessageError>("map feature: kind = 5 does not exist"));
+}
+
 TEST(AttackerWay, WithTooFewPointsIsRefusedWithItsAttacker) {
   collision_forge::AttackerWay message;
   message.attacker_id = "added-1";

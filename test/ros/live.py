@@ -45,9 +45,9 @@ NODES = {
                             ['/generate_collision', '/generate_collisions', '/list_collisions', '/reset']),
     'attacker_injector': (['/injected_agents', '/injected_objects'], ['/agents', '/attack', '/ego_vehicle', '/tf', '/tf_static'], []),
     'scene_visualizer': (['/attack_markers', '/map_markers', '/pattern_markers', '/scene_markers',
-                          '/shown_area'],
+                          '/shown_area', '/traffic_light_markers'],
                          ['/attack', '/ego_vehicle', '/encoded_scene', '/lane_map', '/planner_test_shown',
-                          '/predicted_patterns', '/tested_report', '/tf', '/tf_static'], []),
+                          '/predicted_patterns', '/tested_report', '/tf', '/tf_static', '/traffic_lights'], []),
 }
 MANAGER = 'collision_forge_manager'
 PLAYED = ['/agents', '/lane_map', '/tf']  # what the suite hears of a bag

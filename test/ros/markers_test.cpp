@@ -197,6 +197,34 @@ TEST(MapMarkers, AreasAreMovedByTheOriginOfTheMap) {
   }
 }
 
+TEST(MapMarkers, ShowRoadEdgesAndPaintedSurfaces) {
+  collision_forge::LaneMap map = junctionMap();
+  for (const std::uint8_t kind :
+       {collision_forge::MapFeature::MEDIAN, collision_forge::MapFeature::CROSSWALK,
+        collision_forge::MapFeature::DRIVEWAY}) {
+    map.features.emplace_back();
+    map.features.back().kind = kind;
+    map.features.back().points = square(2.0);
+  }
+  const MarkerArray array = mapMarkers(map);
+  ASSERT_EQ(inNamespace(array, "road_edges").size(), 1U);
+  EXPECT_EQ(inNamespace(array, "road_edges")[0].points.size(), 2U * 3);
+  ASSERT_EQ(inNamespace(array, "painted").size(), 1U);
+  EXPECT_EQ(inNamespace(array, "painted")[0].points.size(), 3U * 2);
+}
+
+TEST(LightMarkers, HaveTheirColourAtTheStopPoint) {
+  collision_forge::TrafficLightArray lights;
+  lights.header = header(3.0);
+  lights.lights.resize(1);
+  lights.lights[0].color = collision_forge::TrafficLight::RED;
+  lights.lights[0].stop_point.x = 7.0;
+  const auto discs = inNamespace(lightMarkers(lights), "traffic_lights");
+  ASSERT_EQ(discs.size(), 1U);
+  EXPECT_EQ(discs[0].pose.position.x, 7.0);
+  EXPECT_GT(discs[0].color.r, 4.0F * discs[0].color.g);
+}
+
 TEST(MapMarkers, KeepEveryCentrelineWithinThreeCentimetresWithFewPoints) {
   constexpr double kRadius = 20.0;  // m
   collision_forge::LaneMap map = junctionMap();

@@ -221,6 +221,7 @@ int inject(const Arguments& arguments) {
     view.crash = motionAfterContact(tested, attack.trajectory, moment.recorded->ego,
                                     config.attack.verification.drivable);
     view.seconds_after_stand = seconds_after_stand;
+    view.lights = scene.lights;
     drawScenarioPng(arguments.draw + ".png", view, config.drawing);
     drawScenarioGif(arguments.draw + ".gif", view, config.drawing);
     std::cout << "wrote " << arguments.draw << ".png\nwrote " << arguments.draw << ".gif\n";

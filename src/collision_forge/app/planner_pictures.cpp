@@ -22,6 +22,7 @@ ScenarioView viewOf(const PlannerCase& one, const PlannerRow& row,
                     scenario.recorded, one.pattern,     attacker, {}};
   view.planner = rowName(row.planner, policy);
   view.future.ego.states = toStates(ego);
+  view.lights = scenario.lights;
   return view;
 }
 

@@ -56,6 +56,16 @@ TEST(IsCandidate, AcceptsAVehicleObservedNowAndBefore) {
   EXPECT_TRUE(isCandidate(snapshot.agents[0], snapshot, kOptions));
 }
 
+TEST(IsCandidate, RejectsATractorWithItsTrailer) {
+  Snapshot snapshot = twoCars();
+  snapshot.agents[0].agent_class = AgentClass::kTruck;
+  snapshot.agents.push_back(pastTrack("trailer", kCarSize, {34.7, 3.5, M_PI}, 10.0));
+  snapshot.agents[1].agent_class = AgentClass::kTrailer;
+  EXPECT_FALSE(isCandidate(snapshot.agents[0], snapshot, kOptions));
+  expectRefusal(asking(4.0, "car"), snapshot, StatusCode::kAbsentAttacker,
+                {"\"car\" forms one vehicle with trailer \"trailer\""});
+}
+
 TEST(IsCandidate, DependsOnTheClass) {
   Snapshot snapshot = twoCars();
   for (const auto& [agent_class, expected] :

@@ -17,8 +17,10 @@ using testing::Not;
 
 /// Three rows on a square area of 40 m by 40 m.
 PickleContent scenarioNamed(const std::string& name, std::optional<double> step = 0.1,
-                            double radius = 60.0) {
+                            double radius = 60.0, const std::vector<MapFeature>& features = {},
+                            const std::vector<TrafficLight>& lights = {}) {
   LaneMap map;
+  map.features = features;
   map.location = "a-town";
   map.drivable_area = {{{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}, {}}};
   TrackTable table{{0.0, 0.1, 0.2}, {{"ego", AgentClass::kCar, {4.0, 2.0}, {}}}};
@@ -29,7 +31,7 @@ PickleContent scenarioNamed(const std::string& name, std::optional<double> step 
   ExportOptions options;
   options.radius = radius;
   options.heights[AgentClass::kCar] = 1.5;
-  return describe({name, table, step, 1, map, write_own}, {{0.0, 0.0}}, options);
+  return describe({name, table, step, 1, map, lights, write_own}, {{0.0, 0.0}}, options);
 }
 
 class ScenarioNetSummary : public testing::Test {
@@ -62,6 +64,26 @@ TEST(ScenarioNetDescription, WritesRoadEdgesNearThePaths) {
   EXPECT_THAT(inlined(scenarioNamed("s1")),
               HasSubstr(R"("polyline":[[-20,-20],[20,-20],[20,20],[-20,20],[-20,-20]])"));
   EXPECT_THAT(inlined(scenarioNamed("s1", 0.1, 10.0)), Not(HasSubstr("ROAD_EDGE_BOUNDARY")));
+}
+
+TEST(ScenarioNetDescription, RecordedFeaturesReplaceTheEdgesOfTheArea) {
+  const std::string json =
+      inlined(scenarioNamed("s1", 0.1, 60.0,
+                            {{FeatureKind::kMedian, {{0, 9}, {9, 9}}},
+                             {FeatureKind::kCrosswalk, {{0, 0}, {1, 0}, {1, 1}}}}));
+  EXPECT_THAT(json,
+              HasSubstr(R"("edge_0":{"type":"ROAD_EDGE_MEDIAN","polyline":[[0,9],[9,9]]},)"
+                        R"("feature_1":{"type":"CROSSWALK","polygon":[[0,0],[1,0],[1,1]]}})"));
+  EXPECT_THAT(json, Not(HasSubstr("ROAD_EDGE_BOUNDARY")));
+}
+
+TEST(ScenarioNetDescription, WritesTheLightsInRows) {
+  const TrafficLight light{"7", {1.0, 2.0}, {{0.1, LightColor::kRed}, {0.2, LightColor::kGreen}}};
+  const std::string json = inlined(scenarioNamed("s1", 0.1, 60.0, {}, {light}));
+  EXPECT_THAT(json, HasSubstr(R"("dynamic_map_states":{"7":{"type":"TRAFFIC_LIGHT","state":{)"
+                              R"("object_state":["TRAFFIC_LIGHT_UNKNOWN","TRAFFIC_LIGHT_RED",)"
+                              R"("TRAFFIC_LIGHT_GREEN"]},"lane":"7","stop_point":[1,2,0],)"));
+  EXPECT_THAT(json, HasSubstr(R"("num_traffic_lights":1)"));
 }
 
 TEST_F(ScenarioNetSummary, ListsAllFiles) {

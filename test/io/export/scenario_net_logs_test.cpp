@@ -90,6 +90,14 @@ class ScenarioNetLogsTest : public testing::Test {
     }
   }
 
+  /// A description with more map features, in JSON.
+  static PickleContent withFeatures(const std::string& features) {
+    PickleContent content = Description().content();
+    const std::string key = R"("map_features":{)";
+    content.json.insert(content.json.find(key) + key.size(), features);
+    return content;
+  }
+
   const TemporaryFolder folder_;
   PickleWorkers workers_;
   std::vector<std::string> warnings_;
@@ -178,8 +186,9 @@ TEST_F(ScenarioNetLogsTest, TheTypeOfMetadataGivesTheClass) {
   PickleContent content = Description().content();
   const std::string type = R"("8":{"type":"VEHICLE",)";
   content.json.replace(content.json.find(type), type.size(),
-                       type + R"("metadata":{"type":"vehicle.motorcycle"},)");
-  EXPECT_EQ(read(content).recording.frames.at(0).annotations.at(0).category, "vehicle.motorcycle");
+                       type + R"("metadata":{"type":"Motorcyclist"},)");
+  EXPECT_EQ(read(content).recording.frames.at(0).annotations.at(0).category, "vehicle.motorcycle")
+      << "by categories.yaml";
 }
 
 TEST_F(ScenarioNetLogsTest, ANumberThatIsNotFiniteCostsItsState) {
@@ -225,6 +234,46 @@ TEST_F(ScenarioNetLogsTest, LanesOfBicyclesAreNoLanesOfMotorVehicles) {
   const LoggedScene logged = read(description.content());
   EXPECT_EQ(logged.lanes->map().lanes.size(), 1U);
   EXPECT_EQ(logged.lanes->map().drivable_area.size(), 1U);
+}
+
+TEST_F(ScenarioNetLogsTest, TheRoadIsBetweenTheRoadEdges) {
+  const LoggedScene logged =
+      read(withFeatures(R"("1":{"type":"ROAD_EDGE_BOUNDARY","polyline":[[0,-4],[20,-4]]},)"
+                        R"("2":{"type":"ROAD_EDGE_MEDIAN","polyline":[[20,3],[0,3]]},)"
+                        R"("3":{"type":"CROSSWALK","polygon":[[0,-4],[3,-4],[3,3],[0,3]]},)"));
+  const LaneMap& map = logged.lanes->map();
+  ASSERT_EQ(map.features.size(), 3U);
+  EXPECT_EQ(map.features[0].kind, FeatureKind::kRoadEdge);
+  EXPECT_EQ(map.features[1].kind, FeatureKind::kMedian);
+  EXPECT_EQ(map.features[2].points.size(), 4U);
+  EXPECT_NEAR(*logged.lanes->offRoadShare({{10.0, -0.5, 0.0}, {18.0, 6.8}}), 0.0, 1e-9);
+  EXPECT_GT(*logged.lanes->offRoadShare({{10.0, -0.5, 0.0}, {18.0, 8.0}}), 0.05);
+}
+
+TEST_F(ScenarioNetLogsTest, TrafficLightsHaveTheirStatesAndStopPoints) {
+  PickleContent content = Description().content();
+  content.json.insert(1, R"("dynamic_map_states":{)"
+                         R"("13":{"lane":13,"state":{"object_state":["LANE_STATE_STOP",null]}},)"
+                         R"("12":{"lane":"12","state":{"object_state":["LANE_STATE_GO"]}},)"
+                         R"("99":{"lane":99,"state":{"object_state":["LANE_STATE_GO",null]}}},)");
+  const auto lights = read(content).recording.lights;
+  ASSERT_EQ(lights.size(), 1U) << "no lane 99";
+  EXPECT_EQ(lights[0].lane, "13");
+  EXPECT_EQ(lights[0].stop_point, Vector2(10.0, 0.0)) << "where the lane begins";
+  ASSERT_EQ(lights[0].states.size(), 2U);
+  EXPECT_EQ(lights[0].states[0].color, LightColor::kRed);
+  EXPECT_NEAR(lights[0].states[1].time, 1.1, 1e-12);
+  EXPECT_EQ(lights[0].states[1].color, LightColor::kUnknown);
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("1 traffic light that cannot be read left out")));
+}
+
+TEST_F(ScenarioNetLogsTest, AnAgentHasItsMedianSize) {
+  PickleContent content = Description().content();
+  // The first length of agent 8: the items of a track are 6 positions, 2 headings, 2 lengths, ...
+  const double small = 1.0;
+  std::memcpy(&content.items[8 * (14 + 8)], &small, sizeof(small));
+  EXPECT_EQ(read(content).recording.frames.at(0).annotations.at(0).size.x(), 4.6);
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("size is not typical of the track (first: 8)")));
 }
 
 TEST_F(ScenarioNetLogsTest, APolylineMayBeAListOfPoints) {

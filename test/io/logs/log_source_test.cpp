@@ -59,7 +59,7 @@ NuScenesRecording recorded() {
 
 TEST(LogSource, RejectsARecordingWithTheEgoBeyondTheLimits) {
   NuScenesRecording recording = recorded();
-  recording.ego_poses[0].translation.y() = -1.6e5;
+  for (NuScenesEgoPose& pose : recording.ego_poses) pose.translation.y() -= 1.6e5;
   EXPECT_THAT(errorOf<InputError>([&] { keepWithin(recording, config(), nullptr); }),
               testing::AllOf(HasSubstr("scene-0001: ego: states[0].y"), HasSubstr("-100000")));
 }
@@ -81,7 +81,11 @@ TEST(LogSource, RemovesInstancesBeyondTheLimits) {
   keepWithin(recording, config(), &warnings);
   EXPECT_THAT(warnings, testing::IsEmpty());
   ASSERT_GT(countOf(true), 1);
-  recording.frames[0].annotations[0].translation.x() = 1e12;
+  for (NuScenesFrame& frame : recording.frames) {
+    for (NuScenesAnnotation& annotation : frame.annotations) {
+      if (annotation.instance == id) annotation.size.x() = 100.0;
+    }
+  }
   keepWithin(recording, config(), &warnings);
   EXPECT_THAT(warnings, ElementsAre(HasSubstr("first: " + id)));
   EXPECT_EQ(countOf(true), 0);

@@ -12,7 +12,6 @@ namespace forge {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 /// One instance, at (x, 2x, 0) at each time in seconds.
 NuScenesRecording track(const std::vector<std::pair<double, double>>& times_and_x) {
@@ -123,15 +122,23 @@ TEST(NuScenesRecording, everyCategoryHasItsClass) {
   }
 }
 
-TEST(NuScenesRecording, warnsOnceOfAnUnknownCategory) {
+TEST(NuScenesRecording, otherCategoriesAreTheLongestNamesOfTheConfiguration) {
+  const std::map<std::string, AgentClass> others = {{"pedestrian", AgentClass::kPedestrian},
+                                                    {"vehicle", AgentClass::kCar},
+                                                    {"vehicle.fire", AgentClass::kTruck}};
+  const auto classOf = [&](const char* category) { return agentClassOfCategory(category, others); };
+  EXPECT_EQ(classOf("Pedestrian.Adult"), AgentClass::kPedestrian);
+  EXPECT_EQ(classOf("vehicle.fire.engine"), AgentClass::kTruck);
+  EXPECT_EQ(classOf("vehicle.cart"), AgentClass::kCar);
+  EXPECT_EQ(classOf("vehicle.bus.rigid"), AgentClass::kBus);
+  EXPECT_EQ(classOf("pedestrians"), std::nullopt);
+}
+
+TEST(NuScenesRecording, anUnknownCategoryIsAStaticObject) {
   NuScenesRecording recording = track({{0.0, 0.0}, {0.5, 1.0}});
-  recording.name = "scene-7";
   for (NuScenesFrame& frame : recording.frames) frame.annotations[0].category = "vehicle.ufo";
-  std::vector<std::string> warnings;
-  const Scene scene = toScene(recording, {}, nullptr, &warnings);
+  const Scene scene = toScene(recording, {}, nullptr);
   EXPECT_EQ(scene.agents.at(0).agent_class, AgentClass::kStaticObject);
-  ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_THAT(warnings[0], HasSubstr("scene-7: unknown category 'vehicle.ufo' of 1 instances"));
 }
 
 }  // namespace

@@ -241,6 +241,7 @@ TEST_F(SpoiltConfig, MissingKeysAreNamed) {
   int count = 0;
   for (const auto& [file, text] : shippedFiles()) {
     if (file == "export.yaml" || file == "locations.yaml") continue;  // keys are names of places
+    if (file == "categories.yaml") continue;                          // keys are names of classes
     if (file == "study/generator_weights.yaml") continue;             // keys are names of methods
     std::size_t begin = 0;
     for (; begin < text.size(); begin = text.find('\n', begin) + 1) {

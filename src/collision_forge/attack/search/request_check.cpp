@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "collision_forge/attack/forecast/motion_estimate.h"
+#include "collision_forge/base/scene/hitched.h"
 #include "collision_forge/base/scene/request_words.h"
 #include "collision_forge/base/scene/short_id.h"
 
@@ -61,6 +62,10 @@ Status checkAttacker(const std::string& id, const std::optional<AgentClass>& wan
     return refuse(StatusCode::kAbsentAttacker, "attacker \"", id, "\" is a ",
                   toString(attacker->agent_class), ", which cannot attack");
   }
+  if (const Track* const other = hitchedTo(*attacker, snapshot.agents)) {
+    return refuse(StatusCode::kAbsentAttacker, "attacker \"", id, "\" forms one vehicle with ",
+                  toString(other->agent_class), " \"", other->id, "\" and cannot attack");
+  }
   if (wanted && attacker->agent_class != *wanted) {
     return refuse(StatusCode::kInvalidInput, "attacker \"", id, "\" is a ",
                   toString(attacker->agent_class), ", but attacker_class = ", toString(*wanted));
@@ -86,7 +91,8 @@ bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionO
   if (!endsAt(agent, snapshot.now) || !isFinite(agent)) return false;
   if (!(agent.size.length > 0.0 && agent.size.width > 0.0)) return false;
   const Vector2 ego = snapshot.ego.states.back().pose.position();
-  return (agent.states.back().pose.position() - ego).norm() <= options.candidate_radius;
+  return (agent.states.back().pose.position() - ego).norm() <= options.candidate_radius &&
+         hitchedTo(agent, snapshot.agents) == nullptr;
 }
 
 CollisionRequest withFullId(CollisionRequest request, const Snapshot& snapshot) {

@@ -7,7 +7,8 @@
 namespace forge {
 
 /// Returns true if the agent may attack: a vehicle present at t0 and in the frame before, within
-/// options.candidate_radius of the ego.
+/// options.candidate_radius of the ego, and not hitchedTo() another agent, which would be left
+/// behind.
 bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionOptions& options);
 
 /// Maximum number of attacks per request.
@@ -24,8 +25,8 @@ CollisionRequest withFullId(CollisionRequest request, const Snapshot& snapshot);
 Status checkControls(const CollisionRequest& request);
 
 /// Returns the first reason to reject a request before any search, else kOk: TTA out of range or
-/// NaN, checkControls(), too short or NaN history, an ego without size, an unknown, absent or unfit
-/// attacker.
+/// NaN, checkControls(), too short or NaN history, an ego without size, an unknown, absent, unfit
+/// or hitched attacker.
 Status checkRequest(const CollisionRequest& request, const Snapshot& snapshot,
                     const PredictionOptions& options);
 

@@ -27,6 +27,27 @@ struct Lane {
   std::optional<double> speed_limit;  ///< m/s; empty if unknown (nuScenes has none)
 };
 
+/// Kind of a MapFeature.
+enum class FeatureKind {
+  kRoadEdge,   ///< boundary of the road: kerb, wall or border of the pavement
+  kMedian,     ///< road edge between opposite directions
+  kCrosswalk,  ///< painted crossing for pedestrians
+  kDriveway,   ///< private entrance that crosses the walkway
+  kSpeedBump,
+};
+
+/// Returns true for kRoadEdge and kMedian, whose points are an open line.
+inline bool isRoadEdge(FeatureKind kind) {
+  return kind == FeatureKind::kRoadEdge || kind == FeatureKind::kMedian;
+}
+
+/// A recorded feature of the road besides lanes and areas. Global map frame.
+struct MapFeature {
+  FeatureKind kind = FeatureKind::kRoadEdge;
+  std::vector<Vector2>
+      points;  ///< m; road edges and medians: open line; others: outline, open ring
+};
+
 /// The lanes, the drivable area and the walkways of one location. Global map frame, metres.
 struct LaneMap {
   std::string location;
@@ -34,6 +55,7 @@ struct LaneMap {
   std::vector<Lane> lanes;
   std::vector<Polygon> drivable_area;  ///< union of the polygons; they may overlap
   std::vector<Polygon> walkways;       ///< raised ground behind kerbs; empty if unknown
+  std::vector<MapFeature> features;    ///< as recorded; empty if unknown
 };
 
 }  // namespace forge

@@ -146,6 +146,9 @@ void checkMap(const LaneMap& map, const InputLimits& limits, const std::string& 
   }
   checkAreas(map.drivable_area, limits, points, where + ": drivable_area");
   checkAreas(map.walkways, limits, points, where + ": walkways");
+  for (std::size_t i = 0; i < map.features.size(); ++i) {
+    checkRing(map.features[i].points, limits, points, element(where + ": features", i));
+  }
   checkCount(points, limits.max_map_points, where + ": points of the map", "max_map_points");
 }
 

@@ -6,6 +6,7 @@
 
 #include "collision_forge/base/map/lane_map.h"
 #include "collision_forge/base/scene/track.h"
+#include "collision_forge/base/scene/traffic_light.h"
 
 namespace forge {
 
@@ -26,6 +27,7 @@ struct Scene {
   std::vector<Track> agents;
   std::vector<double> frame_times;  ///< s, ascending; times at which agents were annotated
   std::shared_ptr<const LaneMap> map;
+  std::vector<TrafficLight> lights;  ///< empty if the log has none
 };
 
 /// Returns the vehicle that the ego of the scene is: the size of its track, and the offset (m) of

@@ -80,6 +80,14 @@ void paintMap(Canvas& canvas, const Viewport& viewport, const LaneMap& map,
               const DrawingOptions& options, double line_width) {
   paintArea(canvas, viewport, map.walkways, options.walkway_color);
   paintArea(canvas, viewport, map.drivable_area, options.drivable_color);
+  for (const MapFeature& feature : map.features) {
+    if (isRoadEdge(feature.kind)) {
+      canvas.stroke(toPixels(viewport, feature.points),
+                    {options.road_edge_color, line_width, 1.0, 0.0, false});
+    } else if (feature.kind != FeatureKind::kDriveway) {
+      canvas.fill({toPixels(viewport, feature.points)}, options.painted_color);
+    }
+  }
   for (const Lane& lane : map.lanes) {
     if (lane.is_connector || lane.polygon.empty()) continue;
     canvas.stroke(toPixels(viewport, lane.polygon),

@@ -36,8 +36,13 @@ struct DrawingOptions {
   Color muted_text_color{0.42, 0.45, 0.50};
   Color drivable_color{0.90, 0.91, 0.92};
   Color walkway_color{0.95, 0.92, 0.87};
+  Color road_edge_color{0.55, 0.57, 0.60};
+  Color painted_color{0.96, 0.96, 0.97};    ///< crosswalks and speed bumps
   Color lane_color{0.68, 0.71, 0.74};       ///< centrelines and their arrow heads
   Color connector_color{0.81, 0.83, 0.85};  ///< paths through junctions
+  Color red_light_color{0.84, 0.10, 0.10};
+  Color yellow_light_color{0.95, 0.75, 0.05};
+  Color green_light_color{0.10, 0.62, 0.25};
   Color agent_color{0.56, 0.63, 0.70};
   Color ego_color;
   Color attacker_color;

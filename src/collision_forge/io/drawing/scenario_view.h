@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "collision_forge/attack/verify/post_crash_motion.h"
 #include "collision_forge/base/scene/attack.h"
@@ -37,6 +38,7 @@ struct ScenarioView {
   std::string planner = {};
   /// Avoided hit: the time at which the ego would have been hit; there is no contact.
   std::optional<double> avoided_hit = {};
+  std::vector<TrafficLight> lights = {};  ///< as Scene::lights
 };
 
 inline bool hasContact(const ScenarioView& view) { return view.report.contact; }

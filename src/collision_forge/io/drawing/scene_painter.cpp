@@ -90,6 +90,7 @@ void ScenePainter::paintGround(Canvas& canvas, const Viewport& viewport) const {
 
 void ScenePainter::paint(Canvas& canvas, const Viewport& viewport, double time,
                          double ghosts_from) const {
+  paintLights(canvas, viewport, time);
   paintRecorded(canvas, viewport, time);
   if (kind_ == PictureKind::kStill) {
     paintPassed(canvas, viewport);
@@ -102,6 +103,17 @@ void ScenePainter::paint(Canvas& canvas, const Viewport& viewport, double time,
   if (view_.report.contact && time >= motion_.keyTime() - kTimeTolerance) {
     paintStar(canvas, viewport.toPixel(motion_.contactPoint()), 0.75 * mark_size_,
               options_.contact_color, options_.text_color, 0.08 * mark_size_);
+  }
+}
+
+void ScenePainter::paintLights(Canvas& canvas, const Viewport& viewport, double time) const {
+  for (const TrafficLight& light : view_.lights) {
+    const LightColor color = colorAt(light, time);
+    if (color == LightColor::kUnknown) continue;
+    const Color& shown = color == LightColor::kRed      ? options_.red_light_color
+                         : color == LightColor::kYellow ? options_.yellow_light_color
+                                                        : options_.green_light_color;
+    canvas.fillCircle(viewport.toPixel(light.stop_point), 0.35 * mark_size_, shown);
   }
 }
 

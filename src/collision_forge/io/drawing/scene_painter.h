@@ -44,6 +44,7 @@ class ScenePainter {
   void paint(Canvas& canvas, const Viewport& viewport, double time, double ghosts_from) const;
 
  private:
+  void paintLights(Canvas& canvas, const Viewport& viewport, double time) const;
   void paintTrails(Canvas& canvas, const Viewport& viewport) const;
   void paintGhosts(Canvas& canvas, const Viewport& viewport, double from) const;
   void paintRecorded(Canvas& canvas, const Viewport& viewport, double time) const;

@@ -206,6 +206,12 @@ class RecordBuilder {
       const auto arcs = context_.arcs.find(lane.id);
       if (arcs != context_.arcs.end()) record.arcs.insert(*arcs);
     }
+    for (const TrafficLight& light : shifted(scene_.lights, -begin_)) {
+      const auto& lanes = record.lanes.lanes;
+      const bool is_kept = std::any_of(lanes.begin(), lanes.end(),
+                                       [&](const Lane& lane) { return lane.id == light.lane; });
+      if (is_kept) record.lights.push_back(light);
+    }
     const auto origin = context_.options.origins.find(record.lanes.location);
     if (origin != context_.options.origins.end()) record.origin = origin->second;
   }

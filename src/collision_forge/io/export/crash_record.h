@@ -34,9 +34,10 @@ struct CrashRecord {
   /// Other agents within ExportOptions::radius, sorted by id; states at the steps at which they
   /// were in sight.
   std::vector<Track> other_agents;
-  LaneMap lanes;    ///< lanes within the radius, with the links among them
-  LaneArcs arcs;    ///< arcs of `lanes`
-  GeoPoint origin;  ///< of the map frame
+  LaneMap lanes;                     ///< map within the radius, with the links among the lanes
+  std::vector<TrafficLight> lights;  ///< of `lanes`, times on the record's clock
+  LaneArcs arcs;                     ///< arcs of `lanes`
+  GeoPoint origin;                   ///< of the map frame
 
   double end() const { return ego.states.back().time; }  ///< s, end of the record
 };

@@ -38,7 +38,7 @@ PickleContent scenarioOf(const CrashRecord& record, const ExportOptions& options
   }
   table.tracks.insert(table.tracks.end(), record.other_agents.begin(), record.other_agents.end());
   const auto now = static_cast<std::size_t>(std::lround(record.now / record.step));
-  return describe({record.name, std::move(table), record.step, now, record.lanes,
+  return describe({record.name, std::move(table), record.step, now, record.lanes, record.lights,
                    [&](PickleWriter& own) { writeOwn(own, record); }},
                   path_points, options);
 }

@@ -19,13 +19,11 @@ constexpr const char* kEnding = ".pkl";
 
 std::string beginOfFiles() { return std::string("sd_") + kDataset + "_" + kVersion + "_"; }
 
-void writeNumberSummary(PickleWriter& metadata, const TrackTable& table, std::size_t features) {
+void writeNumberSummary(PickleWriter& metadata, const ScenarioDescription& scenario,
+                        std::size_t features) {
   metadata.beginObject("number_summary");
-  writeObjectNumbers(metadata, table);
-  metadata.count("num_traffic_lights", 0);
-  metadata.texts("num_traffic_light_types", {});
-  metadata.beginObject("num_traffic_light_each_step");
-  metadata.endObject();
+  writeObjectNumbers(metadata, scenario.table);
+  writeLightNumbers(metadata, scenario.lights, scenario.table.times);
   metadata.count("num_map_features", features);
   metadata.number("map_height_diff", 0.0);
   metadata.endObject();
@@ -45,7 +43,7 @@ void writeMetadata(PickleWriter& metadata, const ScenarioDescription& scenario,
   metadata.count("current_time_index", scenario.current_row);
   metadata.text("sdc_id", scenario.table.tracks.front().id);
   writeObjectSummary(metadata, scenario.table);
-  writeNumberSummary(metadata, scenario.table, features);
+  writeNumberSummary(metadata, scenario, features);
   metadata.beginObject("collision_forge");
   scenario.write_own(metadata);
   writeGround(metadata, scenario.map);
@@ -62,10 +60,15 @@ PickleContent describe(const ScenarioDescription& scenario, const std::vector<Ve
   writer.text("version", kVersion);
   writer.count("length", scenario.table.times.size());
   writeTracks(writer, scenario.table, options.heights);
-  writer.beginObject("dynamic_map_states");
-  writer.endObject();
+  writeLights(writer, scenario.lights, scenario.table.times);
+  const auto& recorded = scenario.map.features;
+  const bool has_edges =
+      std::any_of(recorded.begin(), recorded.end(),
+                  [](const MapFeature& feature) { return isRoadEdge(feature.kind); });
   const std::size_t features = writeMapFeatures(
-      writer, scenario.map, drivableEdges(scenario.map.drivable_area, path_points, options.radius));
+      writer, scenario.map,
+      has_edges ? std::vector<std::vector<Vector2>>()
+                : drivableEdges(scenario.map.drivable_area, path_points, options.radius));
   writeMetadata(writer, scenario, features);
   return writer.content();
 }

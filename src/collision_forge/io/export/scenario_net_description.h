@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "collision_forge/base/map/lane_map.h"
+#include "collision_forge/base/scene/traffic_light.h"
 #include "collision_forge/io/export/options.h"
 #include "collision_forge/io/export/pickle_writer.h"
 #include "collision_forge/io/export/scenario_net_tracks.h"
@@ -21,12 +22,13 @@ struct ScenarioDescription {
   std::optional<double> step;   ///< s between rows; empty if uneven
   std::size_t current_row = 0;  ///< row of t0; rows before it are history
   const LaneMap& map;
+  std::vector<TrafficLight> lights;  ///< times as in `table`
   /// Writes fields of the metadata's "collision_forge"; writeGround() adds more.
   std::function<void(PickleWriter&)> write_own;
 };
 
-/// Returns the content of a scenario file. It includes the boundary lines of the drivable area
-/// within `options.radius` of `path_points`.
+/// Returns the content of a scenario file. If the map has no recorded road edges, it includes the
+/// boundary lines of the drivable area within `options.radius` of `path_points`.
 PickleContent describe(const ScenarioDescription& scenario, const std::vector<Vector2>& path_points,
                        const ExportOptions& options);
 

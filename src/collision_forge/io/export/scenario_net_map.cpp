@@ -1,13 +1,31 @@
 #include "collision_forge/io/export/scenario_net_map.h"
 
+#include <map>
 #include <string>
 #include <unordered_set>
+
+#include "collision_forge/io/logs/scenario_net_lanes.h"
 
 namespace forge {
 namespace {
 
 constexpr double kMostApart = 100.0;  // m between the centroids of a lane's centreline and outline
 constexpr double kKilometresAnHour = 3.6;  // km/h in 1 m/s
+constexpr const char* kTrafficLight = "TRAFFIC_LIGHT";
+
+const char* nameOf(LightColor color) {
+  switch (color) {
+    case LightColor::kRed:
+      return "TRAFFIC_LIGHT_RED";
+    case LightColor::kYellow:
+      return "TRAFFIC_LIGHT_YELLOW";
+    case LightColor::kGreen:
+      return "TRAFFIC_LIGHT_GREEN";
+    case LightColor::kUnknown:
+      break;
+  }
+  return "TRAFFIC_LIGHT_UNKNOWN";
+}
 
 std::vector<double> flat(const std::vector<Vector2>& points) {
   std::vector<double> numbers;
@@ -65,9 +83,10 @@ class FeatureWriter {
     writer_.endObject();
   }
 
-  void writeRoadEdge(const std::vector<Vector2>& line) {
-    beginFeature("edge_", "ROAD_EDGE_BOUNDARY");
-    writer_.array("polyline", flat(line), 2);
+  void writeFeature(const MapFeature& feature) {
+    const bool is_edge = isRoadEdge(feature.kind);
+    beginFeature(is_edge ? "edge_" : "feature_", toScenarioNet(feature.kind));
+    writer_.array(is_edge ? "polyline" : "polygon", flat(feature.points), 2);
     writer_.endObject();
   }
 
@@ -100,9 +119,50 @@ std::size_t writeMapFeatures(PickleWriter& scenario, const LaneMap& map,
   scenario.beginObject("map_features");
   for (const Lane& lane : map.lanes) features.writeLane(lane);
   for (const Polygon& walkway : map.walkways) features.writeWalkway(walkway);
-  for (const std::vector<Vector2>& line : road_edges) features.writeRoadEdge(line);
+  for (const MapFeature& feature : map.features) features.writeFeature(feature);
+  for (const std::vector<Vector2>& line : road_edges) {
+    features.writeFeature({FeatureKind::kRoadEdge, line});
+  }
   scenario.endObject();
   return features.count();
+}
+
+void writeLights(PickleWriter& scenario, const std::vector<TrafficLight>& lights,
+                 const std::vector<double>& times) {
+  scenario.beginObject("dynamic_map_states");
+  for (const TrafficLight& light : lights) {
+    std::vector<std::string> states;
+    for (const double time : times) states.emplace_back(nameOf(colorAt(light, time)));
+    scenario.beginObject(light.lane.c_str());
+    scenario.text("type", kTrafficLight);
+    scenario.beginObject("state");
+    scenario.texts("object_state", states);
+    scenario.endObject();
+    scenario.text("lane", light.lane);
+    scenario.array("stop_point", {light.stop_point.x(), light.stop_point.y(), 0.0});
+    scenario.beginObject("metadata");
+    scenario.text("type", kTrafficLight);
+    scenario.text("object_id", light.lane);
+    scenario.count("track_length", times.size());
+    scenario.endObject();
+    scenario.endObject();
+  }
+  scenario.endObject();
+}
+
+void writeLightNumbers(PickleWriter& metadata, const std::vector<TrafficLight>& lights,
+                       const std::vector<double>& times) {
+  std::map<std::string, std::size_t> rows;
+  for (const TrafficLight& light : lights) {
+    for (const double time : times) ++rows[nameOf(colorAt(light, time))];
+  }
+  std::vector<std::string> types;
+  for (const auto& [type, count] : rows) types.push_back(type);
+  metadata.count("num_traffic_lights", lights.size());
+  metadata.texts("num_traffic_light_types", types);
+  metadata.beginObject("num_traffic_light_each_step");
+  for (const auto& [type, count] : rows) metadata.count(type.c_str(), count);
+  metadata.endObject();
 }
 
 void writeGround(PickleWriter& writer, const LaneMap& map) {

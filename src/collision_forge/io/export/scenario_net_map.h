@@ -4,14 +4,24 @@
 #include <vector>
 
 #include "collision_forge/base/map/lane_map.h"
+#include "collision_forge/base/scene/traffic_light.h"
 #include "collision_forge/io/export/pickle_writer.h"
 
 namespace forge {
 
-/// Writes "map_features": lanes that have a centreline, with the links among them, walkways, and
-/// the boundary lines `road_edges` of the drivable area. Returns the number of features.
+/// Writes "map_features": lanes that have a centreline, with the links among them, walkways, the
+/// map's features, and the boundary lines `road_edges` of the drivable area, for a map without
+/// recorded road edges. Returns the number of features written.
 std::size_t writeMapFeatures(PickleWriter& scenario, const LaneMap& map,
                              const std::vector<std::vector<Vector2>>& road_edges);
+
+/// Writes "dynamic_map_states": the lights in rows at `times` (s, on the clock of the lights).
+void writeLights(PickleWriter& scenario, const std::vector<TrafficLight>& lights,
+                 const std::vector<double>& times);
+
+/// Writes the fields on lights of the metadata's "number_summary".
+void writeLightNumbers(PickleWriter& metadata, const std::vector<TrafficLight>& lights,
+                       const std::vector<double>& times);
 
 /// Writes map data that the format does not define: "driving_side" and "drivable_area".
 void writeGround(PickleWriter& writer, const LaneMap& map);

@@ -115,8 +115,9 @@ PickleContent scenarioNetOf(const Scene& scene, RowTimes rows, const ExportOptio
   const auto write_own = [&](PickleWriter& own) {
     writeOwn(own, scene, times.front().of_scene, frames);
   };
-  return describe({scene.name, std::move(table), step, 0, *scene.map, write_own}, path_points,
-                  options);
+  return describe({scene.name, std::move(table), step, 0, *scene.map,
+                   shifted(scene.lights, -times.front().of_scene), write_own},
+                  path_points, options);
 }
 
 }  // namespace forge

@@ -10,6 +10,7 @@
 #include "collision_forge/io/logs/log_fingerprints.h"
 #include "collision_forge/io/logs/nuscenes_json.h"
 #include "collision_forge/io/logs/nuscenes_tables.h"
+#include "collision_forge/io/logs/recording_repair.h"
 
 namespace forge {
 namespace {
@@ -132,6 +133,7 @@ std::string LogSource::title() const {
 
 void keepWithin(NuScenesRecording& recording, const DataOptions& options,
                 std::vector<std::string>* warnings) {
+  repair(recording, options, warnings);
   Scene scene = toScene(recording, options.ego_vehicle, nullptr);
   const std::size_t before = scene.agents.size();
   checkScene(scene, options.input_limits, recording.name, warnings);
@@ -149,11 +151,8 @@ void keepWithin(NuScenesRecording& recording, const DataOptions& options,
 }
 
 IndexedScene flattened(const LoggedScene& logged, const SceneReading& reading) {
-  std::vector<std::string> warnings;
-  Scene scene =
-      toScene(logged.recording, reading.options.ego_vehicle, logged.lanes->sharedMap(), &warnings);
-  if (reading.on_warnings && !warnings.empty()) reading.on_warnings(scene.name, warnings);
-  return {std::move(scene), logged.lanes};
+  return {toScene(logged.recording, reading.options.ego_vehicle, logged.lanes->sharedMap()),
+          logged.lanes};
 }
 
 std::vector<std::string> wantedScenes(const LogSource& source,

@@ -85,8 +85,9 @@ std::vector<std::string> readSceneNames(const LogSource& source);
 std::vector<std::string> wantedScenes(const LogSource& source,
                                       const std::vector<std::string>& wanted);
 
-/// Removes instances that are beyond the input limits as agents. Appends one line per kind of
-/// problem to `warnings`, if given. Throws InputError as checkScene(), naming the recording.
+/// Repairs the recording (repair()) and removes instances that are beyond the input limits as
+/// agents. Every reader of recordings calls this. Appends one line per kind of problem to
+/// `warnings`, if given. Throws InputError as checkScene(), naming the recording.
 void keepWithin(NuScenesRecording& recording, const DataOptions& options,
                 std::vector<std::string>* warnings);
 

@@ -20,6 +20,7 @@ namespace {
 constexpr std::size_t kBufferBytes = 1 << 18;
 constexpr std::uint64_t kProgressBytes = 1 << 22;
 constexpr int kDeepestNesting = 64;
+constexpr double kExactIntegers = 9007199254740992.0;  // 2^53
 
 // Numbers stay text until they are used: most never are, and conversion is then exact.
 constexpr unsigned kParseFlags =
@@ -62,10 +63,12 @@ std::int64_t JsonRow::integer(std::size_t field) const {
   const std::string_view digits = element(valueOf(field, Kind::kNumber, "an integer"), 0);
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size()) {
+  if (error == std::errc() && end == digits.data() + digits.size()) return value;
+  const auto number = nearestDouble(digits);
+  if (!number || !(std::abs(*number) < kExactIntegers)) {
     fail(field, "is not an integer: " + std::string(digits));
   }
-  return value;
+  return std::llround(*number);
 }
 
 void JsonRow::readNumbers(std::size_t field, double* values, std::size_t count) const {

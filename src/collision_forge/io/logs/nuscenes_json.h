@@ -27,6 +27,7 @@ class JsonRow {
   std::string_view token() const { return text(0); }
   std::string_view text(std::size_t field) const;
   std::vector<std::string_view> texts(std::size_t field) const;
+  /// Returns a number, rounded: Lyft's stamps are written with a fraction.
   std::int64_t integer(std::size_t field) const;
   /// Returns an array of N finite numbers.
   template <std::size_t N>

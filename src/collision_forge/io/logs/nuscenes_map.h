@@ -34,7 +34,7 @@ LaneMap readNuScenesMapFile(const std::string& path, DrivingSide driving_side,
                             const NuScenesMapOptions& options,
                             std::vector<std::string>* warnings = nullptr);
 
-/// Returns the lanes (by outline or centreline), drivable polygons and walkways within `radius` (m)
+/// Returns the lanes (by outline or centreline), areas and features within `radius` (m)
 /// of any of the points (map frame). Removes links to lanes that are left out.
 LaneMap cropped(const LaneMap& map, const std::vector<Vector2>& points, double radius);
 

@@ -70,6 +70,11 @@ LaneMap cropped(const LaneMap& map, const std::vector<Vector2>& points, double r
   for (const Polygon& polygon : map.walkways) {
     if (isNear(polygon, points, radius)) crop.walkways.push_back(polygon);
   }
+  for (const MapFeature& feature : map.features) {
+    if (isNear(feature.points, !isRoadEdge(feature.kind), points, radius)) {
+      crop.features.push_back(feature);
+    }
+  }
   return crop;
 }
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
-#include <set>
 #include <unordered_map>
 #include <utility>
+
+#include "collision_forge/base/config/nearest_names.h"
 
 namespace forge {
 namespace {
@@ -90,6 +90,22 @@ AgentState agentState(const NuScenesAnnotation& annotation, double time) {
   return state;
 }
 
+template <typename IsWanted>
+void deriveVelocitiesIf(NuScenesRecording& recording, const IsWanted& is_wanted) {
+  std::unordered_map<std::string, std::vector<Sighting>> instances;
+  for (NuScenesFrame& frame : recording.frames) {
+    for (NuScenesAnnotation& annotation : frame.annotations) {
+      if (!is_wanted(annotation.instance)) continue;
+      instances[annotation.instance].push_back({frame.timestamp_us, &annotation});
+    }
+  }
+  for (auto& [instance, sightings] : instances) {
+    for (std::size_t i = 0; i < sightings.size(); ++i) {
+      sightings[i].annotation->velocity = velocityAt(sightings, i);
+    }
+  }
+}
+
 }  // namespace
 
 double yawOf(const Eigen::Quaterniond& rotation) {
@@ -104,6 +120,16 @@ std::optional<AgentClass> agentClassOfCategory(const std::string& category) {
   return std::nullopt;
 }
 
+std::optional<AgentClass> agentClassOfCategory(const std::string& category,
+                                               const std::map<std::string, AgentClass>& others) {
+  if (const auto known = agentClassOfCategory(category)) return known;
+  const std::string name = lowered(category);
+  // Backwards: "vehicle.fire" comes after "vehicle".
+  const auto found = std::find_if(others.rbegin(), others.rend(),
+                                  [&](const auto& other) { return isKindOf(name, other.first); });
+  return found == others.rend() ? std::nullopt : std::make_optional(found->second);
+}
+
 const char* categoryOf(AgentClass agent_class) {
   return std::find_if(std::begin(kCategories), std::end(kCategories),
                       [&](const auto& category) { return category.second == agent_class; })
@@ -111,27 +137,22 @@ const char* categoryOf(AgentClass agent_class) {
 }
 
 void deriveVelocities(NuScenesRecording& recording) {
-  std::unordered_map<std::string, std::vector<Sighting>> instances;
-  for (NuScenesFrame& frame : recording.frames) {
-    for (NuScenesAnnotation& annotation : frame.annotations) {
-      instances[annotation.instance].push_back({frame.timestamp_us, &annotation});
-    }
-  }
-  for (auto& [instance, sightings] : instances) {
-    for (std::size_t i = 0; i < sightings.size(); ++i) {
-      sightings[i].annotation->velocity = velocityAt(sightings, i);
-    }
-  }
+  deriveVelocitiesIf(recording, [](const std::string& /*instance*/) { return true; });
+}
+
+void deriveVelocities(NuScenesRecording& recording, const std::set<std::string>& instances) {
+  if (instances.empty()) return;
+  deriveVelocitiesIf(recording, [&](const std::string& id) { return instances.count(id) > 0; });
 }
 
 Scene toScene(const NuScenesRecording& recording, const EgoVehicle& ego,
-              std::shared_ptr<const LaneMap> map, std::vector<std::string>* warnings) {
+              std::shared_ptr<const LaneMap> map) {
   Scene scene;
   scene.name = recording.name;
   scene.map = std::move(map);
   scene.ego = egoTrack(recording, ego);
+  scene.lights = recording.lights;
   std::unordered_map<std::string, std::size_t> agent_of_instance;
-  std::map<std::string, std::set<std::string>> unknown_categories;
   for (const NuScenesFrame& frame : recording.frames) {
     const double time = static_cast<double>(frame.timestamp_us) * kSecondsPerMicrosecond;
     scene.frame_times.push_back(time);
@@ -139,20 +160,14 @@ Scene toScene(const NuScenesRecording& recording, const EgoVehicle& ego,
       const auto [entry, is_new] =
           agent_of_instance.try_emplace(annotation.instance, scene.agents.size());
       if (is_new) {
-        const auto known = agentClassOfCategory(annotation.category);
-        if (!known) unknown_categories[annotation.category].insert(annotation.instance);
-        scene.agents.push_back({annotation.instance,
-                                known.value_or(AgentClass::kStaticObject),
-                                {annotation.size.x(), annotation.size.y()},
-                                {}});
+        scene.agents.push_back(
+            {annotation.instance,
+             agentClassOfCategory(annotation.category).value_or(AgentClass::kStaticObject),
+             {annotation.size.x(), annotation.size.y()},
+             {}});
       }
       scene.agents[entry->second].states.push_back(agentState(annotation, time));
     }
-  }
-  for (const auto& [category, found] : unknown_categories) {
-    if (warnings == nullptr) break;
-    warnings->push_back(recording.name + ": unknown category '" + category + "' of " +
-                        std::to_string(found.size()) + " instances treated as static objects");
   }
   return scene;
 }

@@ -2,8 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,6 +47,7 @@ struct NuScenesRecording {
   std::optional<BoxSize> ego_size;         ///< of the ego's box, if the log contains it
   std::vector<NuScenesEgoPose> ego_poses;  ///< timestamps strictly increasing
   std::vector<NuScenesFrame> frames;       ///< timestamps strictly increasing
+  std::vector<TrafficLight> lights;        ///< as Scene::lights
 };
 
 /// Returns the heading (rad) of the rotated x axis, projected on the ground.
@@ -53,6 +56,11 @@ double yawOf(const Eigen::Quaterniond& rotation);
 /// Returns the class of a category ("vehicle.bus.rigid" -> kBus); nullopt for an unknown one.
 std::optional<AgentClass> agentClassOfCategory(const std::string& category);
 
+/// As above; categories that nuScenes does not have are looked up in `others` (in lower case,
+/// without subcategories).
+std::optional<AgentClass> agentClassOfCategory(const std::string& category,
+                                               const std::map<std::string, AgentClass>& others);
+
 /// Returns the most general category of a class, as "vehicle.car".
 const char* categoryOf(AgentClass agent_class);
 
@@ -60,13 +68,14 @@ const char* categoryOf(AgentClass agent_class);
 /// its next frame (at most 3 s apart), one-sided at the ends of its track (at most 1.5 s). If the
 /// devkit would return NaN: one-sided to the nearer neighbour within 1.5 s, else zero.
 void deriveVelocities(NuScenesRecording& recording);
+/// As above, for the annotations of these instances only.
+void deriveVelocities(NuScenesRecording& recording, const std::set<std::string>& instances);
 
 /// Projects the recording to the ground plane. Times are timestamp_us * 1e-6 s. Ego states are the
 /// box centre, `ego.center_offset` ahead of the recorded poses; their size is the recording's
 /// ego_size, or else `ego.size`. Agent ids are instance tokens, in order of appearance; an agent
-/// keeps the size of its first annotation. An unknown category becomes a static object and adds a
-/// line to `warnings`, if given.
+/// keeps the size of its first annotation. An unknown category becomes a static object.
 Scene toScene(const NuScenesRecording& recording, const EgoVehicle& ego,
-              std::shared_ptr<const LaneMap> map, std::vector<std::string>* warnings = nullptr);
+              std::shared_ptr<const LaneMap> map);
 
 }  // namespace forge

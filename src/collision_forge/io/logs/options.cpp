@@ -28,6 +28,18 @@ void readOptions(Section& section, std::map<std::string, DrivingSide>& locations
   }
 }
 
+void readOptions(Section& section, std::map<std::string, AgentClass>& categories) {
+  std::vector<std::pair<std::string, AgentClass>> classes;
+  for (int i = 0; i <= static_cast<int>(AgentClass::kStaticObject); ++i) {
+    const auto known = static_cast<AgentClass>(i);
+    classes.emplace_back(toString(known), known);
+  }
+  while (!section.unread().empty()) {
+    const std::string name = *section.unread().begin();
+    categories[name] = section.choice<AgentClass>(name, classes);
+  }
+}
+
 static void readOptions(Section& section, std::map<std::string, std::vector<std::string>>& files) {
   while (!section.unread().empty()) {
     const std::string name = *section.unread().begin();
@@ -78,7 +90,8 @@ std::optional<DrivingSide> configuredSide(const DataOptions& options, const std:
 
 DrivingSide drivingSide(const DataOptions& options, const std::string& location) {
   if (const auto side = configuredSide(options, location)) return *side;
-  throw ConfigError("locations.yaml: no prefix under locations matches location = " + location);
+  throw ConfigError("locations.yaml: no prefix under locations matches location = " + location +
+                    "; add it with the side of the road, as \"" + location + ": right\"");
 }
 
 }  // namespace forge

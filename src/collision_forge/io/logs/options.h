@@ -36,6 +36,7 @@ struct DataOptions {
   InputLimits input_limits;                      ///< config/input_limits.yaml
   std::map<std::string, DrivingSide> locations;  ///< config/locations.yaml, by prefix of the name
   std::map<std::string, GeoPoint> origins;       ///< ExportOptions::origins
+  std::map<std::string, AgentClass> categories;  ///< config/categories.yaml
 };
 
 /// Files fitted to recordings (config/models.yaml); paths are "" if not set. methods.yaml adds
@@ -73,6 +74,7 @@ struct CollideOptions {
 void readOptions(Section& section, ConversionOptions& options);
 void readOptions(Section& section, AttackedBagOptions& options);
 void readOptions(Section& section, std::map<std::string, DrivingSide>& locations);
+void readOptions(Section& section, std::map<std::string, AgentClass>& categories);
 void readOptions(Section& section, ModelOptions& options);
 
 /// Returns the driving side of a location by its longest matching prefix; nullopt if none matches.

@@ -130,6 +130,17 @@ std::vector<Vector2> PickleField::pointRows(std::size_t rows) const {
   return found;
 }
 
+std::optional<Vector2> PickleField::firstPoint() const {
+  const std::vector<std::size_t> sizes = shape();
+  if (sizes.empty() || sizes.back() < 2) return std::nullopt;
+  const std::vector<double> all = numbers();
+  for (std::size_t first = 0; first < all.size(); first += sizes.back()) {
+    const Vector2 point(all[first], all[first + 1]);
+    if (point.allFinite()) return point;
+  }
+  return std::nullopt;
+}
+
 bool PickleField::isArray() const { return value_->IsObject() && value_->HasMember("ndarray"); }
 
 void PickleField::requireDict() const {
@@ -201,7 +212,7 @@ std::string PickleField::word() const {
   if (isText()) return value_->GetString();
   if (value_->IsInt64()) return std::to_string(value_->GetInt64());
   if (value_->IsUint64()) return std::to_string(value_->GetUint64());
-  fail("has an element that is neither a string nor an integer");
+  fail("is neither a string nor an integer");
 }
 
 }  // namespace forge

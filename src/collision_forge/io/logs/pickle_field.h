@@ -42,6 +42,8 @@ class PickleField {
   /// Returns a number, which may be infinite or NaN.
   double rawNumber() const;
   bool flag() const;
+  /// Text or integer: returns it as text.
+  std::string word() const;
   /// List or array of texts or integers: returns them as texts.
   std::vector<std::string> words() const;
   /// Array of one dimension, or of two with one column: returns its numbers. If `rows` is given,
@@ -52,6 +54,9 @@ class PickleField {
   std::vector<Vector2> points() const;
   /// The same with the rows that are not finite; throws if there are neither 0 nor `rows` rows.
   std::vector<Vector2> pointRows(std::size_t rows) const;
+  /// Array of one or two dimensions: returns the first two numbers of its first finite row; nullopt
+  /// for any other value.
+  std::optional<Vector2> firstPoint() const;
 
  private:
   struct Content;
@@ -71,7 +76,6 @@ class PickleField {
   std::vector<std::int64_t> integers() const;
   std::vector<Vector2> pointsOfArray() const;
   std::vector<Vector2> pointsOfList() const;
-  std::string word() const;
 
   std::string where_;
   std::shared_ptr<const Content> content_;

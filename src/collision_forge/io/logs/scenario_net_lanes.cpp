@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -13,6 +14,14 @@ namespace forge {
 namespace {
 
 constexpr double kKilometresAnHour = 3.6;  // km/h in 1 m/s
+
+/// Has every kind.
+constexpr std::pair<const char*, FeatureKind> kFeatureKinds[] = {
+    {"ROAD_EDGE_BOUNDARY", FeatureKind::kRoadEdge},
+    {"ROAD_EDGE_MEDIAN", FeatureKind::kMedian},
+    {"CROSSWALK", FeatureKind::kCrosswalk},
+    {"DRIVEWAY", FeatureKind::kDriveway},
+    {"SPEED_BUMP", FeatureKind::kSpeedBump}};
 
 /// Returns the outlines in the dict's "interiors".
 std::vector<std::vector<Vector2>> holesOf(const PickleField& polygon) {
@@ -44,6 +53,16 @@ class MapReader {
     const std::string type = feature.at("type").text();
     if (type.rfind("LANE_", 0) == 0 && type != "LANE_BIKE_LANE") addLane(id, type, feature);
     if (type == "ROAD_EDGE_SIDEWALK") addWalkway(feature);
+    for (const auto& [name, kind] : kFeatureKinds) {
+      if (type == name) addFeature(kind, feature);
+    }
+  }
+
+  void addFeature(FeatureKind kind, const PickleField& feature) {
+    const bool is_line = isRoadEdge(kind);
+    std::vector<Vector2> points = feature.at(is_line ? "polyline" : "polygon").points();
+    if (points.size() < (is_line ? 2 : 3)) return;
+    map_.features.push_back({kind, std::move(points)});
   }
 
   void addLane(const std::string& id, const std::string& type, const PickleField& feature) {
@@ -91,6 +110,12 @@ class MapReader {
 };
 
 }  // namespace
+
+const char* toScenarioNet(FeatureKind kind) {
+  return std::find_if(std::begin(kFeatureKinds), std::end(kFeatureKinds),
+                      [&](const auto& known) { return known.second == kind; })
+      ->first;
+}
 
 LaneMap lanesOf(const PickleField& features, std::vector<std::string>& problems) {
   return MapReader(problems).read(features);

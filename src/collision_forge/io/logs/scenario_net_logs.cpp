@@ -10,11 +10,14 @@
 #include <utility>
 
 #include "collision_forge/base/config/section.h"
+#include "collision_forge/base/map/road_area.h"
 #include "collision_forge/base/scene/input_limits.h"
 #include "collision_forge/base/scene/number_words.h"
 #include "collision_forge/base/scene/request_words.h"
 #include "collision_forge/io/logs/pickle_field.h"
+#include "collision_forge/io/logs/recording_repair.h"
 #include "collision_forge/io/logs/scenario_net_lanes.h"
+#include "collision_forge/io/logs/scenario_net_lights.h"
 
 namespace forge {
 namespace {
@@ -31,21 +34,28 @@ Eigen::Quaterniond turned(double yaw) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()));
 }
 
-/// Classes that metadata names: this package's own "class", or the nuScenes category that
-/// ScenarioNet's converter keeps as "type".
-std::optional<AgentClass> namedClass(const std::optional<PickleField>& metadata) {
+/// Returns true for a type of MetaDrive, which says less than the length.
+bool isType(const std::string& type) {
+  return type == "VEHICLE" || type == "PEDESTRIAN" || type == "CYCLIST" || type == "OTHER";
+}
+
+/// Classes that metadata names: this package's own "class", or the category that ScenarioNet's
+/// converters keep as "type".
+std::optional<AgentClass> namedClass(const std::optional<PickleField>& metadata,
+                                     const DataOptions& options) {
   if (!metadata) return std::nullopt;
   if (const auto given = metadata->find("class")) {
     if (const auto known = agentClassFromString(given->text())) return known;
     given->fail("\"" + given->text() + "\" is not a known agent class");
   }
   const auto type = metadata->find("type");
-  return type && type->isText() ? agentClassOfCategory(type->text()) : std::nullopt;
+  if (!type || !type->isText() || isType(type->text())) return std::nullopt;
+  return agentClassOfCategory(type->text(), options.categories);
 }
 
 AgentClass classOf(const std::string& type, const std::optional<PickleField>& metadata,
-                   double length) {
-  if (const auto named = namedClass(metadata)) return *named;
+                   double length, const DataOptions& options) {
+  if (const auto named = namedClass(metadata, options)) return *named;
   if (type == "VEHICLE") return length > kLongestCar ? AgentClass::kTruck : AgentClass::kCar;
   if (type == "PEDESTRIAN") return AgentClass::kPedestrian;
   if (type == "CYCLIST") return AgentClass::kBicycle;
@@ -62,19 +72,21 @@ BoxSize typicalSize(const std::string& type) {
 
 bool isSize(double value) { return std::isfinite(value) && value > 0.0; }
 
-/// A track of the file with a state in each valid row with finite numbers. Its box is the first one
-/// with a size in such a row.
+/// A track of the file with a state in each valid row with finite numbers. Its box is the median of
+/// the sizes in such rows.
 struct RecordedTrack {
-  RecordedTrack(const std::string& id, const PickleField& field, const std::vector<double>& times);
+  RecordedTrack(const std::string& id, const PickleField& field, const std::vector<double>& times,
+                const DataOptions& options);
 
   Track track;
   double height = 0.0;            // m
   bool has_typical_size = false;  // the file has no size of it
+  bool has_other_size = false;    // at first: isOtherSize()
   int dropped = 0;                // valid rows with a number that is not finite
 };
 
 RecordedTrack::RecordedTrack(const std::string& id, const PickleField& field,
-                             const std::vector<double>& times) {
+                             const std::vector<double>& times, const DataOptions& options) {
   const std::size_t rows = times.size();
   const PickleField state = field.at("state");
   const std::vector<Vector2> positions = state.at("position").pointRows(rows);
@@ -91,15 +103,15 @@ RecordedTrack::RecordedTrack(const std::string& id, const PickleField& field,
   const auto velocities = state.find("velocity");
   const auto speeds = velocities ? velocities->pointRows(rows) : std::vector<Vector2>();
   track.id = id;
+  std::vector<Eigen::Vector3d> sizes;
   for (std::size_t row = 0; row < rows; ++row) {
     if (valid[row] == 0.0) continue;
     if (!std::isfinite(yaws[row]) || !positions[row].allFinite()) {
       ++dropped;
       continue;
     }
-    if (track.size.length == 0.0 && isSize(lengths[row]) && isSize(widths[row])) {
-      track.size = {lengths[row], widths[row]};
-      height = isSize(heights[row]) ? heights[row] : 0.0;
+    if (isSize(lengths[row]) && isSize(widths[row])) {
+      sizes.emplace_back(lengths[row], widths[row], isSize(heights[row]) ? heights[row] : 0.0);
     }
     const bool has_speed = !speeds.empty() && speeds[row].allFinite();
     track.states.push_back({times[row],
@@ -107,10 +119,17 @@ RecordedTrack::RecordedTrack(const std::string& id, const PickleField& field,
                             has_speed ? speeds[row] : Vector2(0.0, 0.0)});
   }
   const std::string type = field.at("type").text();
-  has_typical_size = track.size.length == 0.0;
-  if (has_typical_size) track.size = typicalSize(type);
+  has_typical_size = sizes.empty();
+  if (has_typical_size) {
+    track.size = typicalSize(type);
+  } else {
+    const Eigen::Vector3d median = medianSize(sizes);
+    track.size = {median.x(), median.y()};
+    height = median.z();
+    has_other_size = isOtherSize(sizes.front(), median);
+  }
   if (speeds.empty()) deriveVelocities(track);
-  track.agent_class = classOf(type, field.find("metadata"), track.size.length);
+  track.agent_class = classOf(type, field.find("metadata"), track.size.length, options);
 }
 
 DrivingSide sideOf(const std::optional<PickleField>& own, const std::string& location,
@@ -152,6 +171,11 @@ class DescriptionReader {
     readTracks(recording);
     logged.lanes = std::make_shared<const LaneIndex>(
         std::make_shared<const LaneMap>(readMap(recording.location)));
+    if (const auto states = root_.find("dynamic_map_states")) {
+      std::vector<std::string> problems;
+      recording.lights = lightsOf(*states, times_, logged.lanes->map(), problems);
+      warnOfProblems(problems, "traffic light");
+    }
     return logged;
   }
 
@@ -183,15 +207,17 @@ class DescriptionReader {
     const PickleField tracks = root_.at("tracks");
     const auto own = tracks.find(ego.c_str());
     if (!own) tracks.fail("lacks the ego \"" + ego + "\" of metadata.sdc_id");
-    addEgo(RecordedTrack(ego, *own, times_), recording);
+    addEgo(RecordedTrack(ego, *own, times_, options_), recording);
     if (recording.ego_poses.empty()) tracks.fail("the ego is valid in no row");
     std::vector<std::string> without_size;
+    std::vector<std::string> other_size;
     std::vector<std::string> unreadable;
     for (const auto& [id, field] : tracks.entries()) {
       if (id == ego) continue;
       try {
-        const RecordedTrack recorded(id, field, times_);
+        const RecordedTrack recorded(id, field, times_, options_);
         if (recorded.has_typical_size) without_size.push_back(id);
+        if (recorded.has_other_size) other_size.push_back(id);
         warnOfDropped(recorded);
         addAgent(recorded, recording);
       } catch (const std::runtime_error& error) {
@@ -202,10 +228,14 @@ class DescriptionReader {
       warn(counted(without_size.size(), "agent") + " without a size (first: " +
            without_size.front() + "): the typical size of the type is used");
     }
-    if (!unreadable.empty()) {
-      warn(counted(unreadable.size(), "agent") +
-           " that cannot be read left out (first: " + unreadable.front() + ")");
-    }
+    if (!other_size.empty()) warn(sizeWarning(other_size));
+    warnOfProblems(unreadable, "agent");
+  }
+
+  void warnOfProblems(const std::vector<std::string>& problems, const char* what) {
+    if (problems.empty()) return;
+    warn(counted(problems.size(), what) +
+         " that cannot be read left out (first: " + problems.front() + ")");
   }
 
   void warnOfDropped(const RecordedTrack& recorded) {
@@ -249,15 +279,15 @@ class DescriptionReader {
   LaneMap readMap(const std::string& location) {
     std::vector<std::string> problems;
     LaneMap map = lanesOf(root_.at("map_features"), problems);
-    if (!problems.empty()) {
-      warn(counted(problems.size(), "map feature") +
-           " that cannot be read left out (first: " + problems.front() + ")");
-    }
+    warnOfProblems(problems, "map feature");
     map.location = location;
     map.driving_side = sideOf(own_, location, options_);
     if (const auto areas = own_ ? own_->find("drivable_area") : std::nullopt) {
       map.drivable_area = areasOf(*areas);
     } else {
+      map.drivable_area = roadArea(map.features, map.lanes);
+    }
+    if (map.drivable_area.empty()) {
       for (const Lane& lane : map.lanes) {
         if (lane.polygon.size() >= 3) map.drivable_area.push_back({lane.polygon, {}});
       }

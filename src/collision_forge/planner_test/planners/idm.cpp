@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "collision_forge/planner_test/planners/lane_route.h"
+#include "collision_forge/planner_test/planners/red_lights.h"
 
 namespace forge {
 namespace {
@@ -45,13 +46,12 @@ struct Other {
   double speed = 0.0;   ///< m/s along its heading; 0 for an object
 };
 
-std::vector<Other> othersNear(const Observation& observation, double radius) {
+std::vector<Other> othersNear(const std::vector<Track>& agents, const Vector2& ego, double radius) {
   std::vector<Other> others;
-  for (const Track& agent : observation.agents) {
+  for (const Track& agent : agents) {
     if (agent.id == kEgoId || agent.states.empty()) continue;
     const AgentState& state = agent.states.back();
-    const Vector2 away = state.pose.position() - observation.ego.pose.position();
-    if (away.norm() >= radius) continue;
+    if ((state.pose.position() - ego).norm() >= radius) continue;
     const bool is_object = agent.agent_class == AgentClass::kStaticObject;
     const OrientedBox box = boxAt(agent, state.pose);
     others.push_back({box, circumradius(box.size), is_object ? 0.0 : state.velocity.norm()});
@@ -109,11 +109,11 @@ void IdmPlanner::initialize(const DrivingTask& task) {
 }
 
 void IdmPlanner::setOut(const TrajectoryPoint& ego) {
-  const std::vector<std::size_t> lanes = laneRoute(*task_.lanes, task_.route, ego.pose, route_);
-  path_.emplace(nodesOf(task_, lanes, route_.spacing));
+  lanes_ = laneRoute(*task_.lanes, task_.route, ego.pose, route_);
+  path_.emplace(nodesOf(task_, lanes_, route_.spacing));
   law_ = options_.law;
-  if (!lanes.empty()) {
-    const auto& limit = task_.lanes->map().lanes[lanes.front()].speed_limit;
+  if (!lanes_.empty()) {
+    const auto& limit = task_.lanes->map().lanes[lanes_.front()].speed_limit;
     law_.desired_speed = limit.value_or(options_.law.desired_speed);
   }
   law_.desired_speed = std::max(law_.desired_speed, ego.speed);
@@ -122,7 +122,9 @@ void IdmPlanner::setOut(const TrajectoryPoint& ego) {
 std::vector<TrajectoryPoint> IdmPlanner::plan(const Observation& observation) {
   const TrajectoryPoint& ego = observation.ego;
   if (!path_) setOut(ego);
-  const LeadFinder finder(*path_, othersNear(observation, options_.lead.radius),
+  const std::vector<Track> agents =
+      withRedLights(observation, task_.ego.size, *task_.lanes, lanes_);
+  const LeadFinder finder(*path_, othersNear(agents, ego.pose.position(), options_.lead.radius),
                           task_.ego.size.width);
   IdmState state{path_->project(ego.pose.position()), ego.speed};
   OrientedBox box{ego.pose, task_.ego.size};

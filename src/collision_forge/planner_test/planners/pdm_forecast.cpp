@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "collision_forge/planner_test/planners/red_lights.h"
+
 namespace forge {
 namespace {
 
@@ -57,6 +59,7 @@ ForecastAgent forecastOf(const Track& track, const PdmAgentOptions& options) {
   agent.velocity = (now.velocity.dot(heading) < 0.0 ? -agent.speed : agent.speed) * heading;
   agent.radius = circumradius(agent.box.size);
   agent.is_static_object = track.agent_class == AgentClass::kStaticObject;
+  agent.is_red_light = isRedLight(track.id);
   agent.is_standing = agent.is_static_object || agent.speed <= options.standing_speed;
   return agent;
 }

@@ -18,7 +18,8 @@ struct ForecastAgent {
   Vector2 velocity = Vector2::Zero();  ///< m/s, along or against the heading
   double radius = 0.0;                 ///< m, of the box's circumcircle
   bool is_static_object = false;
-  bool is_standing = false;  ///< static objects always are
+  bool is_red_light = false;  ///< to stop at; not scored
+  bool is_standing = false;   ///< static objects always are
 };
 
 /// PDM-Closed's forecast of the agents around the ego at every step. As published, positions change

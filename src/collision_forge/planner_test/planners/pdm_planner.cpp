@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "collision_forge/planner_test/planners/lane_route.h"
+#include "collision_forge/planner_test/planners/red_lights.h"
 #include "collision_forge/planner_test/planners/route_road.h"
 
 namespace forge {
@@ -16,6 +18,7 @@ void PdmPlanner::initialize(const DrivingTask& task) {
   bicycle_options_.wheelbase = task.wheelbase;
   RouteRoad road = roadAlong(*task.lanes, task.route, route_options_, options_.map);
   map_.emplace(std::move(road.map));
+  lanes_.reset();
   closed_.emplace(PdmPath(std::move(road.nodes)), task.ego, bicycle_options_, lqr_options_,
                   options_);
 }
@@ -24,8 +27,11 @@ std::vector<TrajectoryPoint> PdmPlanner::plan(const Observation& observation) {
   const double offset = task_.ego.center_offset;
   const BicycleState start = KinematicBicycle(bicycle_options_).stateOf(observation.ego, offset);
   const PdmPlace place = map_->placeOf({observation.ego.pose, task_.ego.size});
-  const std::vector<Pose2> axles = closed_->plan(start, observation.agents, *map_,
-                                                 place.speed_limit.value_or(options_.speed_limit));
+  if (!lanes_) lanes_ = laneRoute(*task_.lanes, task_.route, observation.ego.pose, route_options_);
+  const std::vector<Track> agents =
+      withRedLights(observation, task_.ego.size, *task_.lanes, *lanes_);
+  const std::vector<Pose2> axles =
+      closed_->plan(start, agents, *map_, place.speed_limit.value_or(options_.speed_limit));
   std::vector<TrajectoryPoint> points;
   for (std::size_t i = 0; i < axles.size(); ++i) {
     const double time = observation.ego.time + static_cast<double>(i) * options_.step;

@@ -8,7 +8,9 @@
 
 namespace forge {
 
-/// Planner that runs PdmClosed on the lanes of the map, along the centrelines of the route.
+/// Planner that runs PdmClosed on the lanes of the map, along the centrelines of the route. It
+/// stops at red lights (withRedLights()); as published, they are leads of proposals and are not
+/// scored.
 class PdmPlanner : public Planner {
  public:
   PdmPlanner(const PdmOptions& options, const RouteCenterlineOptions& route,
@@ -30,6 +32,7 @@ class PdmPlanner : public Planner {
   DrivingTask task_;
   std::optional<PdmClosed> closed_;
   std::optional<PdmMap> map_;
+  std::optional<std::vector<std::size_t>> lanes_;  // of the route, from the first plan() on
 };
 
 }  // namespace forge

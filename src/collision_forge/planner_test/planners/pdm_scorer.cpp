@@ -4,6 +4,15 @@
 #include <cmath>
 
 namespace forge {
+namespace {
+
+std::vector<bool> areRedLights(const PdmForecast& forecast) {
+  std::vector<bool> are_lights;
+  for (const ForecastAgent& agent : forecast.agents()) are_lights.push_back(agent.is_red_light);
+  return are_lights;
+}
+
+}  // namespace
 
 PdmScorer::PdmScorer(const PdmSurroundings& surroundings, const PdmScoringOptions& options)
     : surroundings_(surroundings),
@@ -52,7 +61,7 @@ std::vector<PdmScore> PdmScorer::score(const std::vector<PdmMotion>& motions) co
 void PdmScorer::scoreCollisions(const PdmMotion& motion, const Places& places,
                                 PdmScore& score) const {
   const PdmForecast& forecast = surroundings_.forecast;
-  std::vector<bool> is_ignored(forecast.agents().size(), false);
+  std::vector<bool> is_ignored = areRedLights(forecast);
   for (std::size_t step = 0; step < motion.states.size(); ++step) {
     const OrientedBox& box = motion.boxes[step];
     forecast.forTouching(box, circumradius(box.size), step, [&](std::size_t agent) {
@@ -83,7 +92,7 @@ bool PdmScorer::isAtFault(const PdmMotion& motion, const PdmPlace& place, std::s
 
 void PdmScorer::scoreTimeToCollision(const PdmMotion& motion, const Places& places,
                                      PdmScore& score) const {
-  std::vector<bool> is_ignored(surroundings_.forecast.agents().size(), false);
+  std::vector<bool> is_ignored = areRedLights(surroundings_.forecast);
   for (std::size_t step = 0; step < motion.states.size(); ++step) {
     if (std::abs(motion.states[step].speed) < options_.ttc_standing_speed) continue;
     if (!isTooClose(motion, places[step], step, is_ignored)) continue;

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "collision_forge/base/map/lane_queries.h"
@@ -24,6 +25,7 @@ struct DrivingTask {
 struct Observation {
   TrajectoryPoint ego;        ///< current state, middle of the box, global map frame
   std::vector<Track> agents;  ///< agents in sight, each with its past states, the newest last
+  std::vector<std::string> red_lanes = {};  ///< ids of the lanes whose traffic light is red
 };
 
 /// Thrown by a planner whose external process or node does not respond in time.

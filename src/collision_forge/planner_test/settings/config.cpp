@@ -31,6 +31,7 @@ Config loadConfig(const ConfigFolder& folder) {
   readConfigFile(folder, "conversion", config.conversion);
   readConfigFile(folder, "input_limits", config.input_limits);
   readConfigFile(folder, "locations", config.locations);
+  readConfigFile(folder, "categories", config.categories);
   readConfigFile(folder, "attacked_bag", config.attacked_bag);
   readConfigFile(folder, "drawing", config.drawing);
   readConfigFile(folder, "requests", config.requests);

@@ -19,6 +19,7 @@ struct CrashScenario {
   CollisionType type = CollisionType::kRearEnd;  ///< requested
   EgoVehicle ego;
   std::shared_ptr<const LaneIndex> lanes;
+  std::vector<TrafficLight> lights = {};  ///< as Scene::lights
 
   /// Returns the time of the attacker's last point. `attacker.points` must not be empty.
   double end() const { return attacker.points.back().time; }

@@ -27,7 +27,8 @@ PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed
                   scenario.answer.trajectory,
                   one.request.type,
                   scenario.ego,
-                  indexed.lanes};
+                  indexed.lanes,
+                  indexed.scene.lights};
   addAttackerPast(one.scenario);
   one.pattern = scenario.answer.pattern;
   one.effort = scenario.answer.effort;

@@ -224,7 +224,8 @@ class Run {
 
   void callPlanner() {
     std::vector<TrajectoryPoint> plan;
-    const Observation observation{ego_.point(), traffic_.agents()};
+    const Observation observation{ego_.point(), traffic_.agents(),
+                                  redLanes(scenario_.lights, now())};
     attempt([&] { plan = planner_.plan(observation); });
     ++outcome_.plans;
     if (outcome_.failure != PlannerFailure::kNone) return;

@@ -4,6 +4,7 @@
 #include <collision_forge/Attack.h>
 #include <collision_forge/AttackRequest.h>
 #include <collision_forge/LaneMap.h>
+#include <collision_forge/TrafficLightArray.h>
 #include <rosbag/view.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -71,6 +72,22 @@ class SceneBuilder {
     }
   }
 
+  void add(const collision_forge::TrafficLightArray& message) {
+    requireMapFrame(message.header, names::kTrafficLights);
+    for (TrafficLight& light : fromMessage(message)) {
+      const auto [place, is_new] = lights_.try_emplace(light.lane, scene_.lights.size());
+      if (is_new) {
+        scene_.lights.push_back(std::move(light));
+        continue;
+      }
+      auto& states = scene_.lights[place->second].states;
+      const LightState& state = light.states.front();
+      if (state.time > states.back().time && state.color != states.back().color) {
+        states.push_back(state);
+      }
+    }
+  }
+
   void add(const collision_forge::EgoVehicle& message) {
     scene_.ego.size = egoSizeOf(message).value_or(scene_.ego.size);
   }
@@ -129,6 +146,7 @@ class SceneBuilder {
   double center_offset_;
   Scene scene_;
   std::unordered_map<std::string, std::size_t> places_;  // of ids, among the agents
+  std::unordered_map<std::string, std::size_t> lights_;  // of lanes, among the lights
   std::map<std::string, int> skipped_;
 };
 
@@ -179,9 +197,9 @@ void roundToMicroseconds(Scene& scene) {
 Scene sceneIn(const std::string& path, const EgoVehicle& ego, std::vector<std::string>* warnings) {
   Scene scene = readOpened(path, [&](const rosbag::Bag& bag) {
     SceneBuilder builder(ego);
-    const std::vector<std::string> topics = {names::kTf, bagTopic(names::kAgents),
-                                             bagTopic(names::kLaneMap),
-                                             bagTopic(names::kEgoVehicle)};
+    const std::vector<std::string> topics = {
+        names::kTf, bagTopic(names::kAgents), bagTopic(names::kLaneMap),
+        bagTopic(names::kTrafficLights), bagTopic(names::kEgoVehicle)};
     for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery(topics))) {
       if (const auto transform = instance.instantiate<tf2_msgs::TFMessage>()) {
         builder.add(*transform);
@@ -189,6 +207,8 @@ Scene sceneIn(const std::string& path, const EgoVehicle& ego, std::vector<std::s
         if (instance.getCallerId() != names::kInBetween) builder.add(*agents);
       } else if (const auto map = instance.instantiate<collision_forge::LaneMap>()) {
         builder.add(*map);
+      } else if (const auto lights = instance.instantiate<collision_forge::TrafficLightArray>()) {
+        builder.add(*lights);
       } else if (const auto ego = instance.instantiate<collision_forge::EgoVehicle>()) {
         builder.add(*ego);
       }

@@ -5,6 +5,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
+#include <set>
 
 #include "collision_forge/ros/bags/bag_file.h"
 #include "collision_forge/ros/markers/markers.h"
@@ -90,6 +91,15 @@ collision_forge::AgentArray toAgents(const NuScenesFrame& frame) {
   return message;
 }
 
+/// Returns the times at which a light changes, s, ascending.
+std::set<double> changesOf(const std::vector<TrafficLight>& lights) {
+  std::set<double> times;
+  for (const TrafficLight& light : lights) {
+    for (const LightState& state : light.states) times.insert(state.time);
+  }
+  return times;
+}
+
 }  // namespace
 
 void writeBag(const std::string& path, const NuScenesRecording& recording, const LaneMap& map) {
@@ -105,6 +115,12 @@ void writeBag(const std::string& path, const NuScenesRecording& recording, const
     ego.length = recording.ego_size->length;
     ego.width = recording.ego_size->width;
     bag.writeLatched(bagTopic(names::kEgoVehicle), start, ego);
+  }
+  for (const double time : changesOf(recording.lights)) {
+    const ros::Time stamp = std::max(start, stampOf(time));
+    const collision_forge::TrafficLightArray lights = toMessage(recording.lights, stamp);
+    bag.writeLatched(bagTopic(names::kTrafficLights), stamp, lights);
+    bag.writeLatched(bagTopic(names::kLightMarkers), stamp, lightMarkers(lights));
   }
   auto frame = recording.frames.begin();
   const auto writeFramesUpTo = [&](std::int64_t timestamp_us) {

@@ -20,6 +20,8 @@ inline constexpr MarkerColor kDrivableArea{0.90F, 0.91F, 0.92F};
 inline constexpr MarkerColor kWalkway{0.93F, 0.89F, 0.82F};
 inline constexpr MarkerColor kLane{0.66F, 0.69F, 0.72F};
 inline constexpr MarkerColor kConnector{0.78F, 0.80F, 0.82F};
+inline constexpr MarkerColor kRoadEdge{0.45F, 0.47F, 0.50F};
+inline constexpr MarkerColor kPainted{0.97F, 0.97F, 0.98F};  ///< crosswalks and speed bumps
 
 inline constexpr MarkerColor kEgo{0.12F, 0.40F, 0.80F};
 inline constexpr MarkerColor kAttacker{0.84F, 0.15F, 0.16F};
@@ -48,6 +50,19 @@ inline constexpr std::array<MarkerColor, 11> kAgentClasses{{
     {0.70F, 0.66F, 0.42F},  // animal
     {0.60F, 0.60F, 0.60F},  // static object
 }};
+
+/// In the order of the constants in TrafficLight.msg.
+inline constexpr std::array<MarkerColor, 4> kLights{{
+    {0.60F, 0.60F, 0.60F},  // unknown
+    {0.84F, 0.10F, 0.10F},  // red
+    {0.95F, 0.75F, 0.05F},  // yellow
+    {0.10F, 0.62F, 0.25F},  // green
+}};
+
+/// Returns the colour of a traffic light; an unknown constant counts as TrafficLight::UNKNOWN.
+inline MarkerColor lightColor(std::uint8_t color) {
+  return color < kLights.size() ? kLights[color] : kLights.front();
+}
 
 /// Returns the colour of a class; an unknown class gets the colour of static objects.
 inline MarkerColor agentColor(std::uint8_t agent_class) {

@@ -20,14 +20,17 @@ using visualization_msgs::MarkerArray;
 // Heights above ground, m: what should be seen from above lies higher.
 constexpr double kWalkwayHeight = -0.02;
 constexpr double kAreaHeight = 0.0;
+constexpr double kPaintedHeight = 0.01;
 constexpr double kConnectorHeight = 0.02;
 constexpr double kLaneHeight = 0.04;
 constexpr double kTrailHeight = 0.1;
+constexpr double kLightHeight = 0.15;
 constexpr double kPatternHeight = 4.7;
 
 constexpr double kLaneWidth = 0.12;     // m, of lines
 constexpr double kTrailWidth = 0.25;    // m
 constexpr double kPatternWidth = 0.22;  // m
+constexpr double kLightDiameter = 1.6;  // m
 constexpr double kDrivenWidth = 0.8;    // m
 constexpr std::size_t kShownPatterns = 5;
 constexpr float kPatternAlpha = 0.5F;  // of the first; each next one has half of it
@@ -83,6 +86,22 @@ void addLanes(const collision_forge::LaneMap& map, MarkerList& markers) {
   }
   markers.addLines("connectors", connectors, kLaneWidth, kConnectorHeight, colors::kConnector);
   markers.addLines("lanes", lanes, kLaneWidth, kLaneHeight, colors::kLane);
+}
+
+/// Adds road edges as lines and the other features as surfaces.
+void addFeatures(const LaneMap& map, MarkerList& markers) {
+  std::vector<Vector2> edges;
+  std::vector<Vector2> painted;
+  for (const MapFeature& feature : map.features) {
+    if (isRoadEdge(feature.kind)) {
+      appendPolyline(simplified(feature.points, kLineTolerance), edges);
+    } else if (feature.kind != FeatureKind::kDriveway) {
+      const std::vector<Vector2> triangles = fillTriangles({feature.points, {}});
+      painted.insert(painted.end(), triangles.begin(), triangles.end());
+    }
+  }
+  markers.addTriangles("painted", painted, kPaintedHeight, colors::kPainted);
+  markers.addLines("road_edges", edges, kLaneWidth, kLaneHeight, colors::kRoadEdge);
 }
 
 std::vector<Vector2> trailOf(const std::vector<collision_forge::TrackState>& states) {
@@ -190,7 +209,17 @@ MarkerArray mapMarkers(const collision_forge::LaneMap& map) {
   const LaneMap areas = fromMessage(map);
   addArea("drivable_area", areas.drivable_area, kAreaHeight, colors::kDrivableArea, markers);
   addArea("walkways", areas.walkways, kWalkwayHeight, colors::kWalkway, markers);
+  addFeatures(areas, markers);
   addLanes(map, markers);
+  return markers.take();
+}
+
+MarkerArray lightMarkers(const collision_forge::TrafficLightArray& lights) {
+  MarkerList markers(lights.header);
+  for (const auto& light : lights.lights) {
+    markers.addDisc("traffic_lights", {light.stop_point.x, light.stop_point.y}, kLightDiameter,
+                    kLightHeight, colors::lightColor(light.color));
+  }
   return markers.take();
 }
 

@@ -6,6 +6,7 @@
 #include <collision_forge/LaneMap.h>
 #include <collision_forge/PredictedPatterns.h>
 #include <collision_forge/SceneSnapshot.h>
+#include <collision_forge/TrafficLightArray.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <optional>
@@ -17,8 +18,12 @@
 /// and so replaces the one before. Colours: ros/markers/marker_colors.h.
 namespace forge {
 
-/// Returns the drivable area, and the centrelines of lanes and connectors with arrow heads.
+/// Returns the areas and features of the map, and the centrelines of lanes and connectors with
+/// arrow heads.
 visualization_msgs::MarkerArray mapMarkers(const collision_forge::LaneMap& map);
+
+/// Returns a disc in the light's colour at each stop point, grey for an unknown colour.
+visualization_msgs::MarkerArray lightMarkers(const collision_forge::TrafficLightArray& lights);
 
 /// Returns the outlines of ego and attacker at impact for the first patterns; later ones are
 /// fainter. The outlines lie below the boxes of vehicles. The attacker's size comes from `scene`;

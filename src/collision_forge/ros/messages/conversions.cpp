@@ -53,12 +53,17 @@ std::vector<Vector2> fromMessage(const geometry_msgs::Polygon& message, const Ve
   return ring;
 }
 
-AgentClass agentClass(std::uint8_t value, const std::string& id) {
-  if (value > collision_forge::Agent::STATIC_OBJECT) {
-    throw MessageError("agent " + id + ": agent_class = " + std::to_string(value) +
-                       " does not exist");
+/// Converts the constant of a field, at most `last`. Throws MessageError for a larger one.
+template <typename Value>
+Value enumOf(std::uint8_t value, Value last, const std::string& field) {
+  if (value > static_cast<std::uint8_t>(last)) {
+    throw MessageError(field + " = " + std::to_string(value) + " does not exist");
   }
-  return static_cast<AgentClass>(value);
+  return static_cast<Value>(value);
+}
+
+AgentClass agentClass(std::uint8_t value, const std::string& id) {
+  return enumOf(value, AgentClass::kStaticObject, "agent " + id + ": agent_class");
 }
 
 Lane fromMessage(const collision_forge::Lane& message, const Vector2& origin) {
@@ -282,6 +287,18 @@ collision_forge::PolygonWithHoles toMessage(const Polygon& polygon, const Vector
   return message;
 }
 
+MapFeature fromMessage(const collision_forge::MapFeature& message, const Vector2& origin) {
+  return {enumOf(message.kind, FeatureKind::kSpeedBump, "map feature: kind"),
+          fromMessage(message.points, origin)};
+}
+
+collision_forge::MapFeature toMessage(const MapFeature& feature, const Vector2& origin) {
+  collision_forge::MapFeature message;
+  message.kind = static_cast<std::uint8_t>(feature.kind);
+  message.points = toPolygonMessage(feature.points, origin);
+  return message;
+}
+
 LaneMap fromMessage(const collision_forge::LaneMap& message) {
   LaneMap map;
   map.location = message.location;
@@ -294,6 +311,9 @@ LaneMap fromMessage(const collision_forge::LaneMap& message) {
     map.drivable_area.push_back(fromMessage(area, origin));
   }
   for (const auto& walkway : message.walkways) map.walkways.push_back(fromMessage(walkway, origin));
+  for (const auto& feature : message.features) {
+    map.features.push_back(fromMessage(feature, origin));
+  }
   return map;
 }
 
@@ -314,6 +334,35 @@ collision_forge::LaneMap toMessage(const LaneMap& map, const ros::Time& stamp) {
   }
   for (const Polygon& walkway : map.walkways)
     message.walkways.push_back(toMessage(walkway, origin));
+  for (const MapFeature& feature : map.features) {
+    message.features.push_back(toMessage(feature, origin));
+  }
+  return message;
+}
+
+std::vector<TrafficLight> fromMessage(const collision_forge::TrafficLightArray& message) {
+  std::vector<TrafficLight> lights;
+  for (const auto& light : message.lights) {
+    lights.push_back({light.lane,
+                      {light.stop_point.x, light.stop_point.y},
+                      {{message.header.stamp.toSec(), enumOf(light.color, LightColor::kGreen,
+                                                             "light " + light.lane + ": color")}}});
+  }
+  return lights;
+}
+
+collision_forge::TrafficLightArray toMessage(const std::vector<TrafficLight>& lights,
+                                             const ros::Time& stamp) {
+  collision_forge::TrafficLightArray message;
+  message.header.frame_id = names::kMapFrame;
+  message.header.stamp = stamp;
+  for (const TrafficLight& light : lights) {
+    collision_forge::TrafficLight& written = message.lights.emplace_back();
+    written.lane = light.lane;
+    written.stop_point.x = light.stop_point.x();
+    written.stop_point.y = light.stop_point.y();
+    written.color = static_cast<std::uint8_t>(colorAt(light, stamp.toSec()));
+  }
   return message;
 }
 

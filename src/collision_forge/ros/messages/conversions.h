@@ -13,6 +13,7 @@
 #include <collision_forge/Future.h>
 #include <collision_forge/GenerateCollision.h>
 #include <collision_forge/LaneMap.h>
+#include <collision_forge/TrafficLightArray.h>
 #include <collision_forge/TrajectoryPoint.h>
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Transform.h>
@@ -63,6 +64,13 @@ collision_forge::TrajectoryPoint toMessage(const TrajectoryPoint& point);
 
 LaneMap fromMessage(const collision_forge::LaneMap& message);
 collision_forge::LaneMap toMessage(const LaneMap& map, const ros::Time& stamp);
+
+/// Returns one light with one state per light of the message. Throws MessageError for an unknown
+/// colour.
+std::vector<TrafficLight> fromMessage(const collision_forge::TrafficLightArray& message);
+/// Returns the colours at `stamp`.
+collision_forge::TrafficLightArray toMessage(const std::vector<TrafficLight>& lights,
+                                             const ros::Time& stamp);
 
 /// Returns one track with one state per agent. Throws MessageError for an unknown agent class.
 std::vector<Track> fromMessage(const collision_forge::AgentArray& message);

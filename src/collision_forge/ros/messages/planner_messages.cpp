@@ -44,6 +44,7 @@ collision_forge::PlanningState toMessage(const Observation& observation, const D
   message.center_offset = task.ego.center_offset;
   message.wheelbase = task.wheelbase;
   for (const Track& agent : observation.agents) message.agents.push_back(toMessage(agent));
+  message.red_lanes = observation.red_lanes;
   const Polyline route(task.route);
   for (const double arc_length : route.arcLengths()) {
     message.route.push_back(toPose2dMessage(route.poseAt(arc_length)));

@@ -8,6 +8,8 @@ inline constexpr char kAgents[] = "agents";     // AgentArray
 inline constexpr char kLaneMap[] = "lane_map";  // LaneMap, latched
 inline constexpr char kEgoVehicle[] =
     "ego_vehicle";  // EgoVehicle, latched, of recordings that contain the ego's box
+inline constexpr char kTrafficLights[] = "traffic_lights";        // TrafficLightArray, latched
+inline constexpr char kLightMarkers[] = "traffic_light_markers";  // MarkerArray, latched
 inline constexpr char kOdometry[] = "odom";  // nav_msgs/Odometry, in bags alone
 inline constexpr char kAnnotationMarkers[] =
     "annotation_markers";  // visualization_msgs/MarkerArray

@@ -41,12 +41,14 @@ class SceneVisualizerNodelet : public QueuedNodelet {
     drivable_ = config.attack.verification.drivable;
     watch_.emplace(config.ego_vehicle.size, config.live.maxAttackAge(), config.attack.verification);
     map_markers_ = RepeatedMarkers(node, names::kMapMarkers);
+    light_markers_ = RepeatedMarkers(node, names::kLightMarkers);
     scene_markers_ = node.advertise<visualization_msgs::MarkerArray>(names::kSceneMarkers, 1);
     pattern_markers_ = RepeatedMarkers(node, names::kPatternMarkers);
     attack_markers_ = RepeatedMarkers(node, names::kAttackMarkers);
     areas_ = node.advertise<geometry_msgs::PolygonStamped>(names::kShownArea, 1);
     subscribers_ = {
         node.subscribe(names::kLaneMap, 1, &SceneVisualizerNodelet::onMap, this),
+        node.subscribe(names::kTrafficLights, 1, &SceneVisualizerNodelet::onLights, this),
         node.subscribe(names::kEncodedScene, 1, &SceneVisualizerNodelet::onScene, this),
         node.subscribe(names::kPredictedPatterns, 1, &SceneVisualizerNodelet::onPredicted, this),
         node.subscribe(names::kAttack, 1, &SceneVisualizerNodelet::onAttack, this),
@@ -67,7 +69,8 @@ class SceneVisualizerNodelet : public QueuedNodelet {
 
   /// Publishes all markers again, for an RViz that was reset.
   void repeat() const {
-    for (const auto* markers : {&map_markers_, &pattern_markers_, &attack_markers_}) {
+    for (const auto* markers :
+         {&map_markers_, &light_markers_, &pattern_markers_, &attack_markers_}) {
       markers->repeat();
     }
   }
@@ -87,6 +90,10 @@ class SceneVisualizerNodelet : public QueuedNodelet {
   void onMap(const collision_forge::LaneMapConstPtr& map) {
     const auto check = [&] { checkMap(fromMessage(*map), limits_, names::kLaneMap); };
     if (isUsable(names::kLaneMap, check)) map_markers_.publish(mapMarkers(*map));
+  }
+
+  void onLights(const collision_forge::TrafficLightArrayConstPtr& lights) {
+    light_markers_.publish(lightMarkers(*lights));
   }
 
   void onScene(const collision_forge::EncodedSceneConstPtr& scene) {
@@ -239,6 +246,7 @@ class SceneVisualizerNodelet : public QueuedNodelet {
   std::optional<ContactWatch> watch_;
   std::unique_ptr<EgoPoses> ego_poses_;
   RepeatedMarkers map_markers_;
+  RepeatedMarkers light_markers_;
   ros::Publisher scene_markers_;
   RepeatedMarkers pattern_markers_;
   RepeatedMarkers attack_markers_;

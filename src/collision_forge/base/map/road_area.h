@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "collision_forge/base/map/lane_map.h"
+
+namespace forge {
+
+/// Returns the drivable area between recorded road edges (global map frame), or an empty list if
+/// `features` have none. For maps without drivable polygons, such as Waymo's maps.
+///
+/// - A road edge has its road on the side from which lane centrelines see it: a lane point votes
+///   for its side of the nearest edge. An edge with votes for both sides has road on both; an edge
+///   without votes follows the majority of the file.
+/// - A point is road if it is on the road side of the nearest edge, at most 25 m from it. Medians
+///   and islands, whose road is outside, become holes.
+/// - Edges may be open polylines in any order. An open end closer than 0.5 m to another continues
+///   there; any other end is taken to continue straight for 3 m. Beyond that it says nothing.
+/// - Where no edge says anything or a centreline is not inside, the strip of kLaneWidth along the
+///   centreline is added. Driveways are added as they are.
+///
+/// The nearest edge is found on a grid of 0.5 m (coarser for maps larger than 2 km) and the border
+/// is interpolated between its nodes: on smooth edges exact to a few centimetres; sharp corners are
+/// cut by up to 0.2 m. Takes about 0.1 s for a Waymo scene.
+std::vector<Polygon> roadArea(const std::vector<MapFeature>& features,
+                              const std::vector<Lane>& lanes);
+
+}  // namespace forge
