@@ -59,6 +59,15 @@ TEST(LaneMapMessage, PolygonsFarFromTheOriginOfTheMapKeepAMillimetre) {
   }
 }
 
+TEST(LaneMapMessage, SpeedLimitsAreKept) {
+  LaneMap map = farMap();
+  map.lanes.push_back(map.lanes[0]);
+  map.lanes[1].speed_limit = 13.9;
+  const LaneMap read = fromMessage(toMessage(map, ros::Time(1.0)));
+  EXPECT_EQ(read.lanes.at(0).speed_limit, std::nullopt);
+  EXPECT_EQ(read.lanes.at(1).speed_limit, 13.9);
+}
+
 TEST(LaneMapMessage, TheOriginOfALocalMapIsZero) {
   LaneMap map = farMap();
   map.lanes[0].centerline = {{3000.0, -3000.0, 0.0}, {3040.0, -3000.0, 0.0}};

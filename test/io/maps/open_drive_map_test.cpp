@@ -225,6 +225,21 @@ TEST(OpenDriveMap, laneTypesBecomeLanesRoadWalkwayAndIslands) {
   EXPECT_TRUE(isOnRoad(map, {20.0, -11.0})) << "bus lane";
 }
 
+/// Four roads of a junction, 3 m wide, around a square of this side, m.
+LaneMap mapAroundSquare(double side) {
+  const std::string lanes = section(0, "", lane(-1, "driving", width(3)));
+  const auto edge = [&](const char* id, double x, double y, double heading) {
+    return road(id, geometry(0, x, y, heading, side + 6), lanes, "", "junction='J'");
+  };
+  return readRoads(edge("1", -3, 0, 0) + edge("2", side, -3, M_PI / 2) +
+                   edge("3", side + 3, side, M_PI) + edge("4", 0, side + 3, -M_PI / 2));
+}
+
+TEST(OpenDriveMap, aSmallGapInAJunctionIsRoadAndALargeOneAnIsland) {
+  EXPECT_TRUE(isOnRoad(mapAroundSquare(4.0), {2.0, 2.0}));
+  EXPECT_FALSE(isOnRoad(mapAroundSquare(6.0), {3.0, 3.0}));
+}
+
 TEST(OpenDriveMap, aBidirectionalLaneIsALaneEachWay) {
   const LaneMap map = readRoads(
       road("7", geometry(0, 0, 0, 0, 40), section(0, "", lane(-1, "bidirectional", width(3)))));

@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kShortestLane = 0.1;             // m; shorter lanes are bridged
 constexpr double kNarrowestLane = 0.5;            // m; a lane that is nowhere wider is left out
-constexpr double kLongestLane = 500.0;            // m; as the sections of readOpenDriveRoad()
 constexpr double kIntersectionTurn = M_PI / 6.0;  // rad; ramps and forks turn less
 
 /// A lane of one section, in one driving direction.
@@ -228,13 +227,13 @@ class LaneBuilder {
       if (is_inside) {
         touch(here, at_end, piecesOf(road, adjacent, id), !at_end);
       } else if (beyond.to == OpenDriveLink::To::kRoad) {
-        touch(here, at_end, lanesAt(beyond.id, beyond.at_end, id), beyond.at_end);
+        touch(here, at_end, piecesAt(beyond.id, beyond.at_end, id), beyond.at_end);
       }
     }
   }
 
   /// Returns the pieces of a lane at one end of a road; null if there is none.
-  const LanePieces* lanesAt(const std::string& road, bool at_end, int lane) const {
+  const LanePieces* piecesAt(const std::string& road, bool at_end, int lane) const {
     const auto found = roads_.find(road);
     if (found == roads_.end()) return nullptr;
     const std::size_t last = network_.roads[found->second].sections.size() - 1;
@@ -256,8 +255,8 @@ class LaneBuilder {
       return;
     }
     for (const auto& [from, to] : connection.lanes) {
-      touch(lanesAt(connection.incoming, *end, from), *end,
-            lanesAt(connection.connecting, connection.at_end, to), connection.at_end);
+      touch(piecesAt(connection.incoming, *end, from), *end,
+            piecesAt(connection.connecting, connection.at_end, to), connection.at_end);
     }
   }
 
@@ -312,7 +311,7 @@ class LaneBuilder {
     return piece.previous.size() == 1 && isContinued(pieces_[piece.previous.front()], piece);
   }
 
-  /// Makes lanes of the pieces: chains of at most kLongestLane that continue unchanged.
+  /// Makes lanes of the pieces: chains of at most kLongestSection that continue unchanged.
   void joinPieces() {
     std::vector<std::size_t> lane_of(pieces_.size());
     std::vector<const LanePiece*> last_of;  // of each lane
@@ -321,7 +320,7 @@ class LaneBuilder {
       double length = 0.0;
       for (const LanePiece* piece = &first; piece != nullptr; piece = continuation(*piece)) {
         const double added = lengthOf(piece->lane.centerline);
-        if (piece == &first || length + added > kLongestLane) {
+        if (piece == &first || length + added > kLongestSection) {
           map_.lanes.push_back(piece->lane);
           last_of.push_back(nullptr);
           length = 0.0;
@@ -380,8 +379,8 @@ class LaneBuilder {
 
 }  // namespace
 
-LaneMap lanesOf(const OpenDriveNetwork& network, double resolution, const InputLimits& limits,
-                WarningCounter& warnings) {
+LaneMap laneMapOf(const OpenDriveNetwork& network, double resolution, const InputLimits& limits,
+                  WarningCounter& warnings) {
   return LaneBuilder(network, resolution, limits, warnings).build();
 }
 

@@ -28,7 +28,7 @@ struct OpenDriveNetwork {
 /// Returns the lanes and areas of a network; see readOpenDriveMap(). `resolution`: m between the
 /// poses of a centreline, > 0. Leaves out lane sections beyond `limits`. Adds defects to
 /// `warnings`. The location is not set. Throws InputError for more points than `limits` allow.
-LaneMap lanesOf(const OpenDriveNetwork& network, double resolution, const InputLimits& limits,
-                WarningCounter& warnings);
+LaneMap laneMapOf(const OpenDriveNetwork& network, double resolution, const InputLimits& limits,
+                  WarningCounter& warnings);
 
 }  // namespace forge

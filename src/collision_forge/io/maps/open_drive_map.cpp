@@ -79,7 +79,7 @@ LaneMap readOpenDriveMap(const std::string& path, const DataOptions& options,
   const OpenDriveNetwork network =
       networkIn(root, originIn(header, path), options.input_limits, path, counter);
   LaneMap map =
-      lanesOf(network, options.conversion.centerline_resolution, options.input_limits, counter);
+      laneMapOf(network, options.conversion.centerline_resolution, options.input_limits, counter);
   for (std::string& line : counter.lines(path)) warnings.push_back(std::move(line));
   return map;
 }

@@ -17,9 +17,8 @@ namespace {
 
 using pugi::xml_node;
 
-constexpr double kShortestPiece = 1e-6;    // m; shorter pieces of a reference line are rounding
-constexpr double kLongestSection = 500.0;  // m; limits the length of one lane of the map
-constexpr double kMostTurn = 100.0;        // rad in one piece; 16 full circles are damage
+constexpr double kShortestPiece = 1e-6;  // m; shorter pieces of a reference line are rounding
+constexpr double kMostTurn = 100.0;      // rad in one piece; 16 full circles are damage
 
 std::optional<int> integerIn(std::string_view text) {
   int value = 0;

@@ -11,6 +11,9 @@
 
 namespace forge {
 
+/// m; longer lane sections are cut, so that no lane of the map is longer.
+inline constexpr double kLongestSection = 500.0;
+
 /// Driving direction of a lane. OpenDRIVE 1.8: attribute `direction`.
 enum class LaneDirection {
   kStandard,  ///< by the driving side and the side of the reference line
@@ -62,7 +65,8 @@ struct OpenDriveRoad {
 };
 
 /// Reads one element <road>, of OpenDRIVE 1.4 to 1.8. `origin`: pose of the file's coordinates in
-/// the map (element <offset>); `path` is for messages. Sections longer than 500 m are cut.
+/// the map (element <offset>); `path` is for messages. Sections longer than
+/// kLongestSection are cut.
 ///
 /// Throws MapError, naming element, attribute and value, for a road without geometry or lanes, an
 /// unknown geometry, a missing number, and a line beyond the limits. Unusable links and speed

@@ -75,6 +75,7 @@ Lane fromMessage(const collision_forge::Lane& message, const Vector2& origin) {
   lane.polygon = fromMessage(message.polygon, origin);
   lane.incoming = message.incoming;
   lane.outgoing = message.outgoing;
+  if (message.speed_limit > 0.0) lane.speed_limit = message.speed_limit;
   return lane;
 }
 
@@ -87,6 +88,7 @@ collision_forge::Lane toMessage(const Lane& lane, const Vector2& origin) {
   message.polygon = toPolygonMessage(lane.polygon, origin);
   message.incoming = lane.incoming;
   message.outgoing = lane.outgoing;
+  message.speed_limit = lane.speed_limit.value_or(0.0);
   return message;
 }
 
