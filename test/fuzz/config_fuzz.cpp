@@ -78,6 +78,7 @@ const std::map<std::string, ReadFile>& readers() {
       {"report", sectionOf<ReportOptions>()},
       {"requests", sectionOf<RequestListOptions>()},
       {"search", readAttack},
+      {"severity", readAttack},
       {"topics_autoware", readTopics},
       {"topics_derived_object", readTopics},
       {"tuning", readTuning},
