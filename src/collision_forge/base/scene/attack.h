@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,13 @@ struct RoadUse {
   double off_road = 0.0;    ///< mean share of the box's samples (placesOf()) off the drivable area
   double on_walkway = 0.0;  ///< a sample of the box is on a walkway and off the drivable area
   double on_island = 0.0;   ///< on ground enclosed by road, for instance a traffic island
+};
+
+/// A model of a careful and competent driver in the ego's place.
+struct CarefulDrive {
+  std::string driver;               ///< "cc_driver", "r157_system", "rss" or "fsm"
+  bool avoids = false;              ///< this driver has no contact
+  std::optional<double> brakes_at;  ///< s, scene clock; empty if this driver does not brake
 };
 
 /// Result of verifying an attacker's motion against a request; see verify().
