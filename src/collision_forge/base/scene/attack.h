@@ -6,6 +6,7 @@
 
 #include "collision_forge/base/geometry/oriented_box.h"
 #include "collision_forge/base/scene/collision_request.h"
+#include "collision_forge/base/scene/crash_severity.h"
 #include "collision_forge/base/scene/manoeuvre.h"
 #include "collision_forge/base/scene/track.h"
 
@@ -91,6 +92,8 @@ struct CollisionReport {
   Side attacker_side = Side::kFront;  ///< side of the attacker's box that the ego touches
   double impact_speed = 0.0;          ///< m/s, norm of the relative velocity at contact
   double overlap = 0.0;               ///< sideOverlap() of `ego_side`, share 0..1
+  CrashSeverity severity;             ///< severityOf(); set by verify() if `contact`
+  std::vector<CarefulDrive> careful_drivers;  ///< driveCarefully(); empty if not requested
   bool type_kept = false;       ///< keeps the definition of the requested type (CrashDefinition)
   bool on_time = false;         ///< |contact time - requested time| <= time_tolerance
   bool limits_kept = false;     ///< every vehicle limit kept from t0 to contact
