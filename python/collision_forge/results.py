@@ -72,6 +72,29 @@ def seconds(now: Time, stamp: Time) -> float:
 
 
 @dataclass(frozen=True, repr=False)
+class Effect(Result):
+    """Effect of a crash on one party and its occupants or rider."""
+
+    delta_v: float          # m/s, change of velocity of the centre of mass
+    force_from: float       # rad, where the force comes from, counter-clockwise from the party's heading
+    yaw_rate_change: float  # rad/s
+    mais2: float            # probability of an injury of MAIS 2 or more, [0, 1]
+    mais3: float            # probability of an injury of MAIS 3 or more, [0, 1]
+    curve: str              # published injury curve; empty for a party without people
+    least_class: int        # ISO 26262 S0 to S3, by the most lenient published bounds
+    most_class: int         # the same by the strictest published bounds
+
+    @classmethod
+    def of(cls, message: Any) -> 'Effect':
+        return cls(*(getattr(message, entry.name) for entry in fields(cls)))
+
+
+def avoiders(message: Any) -> Tuple[str, ...]:
+    """Return the careful drivers of a message that avoid the attack."""
+    return tuple(drive.driver for drive in message.careful_drivers if drive.avoids)
+
+
+@dataclass(frozen=True, repr=False)
 class Contact(Result):
     """The first touch of ego and attacker."""
 
@@ -83,6 +106,8 @@ class Contact(Result):
     attacker_side: str
     impact_speed: float      # m/s, norm of the relative velocity
     overlap: float           # share of the ego's side that the attacker covers, [0, 1]
+    ego_effect: Effect       # severity for the ego
+    attacker_effect: Effect
 
 
 @dataclass(frozen=True, repr=False)
@@ -105,6 +130,7 @@ class Report:
     unbelievable: str           # reason if not believable
     confidence: float           # share of predicted ego futures in which it is verified, [0, 1]; 0 if tested
     decision: str               # last decision of an adaptive attacker
+    avoided_by: Tuple[str, ...]  # careful drivers that avoid the attack in the recording; empty if it is unknown
     message: Any = raw()
 
     @classmethod
@@ -114,11 +140,13 @@ class Report:
         if message.contact:
             contact = Contact(seconds(now, message.contact_time), Pose.of_2d(message.ego_at_contact),
                               Pose.of_2d(message.attacker_at_contact), message.relative_heading, message.ego_side,
-                              message.attacker_side, message.impact_speed, message.overlap)
+                              message.attacker_side, message.impact_speed, message.overlap,
+                              Effect.of(message.ego_effect), Effect.of(message.attacker_effect))
         return cls(now, message.attacker_id, message.verified, contact, message.type_kept, message.on_time,
                    message.limits_kept, message.broken_limit, message.first_other_id, message.off_road_share,
                    message.manoeuvre if contact else '', seconds(now, message.manoeuvre_begin) if contact else None,
-                   message.believable, message.unbelievable, message.confidence, message.decision, message)
+                   message.believable, message.unbelievable, message.confidence, message.decision, avoiders(message),
+                   message)
 
     def __repr__(self) -> str:
         return '<Report {}: {}>'.format('verified' if self.verified else 'not verified', self.summary())
@@ -219,6 +247,8 @@ class PlannerContact(Result):
     ego_side: str            # front, rear, left or right
     other_side: str
     impact_speed: float      # m/s, norm of the relative velocity
+    ego_effect: Effect       # severity for the ego
+    other_effect: Effect
     cause: str               # stopped_ego, stopped_other, rear, front or lateral
     at_fault: bool           # the ego is at fault
 
@@ -234,6 +264,7 @@ class PlannerOutcome:
     failure_reason: str
     duration: float                    # s from t0 to the contact, the failure or the end of the attacker's trajectory
     contact: Optional[PlannerContact]  # None: no contact
+    avoided_by: Tuple[str, ...]        # careful drivers that avoid the attacker on the planner's path
     avoidable: bool                    # an evasive manoeuvre was found; False is no proof
     last_manoeuvre: str                # evasive manoeuvre that can start latest; empty unless avoidable
     last_moment: Optional[float]       # s from t0, its latest start
@@ -252,11 +283,12 @@ class PlannerOutcome:
         if message.collided:
             contact = PlannerContact(seconds(now, message.contact_time), message.other_id, message.is_attacker,
                                      message.collision_type, message.relative_heading, message.ego_side,
-                                     message.other_side, message.impact_speed, message.cause, message.at_fault)
+                                     message.other_side, message.impact_speed, Effect.of(message.ego_effect),
+                                     Effect.of(message.other_effect), message.cause, message.at_fault)
         nuplan = {name[len('nuplan_'):]: getattr(message, name) for name in message.__slots__
                   if name.startswith('nuplan_')}
         return cls(now, message.planner, message.attacker_id, '' if message.failure == 'none' else message.failure,
-                   message.failure_message, message.duration, contact, message.avoidable,
+                   message.failure_message, message.duration, contact, avoiders(message), message.avoidable,
                    message.last_manoeuvre if message.avoidable else '',
                    seconds(now, message.last_moment) if message.avoidable else None, message.max_braking,
                    message.off_road_share, message.progress, message.recorded_progress, nuplan,

@@ -79,6 +79,7 @@ const std::map<std::string, ReadFile>& readers() {
       {"report", sectionOf<ReportOptions>()},
       {"requests", sectionOf<RequestListOptions>()},
       {"search", readAttack},
+      {"severity", readAttack},
       {"topics_autoware", readTopics},
       {"topics_carla", readTopics},
       {"topics_derived_object", readTopics},

@@ -93,7 +93,14 @@ CollisionReport PlaneChange::report(CollisionReport of) const {
   of.manoeuvre_begin += later;
   of.ego_at_contact = pose(of.ego_at_contact);
   of.attacker_at_contact = pose(of.attacker_at_contact);
+  for (CarefulDrive& drive : of.careful_drivers) {
+    if (drive.brakes_at) *drive.brakes_at += later;
+  }
   if (is_mirrored) {
+    for (CrashEffect* effect : {&of.severity.ego, &of.severity.other}) {
+      effect->force_from = wrapAngle(-effect->force_from);
+      effect->yaw_rate_change = -effect->yaw_rate_change;
+    }
     of.relative_heading = wrapAngle(-of.relative_heading);
     of.ego_side = mirrored(of.ego_side);
     of.attacker_side = mirrored(of.attacker_side);

@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 import road
-from collision_forge import (Answer, Attack, Code, Declined, ForgeError, NotReady, PlannerOutcome,
+from collision_forge import (Answer, Attack, Code, Declined, Effect, ForgeError, NotReady, PlannerOutcome,
                              Report, Scene, msg, srv)
 from collision_forge.controls import control_fields, fields_of
 from collision_forge.results import Pose
@@ -120,6 +120,13 @@ class ResultsTest(unittest.TestCase):
         self.assertAlmostEqual(report.manoeuvre_begin, 1.5)
         self.assertEqual((report.contact.ego, report.contact.attacker), (Pose(7.0, 0.0, 0.0), Pose(0.0, 0.0, 0.5)))
         self.assertEqual(repr(report), '<Report verified: cut_in after 3.50 s on the left at 2.5 m/s>')
+
+    def test_a_report_has_severity_and_careful_drivers(self):
+        effect = msg.CrashEffect(delta_v=2.5, mais3=0.25, curve='a curve', most_class=2)
+        report = Report.of(report_message(ego_effect=effect, careful_drivers=[
+            msg.CarefulDrive(driver='cc_driver', avoids=True), msg.CarefulDrive(driver='rss')]))
+        self.assertEqual(report.contact.ego_effect, Effect(2.5, 0.0, 0.0, 0.0, 0.25, 'a curve', 0, 2))
+        self.assertEqual(report.avoided_by, ('cc_driver',))
 
     def test_an_attack(self):
         message, other = attack_message(), attack_message()

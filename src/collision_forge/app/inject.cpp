@@ -9,6 +9,7 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/instant.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/attack/drivers/careful_drive.h"
 #include "collision_forge/attack/policy/adaptive_answer.h"
 #include "collision_forge/attack/search/alternatives.h"
 #include "collision_forge/attack/search/generate_collision.h"
@@ -208,6 +209,7 @@ int inject(const Arguments& arguments) {
       verify(attack.trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes},
              config.attack.verification);
   tested.confidence = attack.report.confidence;
+  if (tested.contact) tested.careful_drivers = driveCarefully(*moment.recorded, attack.trajectory);
   const BagAttack written = writeAttackedBag({attack, plans, tested, request, now}, scene,
                                              maker.name(), arguments, config);
   std::cout << "now: " << now - scene.frame_times.front() << " s from the first frame\n"

@@ -43,6 +43,7 @@ ScenarioView viewOfCollision(const PlannerCase& one, const PlannerRow& row, cons
   report.ego_side = contact.ego_side;
   report.attacker_side = contact.other_side;
   report.impact_speed = contact.impact_speed;
+  report.severity = contact.severity;
   report.overlap = sideOverlap({report.ego_at_contact, view.future.ego.size}, report.ego_side,
                                {report.attacker_at_contact, scenario.attacker.size});
   view.crash = motionAfterContact(report, outcome.attacker, view.future.ego,

@@ -70,7 +70,8 @@ std::string tableRow(int rank, const Weakness& weakness, const Shown& shown) {
   const PlannerContact& contact = *shown.row.outcome.contact;
   const Avoidance& escape = shown.row.escape_drive->ego;
   const std::string numbers =
-      formatted("%.1f m/s | %.1f s | %s, up to %.1f s before | %zu", contact.impact_speed,
+      formatted("%.1f m/s | %.1f %% | %.1f s | %s, up to %.1f s before | %zu", contact.impact_speed,
+                100.0 * contact.severity.worse().mais3,
                 fromNow(contact.time, shown.one.scenario.snapshot.now), toString(escape.manoeuvre),
                 contact.time - escape.start, weakness.results.size());
   return "| " + std::to_string(rank) + " | " + rowName(weakness.planner, weakness.policy) + " | " +
@@ -100,14 +101,14 @@ std::string printedLine(int rank, const Weakness& weakness, const Shown& shown) 
          formatted(" after %.1f s at %.1f m/s, avoidable ", fromNow(contact.time, now),
                    contact.impact_speed) +
          avoidanceText(escape.manoeuvre, fromNow(escape.start, now), true) + "; " +
-         counted(weakness.results.size(), "hit") + ", the hardest in " + shown.one.name + "\n";
+         counted(weakness.results.size(), "hit") + ", the most severe in " + shown.one.name + "\n";
 }
 
 std::string headOf(const std::vector<Weakness>& weaknesses, std::size_t tries) {
   const std::string tried = counted(tries, "try", "tries");
   if (weaknesses.empty()) return "No weakness in " + tried + ".\n";
   return counted(weaknesses.size(), "weakness", "weaknesses") +
-         ", hardest impact first; the last new one was found in try " +
+         ", most severe first; the last new one was found in try " +
          std::to_string(triesTo(weaknesses)) + " of " + std::to_string(tries) + ".\n";
 }
 
@@ -128,7 +129,8 @@ class WeaknessList {
   std::string table() const {
     if (count_ == 0) return head_;
     return head_ +
-           "\n| | planner | hardest hit | manoeuvre | at fault | place | impact | after | evasive "
+           "\n| | planner | hardest hit | manoeuvre | at fault | place | impact | MAIS 3+ | after "
+           "| evasive "
            "manoeuvre | hits |\n|---|---|---|---|---|---|---|---|---|---|\n" +
            rows_;
   }

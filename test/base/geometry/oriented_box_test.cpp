@@ -102,6 +102,35 @@ TEST(OrientedBox, KnownCases) {
               1e-12);
 }
 
+TEST(OrientedBox, IntersectionCentroidIsTheMeanOfSharedPoints) {
+  reference::Random random(8);
+  constexpr int kGrid = 400;  // points along either side of `a`
+  for (int i = 0; i < 20; ++i) {
+    const OrientedBox a = random.box(3.0);
+    const OrientedBox b = random.box(3.0);
+    Vector2 sum = Vector2::Zero();
+    int count = 0;
+    for (int x = 0; x < kGrid; ++x) {
+      for (int y = 0; y < kGrid; ++y) {
+        const Pose2 local{((x + 0.5) / kGrid - 0.5) * a.size.length,
+                          ((y + 0.5) / kGrid - 0.5) * a.size.width, 0.0};
+        const Vector2 point = compose(a.center, local).position();
+        if (distanceToPoint(b, point) > 0.0) continue;
+        sum += point;
+        ++count;
+      }
+    }
+    const auto centroid = intersectionCentroid(a, b);
+    if (count == 0) {
+      EXPECT_LT(intersectionArea(a, b), 1e-2);
+    } else if (count > kGrid) {
+      ASSERT_TRUE(centroid);
+      EXPECT_LT((*centroid - sum / count).norm(), 0.02);
+    }
+  }
+  EXPECT_FALSE(intersectionCentroid({{0.0, 0.0, 0.0}, {2.0, 2.0}}, {{5.0, 0.0, 0.0}, {2.0, 2.0}}));
+}
+
 TEST(OrientedBox, ZeroSizeBoxesArePoints) {
   const OrientedBox point{{1.0, 0.0, 0.4}, {0.0, 0.0}};
   const OrientedBox box{{0.0, 0.0, 0.0}, {4.0, 2.0}};

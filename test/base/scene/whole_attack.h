@@ -64,11 +64,24 @@ inline void addFields(const AttackerTrajectory& trajectory, AttackFields& fields
   }
 }
 
+inline void addFields(const std::string& name, const CrashEffect& effect, AttackFields& fields) {
+  const auto& [delta_v, force_from, yaw_rate_change, mais2, mais3, curve, least_class, most_class] =
+      effect;
+  fields[name + ".delta_v"] = delta_v;
+  fields[name + ".force_from"] = force_from;
+  fields[name + ".yaw_rate_change"] = yaw_rate_change;
+  fields[name + ".mais2"] = mais2;
+  fields[name + ".mais3"] = mais3;
+  fields[name + ".curve"] = curve;
+  fields[name + ".least_class"] = static_cast<double>(least_class);
+  fields[name + ".most_class"] = static_cast<double>(most_class);
+}
+
 inline void addFields(const CollisionReport& report, AttackFields& fields) {
   const auto& [contact, contact_time, relative_heading, ego_at_contact, attacker_at_contact,
-               ego_side, attacker_side, impact_speed, overlap, type_kept, on_time, limits_kept,
-               broken_limit, first_other_id, first_other_time, off_road_share, confidence,
-               manoeuvre, manoeuvre_begin, road, unbelievable] = report;
+               ego_side, attacker_side, impact_speed, overlap, severity, careful_drivers, type_kept,
+               on_time, limits_kept, broken_limit, first_other_id, first_other_time, off_road_share,
+               confidence, manoeuvre, manoeuvre_begin, road, unbelievable] = report;
   const auto& [on_lane, wrong_way, off_road, on_walkway, on_island] = road;
   fields["report.contact"] = contact ? 1.0 : 0.0;
   fields["report.contact_time"] = contact_time;
@@ -79,6 +92,17 @@ inline void addFields(const CollisionReport& report, AttackFields& fields) {
   fields["report.attacker_side"] = toString(attacker_side);
   fields["report.impact_speed"] = impact_speed;
   fields["report.overlap"] = overlap;
+  const auto& [ego, other, energy_lost] = severity;
+  addFields("report.severity.ego", ego, fields);
+  addFields("report.severity.other", other, fields);
+  fields["report.severity.energy_lost"] = energy_lost;
+  for (std::size_t i = 0; i < careful_drivers.size(); ++i) {
+    const std::string name = "report.careful_drivers[" + std::to_string(i) + "]";
+    const auto& [driver, avoids, brakes_at] = careful_drivers[i];
+    fields[name + ".driver"] = driver;
+    fields[name + ".avoids"] = avoids ? 1.0 : 0.0;
+    fields[name + ".brakes_at"] = brakes_at.value_or(0.0);
+  }
   fields["report.type_kept"] = type_kept ? 1.0 : 0.0;
   fields["report.on_time"] = on_time ? 1.0 : 0.0;
   fields["report.limits_kept"] = limits_kept ? 1.0 : 0.0;
@@ -140,6 +164,10 @@ inline Attack wholeAttack(double now) {
   report.attacker_side = Side::kRight;
   report.impact_speed = 4.5;
   report.overlap = 0.375;
+  report.severity = {{5.3, 0.4, -0.6, 0.11, 0.013, "front", 1, 2},
+                     {3.2, -0.35, 0.8, 0.09, 0.014, "rear", 2, 3},
+                     20500.0};
+  report.careful_drivers = {{"cc_driver", true, now + 2.25}, {"rss", false, {}}};
   report.broken_limit = "jerk";
   report.first_other_id = "b7";
   report.first_other_time = now + 3.25;

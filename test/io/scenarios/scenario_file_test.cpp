@@ -45,6 +45,10 @@ Scenario attack() {
   report.attacker_at_contact = {34.5, 1.25, 0.5625};
   report.impact_speed = 4.5;
   report.overlap = 0.375;
+  report.severity.ego = {2.5, 0.5, -0.25, 0.125, 0.0625, "A, rear", 1, 2};
+  report.severity.other.delta_v = 1.5;
+  report.severity.energy_lost = 4096.0;
+  report.careful_drivers = {{"cc_driver", true, kNow + 2.5}, {"rss", false, {}}};
   report.off_road_share = 0.75;
   report.manoeuvre_begin = kNow + 1.5;
   report.road = {0.5, 0.25, 0.03, 0.125, 0.0625};
@@ -56,7 +60,7 @@ Scenario attack() {
 
 // Derived by hand from attack() and docs/scenarios.md.
 const char* const kAttackLine =
-    R"({"format":"collision_forge/scenario","version":6,"scene":"scene-0001","now":1531883530.949817,)"
+    R"({"format":"collision_forge/scenario","version":7,"scene":"scene-0001","now":1531883530.949817,)"
     R"("request":{"type":"rear_end","tta":4,"attacker":"a1","choice":"any","believable":false,)"
     R"("limits":"strict","attacker_class":"truck","manoeuvre":null,"ego_side":"rear","impact_speed":null,"overlap":null,"alternatives":1,)"
     R"("mode":"replay","seed":7},)"
@@ -69,7 +73,11 @@ const char* const kAttackLine =
     R"("confidence":0.6,"effort":0.03125,"report":{"verified":true,"contact":true,"contact_t":3.875,)"
     R"("relative_heading":0.0625,"ego_at_contact":{"x":39,"y":1,"yaw":0.5},)"
     R"("attacker_at_contact":{"x":34.5,"y":1.25,"yaw":0.5625},"ego_side":"rear","attacker_side":"front",)"
-    R"("impact_speed":4.5,"overlap":0.375,"type_kept":true,)"
+    R"("impact_speed":4.5,"overlap":0.375,"severity":{"ego":{"delta_v":2.5,"force_from":0.5,"yaw_rate_change":-0.25,)"
+    R"("mais2":0.125,"mais3":0.0625,"curve":"A, rear","least_class":1,"most_class":2},)"
+    R"("other":{"delta_v":1.5,"force_from":0,"yaw_rate_change":0,"mais2":0,"mais3":0,"curve":"","least_class":0,"most_class":0},)"
+    R"("energy_lost":4096},"careful_drivers":[{"driver":"cc_driver","avoids":true,"brakes_t":2.5},)"
+    R"({"driver":"rss","avoids":false,"brakes_t":null}],"type_kept":true,)"
     R"("on_time":true,"limits_kept":true,"broken_limit":null,"first_other":null,"first_other_t":null,"off_road_share":0.75,"manoeuvre":"follower_closes",)"
     R"("manoeuvre_begin_t":1.5,"on_lane":0.5,"wrong_way":0.25,"off_road":0.03,"on_walkway":0.125,"on_island":0.0625,)"
     R"("believable":false,"unbelievable":"is on a walkway for 12 %"},"alternatives":[],"plans":[],)"
@@ -171,34 +179,58 @@ TEST(ScenarioFile, EveryFieldOfAWholeAttackIsFilled) {
   }
 }
 
-/// Returns a line without the fields that version 5 does not have.
-std::string asOfVersion5(std::string line) {
+/// Returns a line without the fields that version 6 does not have.
+std::string asOfVersion6(std::string line) {
+  const std::size_t begin = line.find(R"("severity":)");
+  line.erase(begin, line.find(R"("type_kept")") - begin);
+  replaceIn(line, R"("version":7)", R"("version":6)");
+  return line;
+}
+
+/// The same for version 5.
+std::string asOfVersion5(const std::string& line) {
+  std::string older = asOfVersion6(line);
   for (const char* field : {R"("tolerance":1.5,)", R"("effort":0.03125,)",
                             R"("first_other_t":null,)", R"("off_road":0.03,)"}) {
-    replaceIn(line, field, "");
+    replaceIn(older, field, "");
   }
-  replaceIn(line, R"("version":6)", R"("version":5)");
-  return line;
+  replaceIn(older, R"("version":6)", R"("version":5)");
+  return older;
+}
+
+Attack withoutSeverity() {
+  Attack answer = attack().answer;
+  answer.report.severity = {};
+  answer.report.careful_drivers.clear();
+  return answer;
+}
+
+TEST(ScenarioFile, AFileOfVersion6IsReadWithoutSeverity) {
+  expectSame(readScenarioLine("", asOfVersion6(kAttackLine), shippedLimits()).answer,
+             withoutSeverity());
 }
 
 TEST(ScenarioFile, AFileOfVersion5IsReadWithTheToleranceOfItsSearch) {
   const Attack read = readScenarioLine("", asOfVersion5(kAttackLine), shippedLimits()).answer;
-  Attack expected = attack().answer;
+  Attack expected = withoutSeverity();
   expected.pattern.tolerance = 4.0;
   expected.effort = 0.0;
   expected.report.road.off_road = 0.0;
   expectSame(read, expected);
 }
 
-TEST(ScenarioFile, RejectsAFieldOfVersion6InVersion5) {
-  EXPECT_THAT(complaintAbout(kAttackLine, R"("version":6)", R"("version":5)"),
-              HasSubstr("file: line 9: field "));
+TEST(ScenarioFile, RejectsAFieldOfALaterVersion) {
+  for (const char* version : {"5", "6"}) {
+    EXPECT_THAT(
+        complaintAbout(kAttackLine, R"("version":7)", std::string(R"("version":)") + version),
+        HasSubstr("file: line 9: field "));
+  }
 }
 
 TEST(ScenarioFile, RejectsOlderVersions) {
   for (const char* old : {"1", "2", "3", "4"}) {
-    EXPECT_THAT(complaintAbout(kAttackLine, "\"version\":6", std::string("\"version\":") + old),
-                AllOf(HasSubstr(std::string("version = ") + old + " is neither 5 nor 6"),
+    EXPECT_THAT(complaintAbout(kAttackLine, "\"version\":7", std::string("\"version\":") + old),
+                AllOf(HasSubstr(std::string("version = ") + old + " is not a version from 5 to 7"),
                       HasSubstr("generate the file again")));
   }
 }
@@ -239,6 +271,14 @@ TEST(ScenarioFile, MalformedLinesNameTheField) {
       field("report.believable"));
   EXPECT_THAT(complaintAbout(kAttackLine, "\"follower_closes\"", "\"drifts\""),
               field("report.manoeuvre"));
+  EXPECT_THAT(complaintAbout(kAttackLine, "\"mais3\":0.0625", "\"mais3\":1.5"),
+              field("report.severity.ego.mais3"));
+  EXPECT_THAT(complaintAbout(kAttackLine, "\"most_class\":2", "\"most_class\":4"),
+              field("report.severity.ego.most_class"));
+  EXPECT_THAT(complaintAbout(kAttackLine, "\"brakes_t\":2.5", "\"brakes_t\":1e300"),
+              field("report.careful_drivers[0].brakes_t"));
+  EXPECT_THAT(complaintAbout(kAttackLine, "\"driver\":\"rss\"", "\"driver\":\"ann\""),
+              field("report.careful_drivers[1].driver"));
   EXPECT_THAT(complaintAbout(kAttackLine, "\"class\":\"truck\"", "\"class\":\"van\""),
               field("attacker.class"));
   EXPECT_THAT(complaintAbout(kAttackLine, "\"recorded\"", "\"found\""), field("attacker.origin"));

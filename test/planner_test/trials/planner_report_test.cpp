@@ -73,7 +73,7 @@ TEST(PlannerReport, CountsSoftAndAtFaultCollisions) {
   EXPECT_DOUBLE_EQ(rateOf(all, "collision_at_fault").value, 0.5);
 }
 
-TEST(PlannerReport, WorstCasesAreTheHardestFairImpactsOnePerScene) {
+TEST(PlannerReport, WorstCasesAreTheMostSevereFairHitsOnePerScene) {
   auto all = results();
   PlannerTestResult again = result("b", true, {row("idm", 7.0)});
   all.push_back(again);
@@ -85,6 +85,14 @@ TEST(PlannerReport, WorstCasesAreTheHardestFairImpactsOnePerScene) {
   all[1].rows[0].is_fair = false;
   all.back().rows[0].is_fair = false;
   EXPECT_EQ(worstCases(all, {"idm"}, 5).front().result, 0u);
+}
+
+TEST(PlannerReport, CountsCollisionsThatACarefulDriverAvoids) {
+  auto all = results();
+  all[0].rows[0].outcome.careful_drivers = {{"cc_driver", true, {}}, {"rss", false, {}}};
+  EXPECT_EQ(rateOf(all, "avoided_by_cc_driver").trials, 2);
+  EXPECT_DOUBLE_EQ(rateOf(all, "avoided_by_cc_driver").value, 0.5);
+  EXPECT_DOUBLE_EQ(rateOf(all, "avoided_by_rss").value, 0.0);
 }
 
 TEST(PlannerReport, UnfairCollisionsAreNotCounted) {

@@ -26,6 +26,12 @@ TEST(PlannerResultFile, ALineReadsBackAsTheSameLine) {
   EXPECT_EQ(read.rows.size(), 2u);
   EXPECT_EQ(read.rows[0].outcome.contact->impact_speed,
             result.rows[0].outcome.contact->impact_speed);
+  const CrashSeverity& severity = result.rows[0].outcome.contact->severity;
+  EXPECT_GT(severity.ego.delta_v, 0.0);
+  EXPECT_EQ(read.rows[0].outcome.contact->severity.ego.delta_v, severity.ego.delta_v);
+  EXPECT_EQ(read.rows[0].outcome.contact->severity.other.curve, severity.other.curve);
+  EXPECT_EQ(read.rows[0].outcome.careful_drivers.size(), 4u);
+  EXPECT_EQ(read.careful_drivers.size(), 4u);
   EXPECT_EQ(read.rows[1].outcome.failure, PlannerFailure::kNotFinite);
   EXPECT_EQ(read.avoidability.from_now, result.avoidability.from_now);
   EXPECT_EQ(read.avoidability.last, result.avoidability.last);
@@ -89,7 +95,7 @@ TEST(PlannerResultFile, AMotionWithListsOfDifferentLengthIsRejected) {
 
 TEST(PlannerResultFile, AnotherFormatIsRejectedWithTheField) {
   std::string line = plannerResultLine(tested());
-  line.replace(line.find("\"version\":5"), 11, "\"version\":2");
+  line.replace(line.find("\"version\":6"), 11, "\"version\":2");
   try {
     readPlannerResultLine("results.jsonl: line 4", line);
     ADD_FAILURE();

@@ -30,13 +30,22 @@ std::vector<Weakness> weaknessesOf(const std::vector<PlannerTestResult>& results
       results, [&](std::size_t index) { return manoeuvres.at(index); }, kOptions);
 }
 
-TEST(Weaknesses, GroupHitsOfOneKindHardestFirst) {
+TEST(Weaknesses, GroupHitsOfOneKindHardestFirstAtEqualSeverity) {
   const auto found =
       weaknessesOf({hit(3.0), hit(9.0), hit(5.0)}, std::vector<Manoeuvre>(3, Manoeuvre::kCutIn));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].results, (std::vector<std::size_t>{1, 2, 0}));
   EXPECT_EQ(found[0].manoeuvre, Manoeuvre::kCutIn);
   EXPECT_EQ(found[0].planner, "pdm");
+}
+
+TEST(Weaknesses, HaveTheHitWithTheLikeliestSevereInjuryFirst) {
+  std::vector<PlannerTestResult> results = {hit(9.0), hit(3.0), hit(5.0)};
+  results[1].rows[0].outcome.contact->severity.other.mais3 = 0.3;  // a pedestrian, say
+  results[2].rows[0].outcome.contact->severity.ego.mais3 = 0.1;
+  const auto found = weaknessesOf(results, std::vector<Manoeuvre>(3, Manoeuvre::kCutIn));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].results, (std::vector<std::size_t>{1, 2, 0}));
 }
 
 TEST(Weaknesses, DifferByManoeuvreFaultPlaceAndPlanner) {
@@ -46,7 +55,7 @@ TEST(Weaknesses, DifferByManoeuvreFaultPlaceAndPlanner) {
   const auto found = weaknessesOf(results, {Manoeuvre::kCutIn, Manoeuvre::kCutIn, Manoeuvre::kCutIn,
                                             Manoeuvre::kMerge, Manoeuvre::kCutIn});
   ASSERT_EQ(found.size(), 5u);
-  EXPECT_TRUE(found[0].at_fault) << "the hardest impact";
+  EXPECT_TRUE(found[0].at_fault) << "the most severe hit";
   EXPECT_EQ(found[1].place, ContactPlace::kJunction);
   EXPECT_EQ(found[3].manoeuvre, Manoeuvre::kMerge);
   EXPECT_EQ(found[4].planner, "idm");

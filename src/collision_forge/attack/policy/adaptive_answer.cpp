@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "collision_forge/attack/drivers/careful_drive.h"
 #include "collision_forge/attack/policy/recorded_drive.h"
 #include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/attack/search/judge.h"
@@ -35,6 +36,7 @@ AdaptiveDrive driveAdaptively(Attack first, const Moment& moment, const Scene& r
              setup.attack.verification);
   driven.report.confidence = confidence;
   if (driven.report.contact) {
+    driven.report.careful_drivers = driveCarefully(*moment.recorded, driven.trajectory);
     driven.miss =
         missBetween(driven.pattern.attacker_offset,
                     relativeTo(driven.report.ego_at_contact, driven.report.attacker_at_contact));

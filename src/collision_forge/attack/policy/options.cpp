@@ -9,6 +9,9 @@ static void readOptions(Section& section, FairnessOptions& options) {
   options.reaction_time = section.nonNegative("reaction_time");
   options.aggressiveness = section.within("aggressiveness", kGentlest, 1.0);
   options.avoidable_for = section.nonNegative("avoidable_for");
+  std::vector<std::pair<std::string, std::optional<DriverModel>>> drivers = {{"any", {}}};
+  for (const DriverModel model : kDriverModels) drivers.emplace_back(toString(model), model);
+  options.avoidable_by = section.choice("avoidable_by", drivers);
 }
 
 void readOptions(Section& section, AdaptiveOptions& options) {

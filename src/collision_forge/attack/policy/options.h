@@ -1,5 +1,9 @@
 #pragma once
 
+#include <optional>
+
+#include "collision_forge/attack/drivers/driver_models.h"
+
 namespace forge {
 
 class Section;
@@ -9,6 +13,7 @@ struct FairnessOptions {
   double reaction_time = 0.0;   ///< s from observation to changed motion
   double aggressiveness = 0.0;  ///< share 0.1..1 of the class limits that new plans use
   double avoidable_for = 0.0;   ///< s after t0 during which the ego can still avoid the crash
+  std::optional<DriverModel> avoidable_by;  ///< this driver avoids the crash, too; empty: any
 };
 
 /// config/adaptive.yaml

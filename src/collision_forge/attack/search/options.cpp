@@ -61,6 +61,7 @@ void readAttackOptions(const ConfigFolder& directory, AttackOptions& options) {
   readConfigFile(directory, "prediction", options.prediction);
   readConfigFile(openConfigFile(directory, "search.yaml"), options);
   readConfigFile(directory, "believability", options.verification.believability);
+  readConfigFile(directory, "severity", options.verification.severity);
   Section limits = openConfigFile(directory, "vehicle_limits.yaml");
   Section inner = limits.section("vehicle_limits");
   readVehicleLimits(inner, options.verification);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "collision_forge/attack/severity/options.h"
 #include "collision_forge/attack/verify/drive_limits.h"
 
 namespace forge {
@@ -38,6 +39,7 @@ struct VerificationOptions {
   VehicleLimits limits;        ///< of attackers under LimitSet::kStrict
   DriveLimitOptions drivable;  ///< of attackers under LimitSet::kDrivable
   BelievabilityOptions believability;
+  SeverityOptions severity;
   double overlap_tolerance = 0.001;  ///< m; contacts shallower than this may be missed
   double off_road_interval = 0.5;    ///< s between the poses averaged by offRoadShare()
 };

@@ -2,16 +2,10 @@
 
 #include <optional>
 
+#include "collision_forge/attack/severity/severity.h"
 #include "collision_forge/attack/verify/braking_slide.h"
 
 namespace forge {
-
-/// A vehicle at the contact time.
-struct CrashedVehicle {
-  AgentClass agent_class = AgentClass::kCar;
-  BoxSize size;
-  AgentState state;  ///< box centre, global map frame
-};
 
 /// Motion of ego and attacker from the contact until both stand, computed from their states at the
 /// contact only. Bags, images, pages, exports and the live display all use this class, so a crash

@@ -10,6 +10,7 @@
 
 #include "collision_forge/attack/forecast/kinematic_prediction.h"
 #include "collision_forge/attack/forecast/motion_estimate.h"
+#include "collision_forge/attack/severity/severity.h"
 #include "collision_forge/attack/verify/believability.h"
 #include "collision_forge/attack/verify/drive_check.h"
 #include "collision_forge/attack/verify/limits.h"
@@ -89,6 +90,14 @@ void describeContact(const AttackerTrajectory& trajectory, const VerificationInp
   report.attacker_side = touchedSide(attacker_box, ego_box);
   report.overlap = sideOverlap(ego_box, report.ego_side, attacker_box);
   report.impact_speed = (velocityAt(trajectory, report.contact_time) - ego->velocity).norm();
+}
+
+CrashSeverity severityOfContact(const AttackerTrajectory& trajectory, const Track& ego, double time,
+                                const VerificationOptions& options) {
+  const CrashedVehicle other{trajectory.agent_class,
+                             trajectory.size,
+                             {time, poseAt(trajectory, time), velocityAt(trajectory, time)}};
+  return severityOf({ego.agent_class, ego.size, *stateAt(ego, time)}, other, options.severity);
 }
 
 /// Sets whether the contact has the requested type and time.
@@ -213,6 +222,7 @@ CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationI
   CollisionReport report = verifyMotion(trajectory, input, options);
   report.off_road_share = offRoadShare(trajectory, report, input.lanes, options);
   if (!report.contact) return report;
+  report.severity = severityOfContact(trajectory, input.future.ego, report.contact_time, options);
   const DetectedManoeuvre detected = detectManoeuvre(trajectory, report, input, options);
   report.manoeuvre = detected.manoeuvre;
   report.manoeuvre_begin = detected.begin;

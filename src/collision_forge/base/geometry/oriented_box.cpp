@@ -65,6 +65,22 @@ double area(const Outline& outline) {
   return 0.5 * std::max(doubled, 0.0);
 }
 
+/// Returns the intersection relative to b's centre, so that large map coordinates cost no
+/// precision.
+Outline sharedOutline(const OrientedBox& a, const OrientedBox& b) {
+  const Vector2 origin = b.center.position();
+  Outline outline;
+  for (const Vector2& corner : corners(a)) {
+    outline.add(corner - origin);
+  }
+  const Vector2 forward = b.center.heading();
+  const Vector2 left = leftOf(forward);
+  outline = clipped(outline, forward, 0.5 * b.size.length);
+  outline = clipped(outline, -forward, 0.5 * b.size.length);
+  outline = clipped(outline, left, 0.5 * b.size.width);
+  return clipped(outline, -left, 0.5 * b.size.width);
+}
+
 /// The bounds of a box in the axes of a frame.
 struct LocalExtent {
   Vector2 low = Vector2::Constant(1e9);
@@ -158,22 +174,22 @@ double distance(const OrientedBox& a, const OrientedBox& b) {
 }
 
 double intersectionArea(const OrientedBox& a, const OrientedBox& b) {
-  if (!overlaps(a, b)) {
-    return 0.0;
+  return overlaps(a, b) ? area(sharedOutline(a, b)) : 0.0;
+}
+
+std::optional<Vector2> intersectionCentroid(const OrientedBox& a, const OrientedBox& b) {
+  const Outline outline = sharedOutline(a, b);
+  if (area(outline) <= 0.0) return std::nullopt;
+  Vector2 moment = Vector2::Zero();
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 2 < outline.size; ++i) {
+    const std::array<Vector2, 3> corners = {outline.points[0], outline.points[i + 1],
+                                            outline.points[i + 2]};
+    const double doubled = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    moment += doubled * (corners[0] + corners[1] + corners[2]) / 3.0;
+    sum += doubled;
   }
-  // Relative to b's centre, so that large map coordinates cost no precision.
-  const Vector2 origin = b.center.position();
-  Outline outline;
-  for (const Vector2& corner : corners(a)) {
-    outline.add(corner - origin);
-  }
-  const Vector2 forward = b.center.heading();
-  const Vector2 left = leftOf(forward);
-  outline = clipped(outline, forward, 0.5 * b.size.length);
-  outline = clipped(outline, -forward, 0.5 * b.size.length);
-  outline = clipped(outline, left, 0.5 * b.size.width);
-  outline = clipped(outline, -left, 0.5 * b.size.width);
-  return area(outline);
+  return b.center.position() + moment / sum;
 }
 
 double intersectionOverUnion(const OrientedBox& a, const OrientedBox& b) {

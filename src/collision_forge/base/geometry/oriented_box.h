@@ -55,6 +55,9 @@ double distance(const OrientedBox& a, const OrientedBox& b);
 /// Returns the area (m2) of the intersection of the rectangles.
 double intersectionArea(const OrientedBox& a, const OrientedBox& b);
 
+/// Returns the centroid of the intersection of the rectangles; nullopt if its area is 0.
+std::optional<Vector2> intersectionCentroid(const OrientedBox& a, const OrientedBox& b);
+
 /// Returns the area of the intersection over the area of the union, [0, 1].
 double intersectionOverUnion(const OrientedBox& a, const OrientedBox& b);
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "collision_forge/base/geometry/oriented_box.h"
 #include "collision_forge/base/scene/collision_request.h"
+#include "collision_forge/base/scene/crash_severity.h"
 #include "collision_forge/base/scene/manoeuvre.h"
 #include "collision_forge/base/scene/track.h"
 
@@ -72,6 +74,13 @@ struct RoadUse {
   double on_island = 0.0;   ///< on ground enclosed by road, for instance a traffic island
 };
 
+/// A model of a careful and competent driver in the ego's place.
+struct CarefulDrive {
+  std::string driver;               ///< "cc_driver", "r157_system", "rss" or "fsm"
+  bool avoids = false;              ///< this driver has no contact
+  std::optional<double> brakes_at;  ///< s, scene clock; empty if this driver does not brake
+};
+
 /// Result of verifying an attacker's motion against a request; see verify().
 struct CollisionReport {
   bool contact = false;               ///< the attacker touches the ego after t0
@@ -83,6 +92,8 @@ struct CollisionReport {
   Side attacker_side = Side::kFront;  ///< side of the attacker's box that the ego touches
   double impact_speed = 0.0;          ///< m/s, norm of the relative velocity at contact
   double overlap = 0.0;               ///< sideOverlap() of `ego_side`, share 0..1
+  CrashSeverity severity;             ///< severityOf(); set by verify() if `contact`
+  std::vector<CarefulDrive> careful_drivers;  ///< driveCarefully(); empty if not requested
   bool type_kept = false;       ///< keeps the definition of the requested type (CrashDefinition)
   bool on_time = false;         ///< |contact time - requested time| <= time_tolerance
   bool limits_kept = false;     ///< every vehicle limit kept from t0 to contact

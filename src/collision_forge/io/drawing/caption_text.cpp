@@ -63,6 +63,11 @@ std::vector<CaptionRow> impactRows(const ScenarioView& view) {
            report.type_kept}};
 }
 
+/// Without the name of the curve, which has no space in the caption.
+std::string severityText(const CrashEffect& effect) {
+  return "MAIS 3+ " + decimalText(100.0 * effect.mais3, 1) + " %, " + severityClass(effect);
+}
+
 std::vector<CaptionRow> contactRows(const ScenarioView& view) {
   const CollisionReport& report = view.report;
   if (view.avoided_hit) {
@@ -76,6 +81,8 @@ std::vector<CaptionRow> contactRows(const ScenarioView& view) {
               {{"Sides", std::string(toString(report.attacker_side)) + " to ego's " + ego_side,
                 std::nullopt},
                {"Impact speed", decimalText(report.impact_speed, 1) + " m/s", std::nullopt},
+               {"Ego's delta-v", deltaVText(report.severity.ego), std::nullopt},
+               {"Severity", severityText(report.severity.worse()), std::nullopt},
                {"Overlap", percentText(report.overlap) + " of ego's " + ego_side, std::nullopt}});
   return rows;
 }

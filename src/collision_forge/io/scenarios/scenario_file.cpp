@@ -6,6 +6,7 @@
 #include "collision_forge/base/scene/request_words.h"
 #include "collision_forge/io/json/input_line.h"
 #include "collision_forge/io/scenarios/request_fields.h"
+#include "collision_forge/io/scenarios/severity_fields.h"
 
 namespace forge {
 namespace {
@@ -13,13 +14,13 @@ namespace {
 constexpr const char* kFormat = "collision_forge/scenario";
 // 1: pattern was the contact, not the prediction; 2: no classes, added vehicles, constraints or
 // believability; 3: no alternatives; 4: no adaptive attackers; 5: as 6, without tolerance, effort,
-// first_other_t and off_road.
-constexpr int kVersion = 6;
+// first_other_t and off_road; 6: as 7, without severity and careful_drivers.
+constexpr int kVersion = 7;
+constexpr int kWithoutSeverity = 6;
 constexpr int kOldestVersion = 5;
 // m, for lines of version 5: the tolerance of all patterns except a network's own (prediction.yaml)
 // when such files were written.
 constexpr double kToleranceOfVersion5 = 4.0;
-constexpr double kMicroseconds = 1e6;  // per second
 constexpr const char* kRecorded = "recorded";
 constexpr const char* kAdded = "added";
 
@@ -148,7 +149,7 @@ struct LineContext {
   int version = kVersion;
   double now = 0.0;  ///< s, the scene's clock
 
-  bool isOld() const { return version < kVersion; }
+  bool isOld() const { return version == kOldestVersion; }
 };
 
 /// Returns a time on the scene's clock, s.
@@ -336,6 +337,14 @@ CollisionReport readReport(JsonObject object, const LineContext& line) {
   report.attacker_side = readSide(object, "attacker_side");
   report.impact_speed = object.number("impact_speed");
   report.overlap = object.number("overlap");
+  if (line.version > kWithoutSeverity) {
+    auto severity = object.objectOrNull("severity");
+    if (severity.has_value() != report.contact) {
+      object.fail("severity", "contradicts the field contact");
+    }
+    if (severity) report.severity = readSeverity(*severity);
+    report.careful_drivers = readCarefulDrivers(object, line.now);
+  }
   report.type_kept = object.flag("type_kept");
   report.on_time = object.flag("on_time");
   report.limits_kept = object.flag("limits_kept");
@@ -377,8 +386,8 @@ int readFormat(JsonObject& object) {
     object.fail("format", std::string("is not ") + kFormat);
   }
   const double version = object.number("version");
-  if (version != kVersion && version != kOldestVersion) {
-    object.fail("version", "is neither " + std::to_string(kOldestVersion) + " nor " +
+  if (version != kVersion && version != kWithoutSeverity && version != kOldestVersion) {
+    object.fail("version", "is not a version from " + std::to_string(kOldestVersion) + " to " +
                                std::to_string(kVersion) + "; generate the file again");
   }
   return static_cast<int>(version);
@@ -422,10 +431,6 @@ void readAnswer(JsonObject& object, const Scenario& scenario, const LineContext&
 
 }  // namespace
 
-double fromNow(double time, double now) {
-  return std::round((time - now) * kMicroseconds) / kMicroseconds;
-}
-
 void writePose(JsonLineWriter& writer, const char* key, const Pose2& pose) {
   writer.beginObject(key);
   writePoseFields(writer, pose);
@@ -445,6 +450,12 @@ void writeCollisionReport(JsonLineWriter& writer, const char* key, const Collisi
   writer.text("attacker_side", toString(report.attacker_side));
   writer.number("impact_speed", report.impact_speed);
   writer.number("overlap", report.overlap);
+  if (report.contact) {
+    writeSeverity(writer, "severity", report.severity);
+  } else {
+    writer.null("severity");
+  }
+  writeCarefulDrivers(writer, report.careful_drivers, now);
   writer.flag("type_kept", report.type_kept);
   writer.flag("on_time", report.on_time);
   writer.flag("limits_kept", report.limits_kept);

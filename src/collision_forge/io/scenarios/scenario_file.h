@@ -10,6 +10,7 @@
 #include "collision_forge/base/scene/input_limits.h"
 #include "collision_forge/base/scene/scene.h"
 #include "collision_forge/io/json/json_line.h"
+#include "collision_forge/io/scenarios/relative_time.h"
 
 namespace forge {
 
@@ -29,14 +30,12 @@ struct Scenario {
 std::string scenarioLine(const Scenario& scenario);
 
 /// Parses a line of scenarioLine(); scenarioLine() of the result gives the same bytes. A line of
-/// version 5 has no tolerance (set to 4 m), effort, first_other_t or off_road (set to 0). Throws
-/// JsonLineError, naming `where`, for a line of another format or version, and for a number beyond
-/// the limits; InputError as checkLineLength().
+/// version 6 has no severity and careful_drivers (empty), one of version 5 also no tolerance (set
+/// to 4 m), effort, first_other_t or off_road (set to 0). Throws JsonLineError, naming `where`, for
+/// a line of another format or version, and for a number beyond the limits; InputError as
+/// checkLineLength().
 Scenario readScenarioLine(const std::string& where, const std::string& line,
                           const InputLimits& limits);
-
-/// Returns `time` - `now` in s, rounded to 1 us.
-double fromNow(double time, double now);
 
 // Write parts of the line, for files that share them; times in s from `now`.
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <map>
 
+#include "collision_forge/attack/drivers/careful_drive.h"
+
 namespace forge {
 namespace {
 
@@ -31,7 +33,8 @@ constexpr TextColumn kTexts[] = {{"scene", &ReportRow::scene},
                                  {"class", &ReportRow::attacker_class},
                                  {"origin", &ReportRow::origin},
                                  {"believable", &ReportRow::believable},
-                                 {"avoidable", &ReportRow::avoidable}};
+                                 {"avoidable", &ReportRow::avoidable},
+                                 {"avoided_by", &ReportRow::avoided_by}};
 
 /// A column must not round a number before the page rounds it for display: 9.748 m/s must not
 /// become 9.75 and then 9.8.
@@ -43,6 +46,8 @@ constexpr NumberColumn kNumbers[] = {
     {"tta", &ReportRow::tta, 1e-3},
     {"contact_t", &ReportRow::contact_t, kMeasuredUnit},
     {"impact_speed", &ReportRow::impact_speed, kMeasuredUnit},
+    {"delta_v", &ReportRow::delta_v, kMeasuredUnit},
+    {"mais3", &ReportRow::mais3, kMeasuredUnit},
     {"heading", &ReportRow::heading, kMeasuredUnit},
     {"overlap", &ReportRow::overlap, kMeasuredUnit},
     {"confidence", &ReportRow::confidence, kMeasuredUnit},
@@ -106,6 +111,13 @@ std::string outcomeOf(const RolloutOutcome& outcome) {
   return outcome.contact->is_attacker ? "hit" : "hit_other";
 }
 
+/// Leaves out the severity of lines that were written without it.
+void addSeverity(const CrashSeverity& severity, ReportRow& row) {
+  if (severity.ego.curve.empty()) return;
+  row.delta_v = severity.ego.delta_v;
+  row.mais3 = severity.worse().mais3;
+}
+
 /// Returns why the attack does not match the request in the recording.
 std::string shortcomingOf(const StrictOutcome& recorded) {
   const CollisionReport& report = recorded.report;
@@ -141,10 +153,12 @@ ReportRow rowOfAttack(const Scenario& scenario, const Attack& attack,
   row.origin = attack.trajectory.isAdded() ? "added" : "recorded";
   row.believable = yesOrNo(report.believable());
   row.confidence = report.confidence;
+  row.avoided_by = avoiders(report.careful_drivers, ", ");
   const CollisionReport& told = recorded ? recorded->report : report;
   if (!told.contact) return row;
   row.contact_t = told.contact_time - scenario.asked.now;
   row.impact_speed = told.impact_speed;
+  addSeverity(told.severity, row);
   row.heading = told.relative_heading;
   row.overlap = told.overlap;
   return row;
@@ -171,12 +185,16 @@ ReportRow rowOfTest(const PlannerTestResult& result, const PlannerRow* row,
   found.message = outcome.failure_message;
   found.avoidable = yesOrNo(result.avoidability.is_avoidable);
   found.contact_t.reset();
+  found.avoided_by = avoiders(outcome.careful_drivers, ", ");
   found.impact_speed.reset();
+  found.delta_v.reset();
+  found.mais3.reset();
   found.heading.reset();
   found.overlap.reset();
   if (!outcome.contact) return found;
   found.contact_t = outcome.contact->time - result.now;
   found.impact_speed = outcome.contact->impact_speed;
+  addSeverity(outcome.contact->severity, found);
   found.heading = outcome.contact->relative_heading;
   return found;
 }

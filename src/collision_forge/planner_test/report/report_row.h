@@ -32,6 +32,7 @@ struct ReportRow {
   std::string origin;      ///< "recorded" or "added"
   std::string believable;  ///< these two are "yes", "no" or empty
   std::string avoidable;
+  std::string avoided_by;                  ///< careful drivers, separated by commas
   std::optional<double> now;               ///< s, scene clock; t0
   std::optional<double> now_in_recording;  ///< s from the recording's first frame to t0, if known
   std::optional<double> tta;               ///< s
@@ -39,6 +40,8 @@ struct ReportRow {
   // else the predicted one.
   std::optional<double> contact_t;     ///< s from t0
   std::optional<double> impact_speed;  ///< m/s
+  std::optional<double> delta_v;       ///< m/s, of the ego
+  std::optional<double> mais3;         ///< of CrashSeverity::worse(), [0, 1]
   std::optional<double> heading;       ///< rad, at contact
   std::optional<double> overlap;       ///< [0, 1]
   std::optional<double> confidence;    ///< [0, 1]

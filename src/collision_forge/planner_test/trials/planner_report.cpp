@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "collision_forge/attack/drivers/careful_drive.h"
 #include "collision_forge/base/scene/number_words.h"
 
 namespace forge {
@@ -47,18 +48,19 @@ bool isStrictAvoidable(const PlannerTestResult& result) {
   return isStrict(result) && isAvoidable(result);
 }
 
-std::optional<double> impactSpeed(const PlannerTestResult&, const PlannerRow& row) {
-  const RolloutOutcome& outcome = row.outcome;
-  if (hasFailed(outcome) || !hitsAttacker(outcome)) return std::nullopt;
-  return outcome.contact->impact_speed;
-}
-
-/// Returns 1 if the condition holds; counts collisions with the attacker.
-ValueOf shareOfCollisions(const std::function<bool(const PlannerContact&)>& is_met) {
+/// Returns the value of collisions with the attacker.
+ValueOf ofHits(const std::function<double(const RolloutOutcome&)>& value) {
   return [=](const PlannerTestResult&, const PlannerRow& row) -> std::optional<double> {
     if (hasFailed(row.outcome) || !hitsAttacker(row.outcome)) return std::nullopt;
-    return is_met(*row.outcome.contact) ? 1.0 : 0.0;
+    return value(row.outcome);
   };
+}
+
+/// Returns 1 for a hit that the driver model avoids in the planner's place.
+ValueOf avoidedBy(DriverModel model) {
+  return ofHits([=](const RolloutOutcome& outcome) {
+    return isAvoidedBy(outcome.careful_drivers, model) ? 1.0 : 0.0;
+  });
 }
 
 /// Returns 1 if the condition holds; counts rollouts without a failure.
@@ -161,15 +163,21 @@ std::vector<RolloutMeasure> rolloutMeasures() {
        shareOf(isAny, [](const RolloutOutcome& o) { return o.contact && !hitsAttacker(o); })},
       {{"impact_speed", "Impact speed of collisions with the attacker, mean", {}},
        {"m/s", 1.0},
-       impactSpeed},
+       ofHits([](const RolloutOutcome& o) { return o.contact->impact_speed; })},
+      {{"delta_v", "Delta-v of the ego in collisions with the attacker, mean", {}},
+       {"m/s", 1.0},
+       ofHits([](const RolloutOutcome& o) { return o.contact->severity.ego.delta_v; })},
+      {{"mais3", "Probability of an injury of MAIS 3+ in collisions with the attacker, mean", {}},
+       kShare,
+       ofHits([](const RolloutOutcome& o) { return o.contact->severity.worse().mais3; })},
       {{"soft", "Collisions below 0.5 m/s, share of collisions with the attacker", {}},
        kShare,
-       shareOfCollisions([](const PlannerContact& c) { return c.impact_speed < kSoft; })},
+       ofHits([](const RolloutOutcome& o) { return o.contact->impact_speed < kSoft ? 1.0 : 0.0; })},
       {{"collision_at_fault",
         "Collisions with the planner at fault, share of collisions with the attacker",
         {}},
        kShare,
-       shareOfCollisions([](const PlannerContact& contact) { return contact.at_fault; })},
+       ofHits([](const RolloutOutcome& o) { return o.contact->at_fault ? 1.0 : 0.0; })},
       {{"hard_braking", "Rollouts with hard braking", {}},
        kShare,
        shareOf(isAny, [](const RolloutOutcome& outcome) { return outcome.hard_braking > 0.0; })},
@@ -183,6 +191,15 @@ std::vector<RolloutMeasure> rolloutMeasures() {
          return hasFailed(row.outcome) ? 1.0 : 0.0;
        }},
   };
+  for (const DriverModel model : kDriverModels) {
+    measures.push_back({{std::string("avoided_by_") + toString(model),
+                         std::string("Collisions with the attacker that ") + toString(model) +
+                             " avoids, share of collisions with the attacker",
+                         {},
+                         false},
+                        kShare,
+                        avoidedBy(model)});
+  }
   for (RolloutMeasure& measure : nuplanMeasures()) measures.push_back(std::move(measure));
   return measures;
 }
@@ -258,14 +275,24 @@ std::vector<PlannerTable> avoidabilityTables(const std::vector<PlannerTestResult
         EvasiveManoeuvre::kSteering, EvasiveManoeuvre::kBoth}) {
     manoeuvres.emplace_back(toString(manoeuvre), worksFromNow(manoeuvre));
   }
-  return {caseTable({"strict", "Crashes that meet the strict protocol", {}}, {{"strict", isStrict}},
-                    isAny, results),
-          caseTable({"avoidable", "Avoidable crashes", {}}, {{"avoidable", isAvoidable}}, isAny,
-                    results),
-          caseTable({"avoidable_strict", "Avoidable crashes, of strict ones", {}},
-                    {{"avoidable", isAvoidable}}, isStrict, results),
-          caseTable({"from_now", "Crashes that a manoeuvre from t0 avoids", {}}, manoeuvres, isAny,
-                    results)};
+  std::vector<std::pair<std::string, IsMet>> drivers;
+  for (const DriverModel model : kDriverModels) {
+    drivers.emplace_back(toString(model), [model](const PlannerTestResult& result) {
+      return isAvoidedBy(result.careful_drivers, model);
+    });
+  }
+  return {
+      caseTable({"strict", "Crashes that meet the strict protocol", {}}, {{"strict", isStrict}},
+                isAny, results),
+      caseTable({"avoidable", "Avoidable crashes", {}}, {{"avoidable", isAvoidable}}, isAny,
+                results),
+      caseTable({"avoidable", "Avoidable crashes", {}}, {{"avoidable", isAvoidable}}, isAny,
+                results),
+      caseTable({"avoidable_strict", "Avoidable crashes, of strict ones", {}},
+                {{"avoidable", isAvoidable}}, isStrict, results),
+      caseTable({"careful", "Crashes that a careful driver avoids", {}}, drivers, isAny, results),
+      caseTable({"from_now", "Crashes that a manoeuvre from t0 avoids", {}}, manoeuvres, isAny,
+                results)};
 }
 
 }  // namespace
@@ -297,17 +324,18 @@ std::vector<WorstCase> worstCases(const std::vector<PlannerTestResult>& results,
                                   const std::vector<std::string>& planners, std::size_t count) {
   std::vector<WorstCase> worst;
   for (const std::string& planner : planners) {
-    std::vector<std::pair<double, std::size_t>> contacts;  // impact speed, negative; index
+    std::vector<std::pair<PlannerContact, std::size_t>> contacts;  // and the result's index
     for (std::size_t i = 0; i < results.size(); ++i) {
       if (!results[i].isTested()) continue;
       for (const PlannerRow& row : results[i].rows) {
-        const auto speed = impactSpeed(results[i], row);
-        if (rowName(row.planner, row.attacker.policy) == planner && row.is_fair && speed) {
-          contacts.emplace_back(-*speed, i);
+        if (rowName(row.planner, row.attacker.policy) == planner && row.is_fair &&
+            !hasFailed(row.outcome) && hitsAttacker(row.outcome)) {
+          contacts.emplace_back(*row.outcome.contact, i);
         }
       }
     }
-    std::sort(contacts.begin(), contacts.end());
+    std::stable_sort(contacts.begin(), contacts.end(),
+                     [](const auto& a, const auto& b) { return isMoreSevere(a.first, b.first); });
     std::set<std::string> scenes;
     for (const auto& contact : contacts) {
       if (scenes.size() >= count) break;

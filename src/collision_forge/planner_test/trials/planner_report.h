@@ -30,8 +30,8 @@ struct WorstCase {
   std::string planner;
 };
 
-/// Returns, for each planner, the `count` fair hits by the attacker (PlannerRow::is_fair) with the
-/// highest impact speed, in descending order; at most one per scene.
+/// Returns, for each planner, the `count` most severe fair hits by the attacker
+/// (PlannerRow::is_fair, isMoreSevere()), in descending order; at most one per scene.
 std::vector<WorstCase> worstCases(const std::vector<PlannerTestResult>& results,
                                   const std::vector<std::string>& planners, std::size_t count);
 

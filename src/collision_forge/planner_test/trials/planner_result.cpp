@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "collision_forge/attack/drivers/careful_drive.h"
 #include "collision_forge/attack/network/network_ego_futures.h"
 #include "collision_forge/attack/policy/adaptive_attacker.h"
 #include "collision_forge/attack/verify/strict_outcome.h"
@@ -121,6 +122,7 @@ PlannerTestResult evaluateCase(const PlannerCase& one, const AnswerOptions& opti
   result.avoidability = summaryOf(
       findAvoidability(scenario, trials.avoidability, trials.planning.route, options.attack),
       scenario.snapshot.now);
+  result.careful_drivers = driveCarefully(scenario.recorded, scenario.attacker);
   return result;
 }
 
@@ -162,8 +164,10 @@ PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Polic
   if (row.outcome.contact && row.outcome.contact->is_attacker) {
     row.escape_drive = findEvasion(one.scenario, row.outcome.driven, setup);
     row.escape = summaryOf(row.escape_drive, one.scenario.snapshot.now);
-    row.is_fair = row.escape->is_avoidable &&
-                  row.escape->last_after >= options.adaptive.fairness.avoidable_for;
+    const FairnessOptions& fairness = options.adaptive.fairness;
+    row.is_fair = row.escape->is_avoidable && row.escape->last_after >= fairness.avoidable_for &&
+                  (!fairness.avoidable_by ||
+                   isAvoidedBy(row.outcome.careful_drivers, *fairness.avoidable_by));
   }
   if (one.published && policy == PolicyKind::kFixed &&
       row.outcome.failure == PlannerFailure::kNone) {

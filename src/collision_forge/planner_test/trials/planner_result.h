@@ -60,7 +60,7 @@ struct PlannerRow {
   std::optional<AvoidabilitySummary> escape = {};
   std::optional<Escape> escape_drive = {};  ///< with an escape
   /// False for a hit without a known evasive manoeuvre that starts at least
-  /// FairnessOptions::avoidable_for after t0.
+  /// FairnessOptions::avoidable_for after t0, or that FairnessOptions::avoidable_by does not avoid.
   bool is_fair = true;
   /// For a clip of COLLIDE: whether the attacker hits the planner's ego by the published protocol
   /// (PublishedProtocol). The ego drives to the last frame, even through contacts.
@@ -85,7 +85,9 @@ struct PlannerTestResult {
   std::string status;      ///< "OK", or why there is no test: a StatusCode, kUnreadable or kUnfit
   std::string message;     ///< for users; empty with OK
   bool is_strict = false;  ///< with OK: meets the strict protocol against the recording
-  AvoidabilitySummary avoidability;  ///< valid with OK, like `rows`
+  AvoidabilitySummary avoidability;  ///< valid with OK, like the next two fields
+  /// driveCarefully() in the recorded ego's place.
+  std::vector<CarefulDrive> careful_drivers;
   /// With OK one row per planner and policy, ordered as rowNames(). An unfit clip has one row,
   /// idm_published, with only `published_hit` set: that test drives the clip from its first frame.
   std::vector<PlannerRow> rows;

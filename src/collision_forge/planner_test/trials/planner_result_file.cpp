@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <optional>
 
+#include "collision_forge/attack/drivers/careful_drive.h"
 #include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/io/scenarios/scenario_file.h"
+#include "collision_forge/io/scenarios/severity_fields.h"
 #include "collision_forge/planner_test/statistics/csv_text.h"
 #include "collision_forge/planner_test/trials/drive_fields.h"
 
@@ -13,8 +15,9 @@ namespace forge {
 namespace {
 
 constexpr const char* kFormat = "collision_forge/planner_test";
-constexpr int kVersion = 5;
-constexpr int kMaxRows = 10000;  // rows of a case
+constexpr int kVersion = 6;
+constexpr int kMaxRows = 10000;              // rows of a case
+constexpr std::size_t kContactColumns = 18;  // of a row of the CSV file
 
 void writeNuplan(JsonLineWriter& writer, const NuplanScore& score) {
   writer.beginObject("nuplan");
@@ -53,6 +56,7 @@ void writeContact(JsonLineWriter& writer, const PlannerContact& contact, double 
   writer.text("ego_side", toString(contact.ego_side));
   writer.text("other_side", toString(contact.other_side));
   writer.number("impact_speed", contact.impact_speed);
+  writeSeverity(writer, "severity", contact.severity);
   writer.number("ego_speed", contact.ego_speed);
   writer.text("cause", toString(contact.cause));
   writer.flag("at_fault", contact.at_fault);
@@ -131,6 +135,7 @@ PlannerContact readContact(JsonObject object, double now) {
   contact.ego_side = readName(object, "ego_side", sideFromString);
   contact.other_side = readName(object, "other_side", sideFromString);
   contact.impact_speed = object.number("impact_speed");
+  contact.severity = readSeverity(object.object("severity"));
   contact.ego_speed = object.number("ego_speed");
   contact.cause = readName(object, "cause", contactCauseFromString);
   contact.at_fault = object.flag("at_fault");
@@ -167,6 +172,7 @@ PlannerRow readRow(JsonObject& object, double now) {
   if (auto contact = object.objectOrNull("contact")) {
     row.outcome.contact = readContact(*contact, now);
   }
+  row.outcome.careful_drivers = readCarefulDrivers(object, now);
   if (auto escape = object.objectOrNull("escape")) row.escape = readAvoidability(*escape);
   row.is_fair = object.flag("fair");
   row.outcome.duration = object.number("duration");
@@ -191,14 +197,20 @@ std::string csvStart(const PlannerTestResult& result) {
 }
 
 std::string csvContact(const std::optional<PlannerContact>& contact, double now) {
-  if (!contact) return std::string(11, ',');
+  if (!contact) return std::string(kContactColumns - 1, ',');
   constexpr double kDegrees = 180.0 / M_PI;
   const std::string numbers =
       formatted("%.3f,%s,%.2f,%s,%s,%.2f,%.2f", contact->time - now,
                 contact->type ? toString(*contact->type) : "", contact->relative_heading * kDegrees,
                 toString(contact->ego_side), toString(contact->other_side), contact->impact_speed,
                 contact->ego_speed);
-  return csvText(contact->other_id) + ',' + (contact->is_attacker ? "1," : "0,") + numbers + ',' +
+  const CrashSeverity& severity = contact->severity;
+  const CrashEffect& worse = severity.worse();
+  const std::string harm =
+      formatted(",%.2f,%.2f,%.4f,%.4f,%s,", severity.ego.delta_v, severity.other.delta_v,
+                worse.mais2, worse.mais3, severityClass(worse).c_str()) +
+      csvText(worse.curve) + ',';
+  return csvText(contact->other_id) + ',' + (contact->is_attacker ? "1," : "0,") + numbers + harm +
          toString(contact->cause) + ',' + (contact->at_fault ? "1," : "0,") +
          toString(contact->place);
 }
@@ -236,7 +248,7 @@ std::string csvHit(const std::optional<bool>& hit) { return hit ? (*hit ? "1" : 
 std::vector<std::string> untestedCsvRows(const std::string& start,
                                          const std::vector<PlannerRow>& rows) {
   constexpr std::size_t kBefore = 5;  // columns up to the planner's
-  const std::size_t after = 29 + nuplanParts().size();
+  const std::size_t after = 18 + kContactColumns + nuplanParts().size();
   if (rows.empty()) return {start + std::string(kBefore + after, ',')};
   std::vector<std::string> lines;
   for (const PlannerRow& row : rows) {
@@ -278,6 +290,7 @@ void writePlannerRow(JsonLineWriter& writer, const PlannerRow& row, double now) 
   } else {
     writer.null("contact");
   }
+  writeCarefulDrivers(writer, outcome.careful_drivers, now);
   if (row.escape) {
     writeAvoidability(writer, "escape", *row.escape);
   } else {
@@ -311,6 +324,7 @@ std::string plannerResultLine(const PlannerTestResult& result) {
   writer.text("message", result.message);
   writer.flag("strict", result.is_strict);
   writeAvoidability(writer, "avoidability", result.avoidability);
+  writeCarefulDrivers(writer, result.careful_drivers, result.now);
   writer.beginArray("planners");
   for (const PlannerRow& row : result.rows) {
     writer.beginObject();
@@ -338,6 +352,7 @@ PlannerTestResult readPlannerResultLine(const std::string& where, const std::str
   result.message = object.text("message");
   result.is_strict = object.flag("strict");
   result.avoidability = readAvoidability(object.object("avoidability"));
+  result.careful_drivers = readCarefulDrivers(object, result.now);
   for (JsonObject& row : object.objects("planners", kMaxRows)) {
     result.rows.push_back(readRow(row, result.now));
   }
@@ -348,9 +363,10 @@ PlannerTestResult readPlannerResultLine(const std::string& where, const std::str
 std::string plannerResultCsvHeader() {
   return "name,source,scene,type,tta,status,strict,avoidable,last_manoeuvre,last_start,planner,"
          "policy,phase,attacker_plans,broken_limit,touched,as_asked,escape_manoeuvre,escape_start,"
-         "fair,failure,other,attacker,"
+         "avoided_by,fair,failure,other,attacker,"
          "contact_after,contact_type,relative_heading,ego_side,other_side,impact_speed,ego_speed,"
-         "cause,at_fault,place,duration,max_braking,hard_braking,off_road_share,"
+         "ego_delta_v,other_delta_v,mais2,mais3,severity_class,injury_curve,cause,at_fault,place,"
+         "duration,max_braking,hard_braking,off_road_share,"
          "progress,recorded_progress" +
          nuplanColumns() + ",published_hit";
 }
@@ -368,7 +384,8 @@ std::vector<std::string> plannerResultCsvRows(const PlannerTestResult& result) {
         "%.3f,%.3f,%.3f,%.4f,%.3f,%.3f", outcome.duration, outcome.max_braking,
         outcome.hard_braking, outcome.off_road_share, outcome.progress, outcome.recorded_progress);
     rows.push_back(start + ',' + row.planner + ',' + csvAttacker(row.attacker) + ',' +
-                   (row.escape ? csvLast(*row.escape) : ",") + (row.is_fair ? ",1," : ",0,") +
+                   (row.escape ? csvLast(*row.escape) : ",") + ',' +
+                   avoiders(row.outcome.careful_drivers, " ") + (row.is_fair ? ",1," : ",0,") +
                    toString(outcome.failure) + ',' + csvContact(outcome.contact, result.now) + ',' +
                    numbers + csvNuplan(outcome.nuplan) + ',' + csvHit(row.published_hit));
   }

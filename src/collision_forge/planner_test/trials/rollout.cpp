@@ -8,7 +8,9 @@
 #include <set>
 #include <utility>
 
+#include "collision_forge/attack/drivers/careful_drive.h"
 #include "collision_forge/attack/forecast/motion_estimate.h"
+#include "collision_forge/attack/severity/severity.h"
 #include "collision_forge/base/geometry/enum_words.h"
 #include "collision_forge/base/geometry/swept_contact.h"
 #include "collision_forge/base/scene/clock.h"
@@ -298,6 +300,10 @@ class Run {
     contact.ego_side = touchedSide(ego_box, other_box);
     contact.other_side = touchedSide(other_box, ego_box);
     contact.impact_speed = impactSpeed(ego_side, other_side);
+    contact.severity =
+        severityOf({AgentClass::kCar, scenario_.ego.size, {ego.time, ego.pose, ego_side.velocity}},
+                   {other.agent_class, other.size, {ego.time, other_pose, other_side.velocity}},
+                   setup_.attack.verification.severity);
     contact.ego_speed = ego.speed;
     contact.cause = causeOf(ego_side, scenario_.ego.center_offset, other_side, options_.fault);
     contact.at_fault = isAtFault(contact.cause, ego_box, *scenario_.lanes, options_.fault);
@@ -356,7 +362,19 @@ class Run {
     outcome_.attacker = traffic_.attacker().trajectory();
     outcome_.phase = traffic_.attacker().phase();
     outcome_.attacker_plans = traffic_.attacker().plans();
+    if (outcome_.contact && outcome_.contact->is_attacker) {
+      outcome_.careful_drivers = driveCarefully(drivenFuture(), outcome_.attacker);
+    }
     outcome_.nuplan = judge_.score(nuplan_contact_, outcome_.progress, outcome_.recorded_progress);
+  }
+
+  /// Returns the ego as driven, and the other agents as recorded or as simulated.
+  Future drivenFuture() const {
+    Future future;
+    future.ego = {kEgoId, AgentClass::kCar, scenario_.ego.size, toStates(outcome_.driven)};
+    future.agents =
+        setup_.background == Background::kIdm ? outcome_.others : scenario_.recorded.agents;
+    return future;
   }
 
   Planner& planner_;
@@ -385,6 +403,11 @@ const char* toString(PlannerFailure failure) { return wordOf(kFailureNames, fail
 
 std::optional<PlannerFailure> plannerFailureFromString(const std::string& name) {
   return valueOf(kFailureNames, name);
+}
+
+bool isMoreSevere(const PlannerContact& a, const PlannerContact& b) {
+  return std::pair(a.severity.worse().mais3, a.impact_speed) >
+         std::pair(b.severity.worse().mais3, b.impact_speed);
 }
 
 std::unique_ptr<AttackerPolicy> makeRolloutAttacker(const CrashScenario& scenario,

@@ -56,16 +56,23 @@ struct PlannerContact {
   Side ego_side = Side::kFront;    ///< side of the ego's box that is touched
   Side other_side = Side::kFront;  ///< side of the other box
   double impact_speed = 0.0;       ///< m/s, norm of the relative velocity
+  CrashSeverity severity;          ///< of ego and other agent
   double ego_speed = 0.0;          ///< m/s
   ContactCause cause = ContactCause::kLateral;
   bool at_fault = false;  ///< of the ego; see isAtFault()
 };
+
+/// Returns whether `a` has the larger probability of an injury of MAIS 3 or more; at equal
+/// probabilities, the larger impact speed.
+bool isMoreSevere(const PlannerContact& a, const PlannerContact& b);
 
 /// Result of rollout().
 struct RolloutOutcome {
   PlannerFailure failure = PlannerFailure::kNone;
   std::string failure_message;  ///< for users; empty without failure
   std::optional<PlannerContact> contact;
+  /// driveCarefully() on the ego's path as driven; empty unless the attacker hit the ego.
+  std::vector<CarefulDrive> careful_drivers;
   double duration = 0.0;           ///< s from t0 to the contact, the failure or the attacker's end
   double max_braking = 0.0;        ///< m/s2, hardest braking of the ego, >= 0
   double hard_braking = 0.0;       ///< s of braking harder than RolloutOptions::hard_braking

@@ -30,8 +30,8 @@ bool showsWeakness(const PlannerRow& row, const UntilHitOptions& options) {
          row.attacker.touched.empty() && outcome.contact->impact_speed >= options.min_impact_speed;
 }
 
-std::vector<Hit> hardestFirst(const std::vector<PlannerTestResult>& results,
-                              const UntilHitOptions& options) {
+std::vector<Hit> severestFirst(const std::vector<PlannerTestResult>& results,
+                               const UntilHitOptions& options) {
   std::vector<Hit> hits;
   for (std::size_t i = 0; i < results.size(); ++i) {
     for (const PlannerRow& row : results[i].rows) {
@@ -39,7 +39,7 @@ std::vector<Hit> hardestFirst(const std::vector<PlannerTestResult>& results,
     }
   }
   std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
-    return a.contact().impact_speed > b.contact().impact_speed;
+    return isMoreSevere(a.contact(), b.contact());
   });
   return hits;
 }
@@ -50,7 +50,7 @@ std::vector<Weakness> findWeaknesses(const std::vector<PlannerTestResult>& resul
                                      const std::function<Manoeuvre(std::size_t)>& manoeuvreOf,
                                      const UntilHitOptions& options) {
   std::vector<Weakness> weaknesses;
-  for (const Hit& hit : hardestFirst(results, options)) {
+  for (const Hit& hit : severestFirst(results, options)) {
     const PlannerContact& contact = hit.contact();
     const Manoeuvre manoeuvre = manoeuvreOf(hit.result);
     if (isRearEndFault(contact, manoeuvre)) continue;

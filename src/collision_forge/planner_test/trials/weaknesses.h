@@ -17,14 +17,14 @@ struct Weakness {
   Manoeuvre manoeuvre = Manoeuvre::kFollowerCloses;
   bool at_fault = false;
   ContactPlace place = ContactPlace::kElsewhere;
-  std::vector<std::size_t> results;  ///< indices, the hardest impact first
+  std::vector<std::size_t> results;  ///< indices, the most severe hit first
 };
 
-/// Groups the hits in `results` into weaknesses, hardest impact first. Counts fair hits
-/// (PlannerRow::is_fair) of at least `min_impact_speed` by attackers that had not aborted, kept
-/// every limit and touched no other agent. Unless the planner is at fault, leaves out hits from
-/// behind: those into the ego's rear and all with Manoeuvre::kFollowerCloses. `manoeuvreOf` returns
-/// the requested manoeuvre of the case with a result's index.
+/// Groups the hits in `results` into weaknesses, the most severe hit first (isMoreSevere()). Counts
+/// fair hits (PlannerRow::is_fair) of at least `min_impact_speed` by attackers that had not
+/// aborted, kept every limit and touched no other agent. Unless the planner is at fault, leaves out
+/// hits from behind: those into the ego's rear and all with Manoeuvre::kFollowerCloses.
+/// `manoeuvreOf` returns the requested manoeuvre of the case with a result's index.
 std::vector<Weakness> findWeaknesses(const std::vector<PlannerTestResult>& results,
                                      const std::function<Manoeuvre(std::size_t)>& manoeuvreOf,
                                      const UntilHitOptions& options);

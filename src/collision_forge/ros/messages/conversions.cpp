@@ -655,6 +655,39 @@ void setPlans(const std::vector<AttackerPlan>& plans, collision_forge::Attack& m
   message.report.decision = last.reason;
 }
 
+static CrashEffect fromMessage(const collision_forge::CrashEffect& message) {
+  return {message.delta_v, message.force_from, message.yaw_rate_change, message.mais2,
+          message.mais3,   message.curve,      message.least_class,     message.most_class};
+}
+
+collision_forge::CrashEffect toMessage(const CrashEffect& effect) {
+  collision_forge::CrashEffect message;
+  message.delta_v = effect.delta_v;
+  message.force_from = effect.force_from;
+  message.yaw_rate_change = effect.yaw_rate_change;
+  message.mais2 = effect.mais2;
+  message.mais3 = effect.mais3;
+  message.curve = effect.curve;
+  message.least_class = static_cast<std::uint8_t>(effect.least_class);
+  message.most_class = static_cast<std::uint8_t>(effect.most_class);
+  return message;
+}
+
+static CarefulDrive fromMessage(const collision_forge::CarefulDrive& message) {
+  CarefulDrive drive{message.driver, static_cast<bool>(message.avoids), {}};
+  if (message.brakes) drive.brakes_at = message.brakes_at.toSec();
+  return drive;
+}
+
+collision_forge::CarefulDrive toMessage(const CarefulDrive& drive) {
+  collision_forge::CarefulDrive message;
+  message.driver = drive.driver;
+  message.avoids = drive.avoids;
+  message.brakes = drive.brakes_at.has_value();
+  if (drive.brakes_at) message.brakes_at = stampOf(*drive.brakes_at);
+  return message;
+}
+
 CollisionReport fromMessage(const collision_forge::CollisionReport& message) {
   CollisionReport report;
   report.contact = message.contact;
@@ -667,8 +700,13 @@ CollisionReport fromMessage(const collision_forge::CollisionReport& message) {
     report.attacker_side = wordIn(message.attacker_side, "attacker_side", sideFromString);
     report.impact_speed = message.impact_speed;
     report.overlap = message.overlap;
+    report.severity = {fromMessage(message.ego_effect), fromMessage(message.attacker_effect),
+                       message.energy_lost};
     report.manoeuvre = wordIn(message.manoeuvre, "manoeuvre", manoeuvreFromString);
     report.manoeuvre_begin = message.manoeuvre_begin.toSec();
+  }
+  for (const collision_forge::CarefulDrive& drive : message.careful_drivers) {
+    report.careful_drivers.push_back(fromMessage(drive));
   }
   report.type_kept = message.type_kept;
   report.on_time = message.on_time;
@@ -701,8 +739,14 @@ collision_forge::CollisionReport toMessage(const CollisionReport& report,
     message.attacker_side = toString(report.attacker_side);
     message.impact_speed = report.impact_speed;
     message.overlap = report.overlap;
+    message.energy_lost = report.severity.energy_lost;
+    message.ego_effect = toMessage(report.severity.ego);
+    message.attacker_effect = toMessage(report.severity.other);
     message.manoeuvre = toString(report.manoeuvre);
     message.manoeuvre_begin = stampOf(report.manoeuvre_begin);
+  }
+  for (const CarefulDrive& drive : report.careful_drivers) {
+    message.careful_drivers.push_back(toMessage(drive));
   }
   message.type_kept = report.type_kept;
   message.on_time = report.on_time;

@@ -5,9 +5,11 @@
 #include <collision_forge/Attack.h>
 #include <collision_forge/AttackerTrajectory.h>
 #include <collision_forge/AttackerWay.h>
+#include <collision_forge/CarefulDrive.h>
 #include <collision_forge/CollisionPattern.h>
 #include <collision_forge/CollisionReport.h>
 #include <collision_forge/CollisionRequest.h>
+#include <collision_forge/CrashEffect.h>
 #include <collision_forge/EgoVehicle.h>
 #include <collision_forge/EncodedScene.h>
 #include <collision_forge/Future.h>
@@ -117,6 +119,9 @@ inline bool isNone(const collision_forge::Attack& attack) {
 /// times that do not increase, and a past that contradicts `added`.
 AttackerTrajectory fromMessage(const collision_forge::AttackerTrajectory& message);
 collision_forge::AttackerTrajectory toMessage(const AttackerTrajectory& trajectory);
+
+collision_forge::CrashEffect toMessage(const CrashEffect& effect);
+collision_forge::CarefulDrive toMessage(const CarefulDrive& drive);
 
 collision_forge::CollisionReport toMessage(const CollisionReport& report,
                                            const std::string& attacker_id, double now);

@@ -15,6 +15,9 @@ void fillContact(const PlannerContact& contact, collision_forge::PlannerOutcome&
   message.ego_side = toString(contact.ego_side);
   message.other_side = toString(contact.other_side);
   message.impact_speed = contact.impact_speed;
+  message.energy_lost = contact.severity.energy_lost;
+  message.ego_effect = toMessage(contact.severity.ego);
+  message.other_effect = toMessage(contact.severity.other);
   message.cause = toString(contact.cause);
   message.at_fault = contact.at_fault;
 }
@@ -82,6 +85,9 @@ collision_forge::PlannerOutcome toMessage(const PlannerTrial& trial, const std::
   }
   message.failure = toString(outcome.failure);
   message.failure_message = outcome.failure_message;
+  for (const CarefulDrive& drive : outcome.careful_drivers) {
+    message.careful_drivers.push_back(toMessage(drive));
+  }
   message.duration = outcome.duration;
   message.collided = outcome.contact.has_value();
   if (outcome.contact) fillContact(*outcome.contact, message);

@@ -6,8 +6,26 @@
 
 #include "collision_forge/base/scene/number_words.h"
 #include "collision_forge/base/scene/track.h"
+#include "collision_forge/ros/messages/conversions.h"
 
 namespace forge {
+namespace {
+
+std::string severityText(const collision_forge::CollisionReport& report) {
+  const CrashSeverity severity = fromMessage(report).severity;
+  const std::string injury = injuryText(severity.worse());
+  return "ego's delta-v " + deltaVText(severity.ego) + (injury.empty() ? "" : ", " + injury);
+}
+
+std::string avoidanceText(const std::vector<collision_forge::CarefulDrive>& drives) {
+  std::string names;
+  for (const collision_forge::CarefulDrive& drive : drives) {
+    if (drive.avoids) names += (names.empty() ? "" : ", ") + drive.driver;
+  }
+  return "avoided by " + (names.empty() ? "no careful driver" : names);
+}
+
+}  // namespace
 
 std::string lineOf(const collision_forge::CollisionReport& report) {
   if (!report.contact) return "no contact";
@@ -19,12 +37,13 @@ std::string lineOf(const collision_forge::CollisionReport& report) {
        << (report.contact_time - now).toSec() << " s from now, relative heading "
        << report.relative_heading * kDegrees << " degrees, attacker's " << report.attacker_side
        << " to ego's " << report.ego_side << ", impact speed " << report.impact_speed
-       << " m/s, overlap " << 100.0 * report.overlap << " %, "
+       << " m/s, overlap " << 100.0 * report.overlap << " %, " << severityText(report) << ", "
        << (report.limits_kept ? "limits kept" : report.broken_limit)
        << (report.first_other_id.empty() ? "" : ", touches " + report.first_other_id + " first")
        << ", " << 100.0 * report.off_road_share << " % off road, " << report.manoeuvre << " from "
        << (report.manoeuvre_begin - now).toSec() << " s on, "
        << (report.believable ? "believable" : "not believable: it " + report.unbelievable);
+  if (!report.careful_drivers.empty()) line << ", " << avoidanceText(report.careful_drivers);
   return line.str();
 }
 

@@ -1,6 +1,7 @@
 // Details of one row: the top view, the timelines and the data in the files.
 import {stateAt} from './geometry.js';
 import {continued, motionOf} from './records.js';
+import {avoidance, carefulEntries, severityEntries} from './severity.js';
 import {Timelines} from './timelines.js';
 import {TopView} from './top_view.js';
 import {OUTCOME_NOTES, amount, degrees, element, title} from './words.js';
@@ -136,6 +137,7 @@ function reportList(name, report) {
     ['Heading', amount(degrees(report.relative_heading), 0, '°') + ' to the ego', held(report.type_kept)],
     ['Sides', `ego ${report.ego_side}, attacker ${report.attacker_side}, overlap ${percent(report.overlap)}`],
     ['Impact speed', amount(report.impact_speed, 1, 'm/s')],
+    ...severityEntries(report.severity, 'attacker'),
     ['Manoeuvre', title(report.manoeuvre) + ' from ' + amount(report.manoeuvre_begin_t, 1, 's')],
     ['Limits', report.limits_kept ? 'all kept' : report.broken_limit, held(report.limits_kept)],
     ['Other agents touched', report.first_other || 'none', held(!report.first_other)],
@@ -201,11 +203,6 @@ function planList(plans) {
     title(plan.phase) + (plan.reason ? ': ' + plan.reason : '')]));
 }
 
-function avoidance(summary) {
-  const {last} = summary;
-  return last ? `by ${last.manoeuvre}, up to ${amount(last.start_t, 1, 's')} after t0` : 'none found';
-}
-
 function testList(test) {
   const {contact} = test;
   return list('Planner', [
@@ -214,6 +211,7 @@ function testList(test) {
       + amount(contact.t, 2, 's') : 'none', held(!contact)],
     contact && ['Where', `ego ${contact.ego_side}, other ${contact.other_side}, ${contact.place}`],
     contact && ['Impact speed', amount(contact.impact_speed, 1, 'm/s')],
+    ...(contact ? severityEntries(contact.severity, 'other agent') : []),
     contact && ['Speed of the ego', amount(contact.ego_speed, 1, 'm/s')],
     contact && ['At fault', `${yesOrNo(contact.at_fault)} (${contact.cause})`, held(!contact.at_fault)],
     ['Avoidable', avoidance(test.avoidability)],
@@ -311,6 +309,8 @@ export class Detail {
       test && testList(test),
       attack && attack.recorded ? reportList('In the recording', attack.recorded) : null,
       attack && reportList(attack.recorded ? 'As generated' : 'Attack', attack.report),
+      list('Careful drivers in the ego\'s place',
+        carefulEntries(test ? test.careful_drivers : attack ? attack.report.careful_drivers : [])),
       attack && limitList(attack, this.world),
       attack && planList((test && test.drive && test.drive.plans) || attack.plans),
       shell && commandList(shell.commands),

@@ -10,7 +10,8 @@ import re
 import sys
 from pathlib import Path
 
-MODULES = ('words', 'records', 'geometry', 'table', 'filters', 'overview', 'top_view', 'timelines', 'detail', 'main')
+MODULES = ('words', 'records', 'geometry', 'table', 'filters', 'overview', 'top_view', 'timelines', 'severity',
+           'detail', 'main')
 FOLDER = Path(__file__).parent
 
 

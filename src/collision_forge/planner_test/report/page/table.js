@@ -6,6 +6,8 @@ const ROW_HEIGHT = 34; // pixels, as in the style
 const hasTests = (rows, list) => list.some((row) => rows.isTest(row));
 const hasAttacks = (rows, list) => !hasTests(rows, list);
 
+const percentOf = (share) => share && 100 * share;
+
 // Widths in rem. `isShown(rows, list)` returns whether the table of the rows in `list` has the column.
 const COLUMNS = [
   {key: 'name', title: 'Line', wide: true, width: 7.4},
@@ -21,10 +23,13 @@ const COLUMNS = [
   {key: 'class', title: 'Attacker', show: title, wide: true, width: 6.6, isShown: hasAttacks},
   {key: 'contact_t', title: 'Contact', unit: 's', digits: 2, wide: true, width: 6.2},
   {key: 'impact_speed', title: 'Impact', unit: 'm/s', digits: 1, width: 6.8},
+  {key: 'delta_v', title: 'Delta-v', unit: 'm/s', digits: 1, wide: true, width: 6.8},
+  {key: 'mais3', title: 'MAIS 3+', unit: '%', digits: 1, width: 7, of: percentOf},
   {key: 'heading', title: 'Heading', unit: '°', digits: 0, wide: true, width: 6.4, of: degrees},
   {key: 'avoidable', title: 'Avoidable', show: title, wide: true, width: 6, isShown: hasTests},
+  {key: 'avoided_by', title: 'Avoided by', wide: true, width: 12},
   {key: 'confidence', title: 'Confidence', unit: '%', digits: 0, wide: true, width: 8.2,
-    of: (share) => share && 100 * share, isShown: hasAttacks},
+    of: percentOf, isShown: hasAttacks},
   {key: 'message', title: 'Reason', wide: true},
 ];
 const LAST_WIDTH = 4.5; // rem, at least

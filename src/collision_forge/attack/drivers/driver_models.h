@@ -1,0 +1,122 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace forge {
+
+/// Models of a careful driver or system that brakes and does not steer.
+enum class DriverModel {
+  kCcDriver,    ///< competent and careful human driver of UN R157, annex 4, appendix 3
+  kR157System,  ///< least performance of a system, UN R157 5.2.5.2
+  kRss,         ///< Responsibility-Sensitive Safety, arXiv 1708.06374
+  kFsm,         ///< Fuzzy Safety Model, Mattas 2020, Accident Analysis and Prevention 148:105794
+};
+inline constexpr DriverModel kDriverModels[] = {DriverModel::kCcDriver, DriverModel::kR157System,
+                                                DriverModel::kRss, DriverModel::kFsm};
+/// Returns "cc_driver", "r157_system", "rss" or "fsm".
+const char* toString(DriverModel model);
+/// Returns nothing for an unknown name.
+std::optional<DriverModel> driverModelFromString(const std::string& name);
+
+/// Parameters of the models. The defaults have the values of the publications, as ec-jrc/JRC-FSM
+/// and esmini's ControllerALKS_R157SM code them; tests use others.
+struct DriverOptions {
+  // Competent and careful driver
+  double wandering_zone = 0.375;  ///< m from the middle of its lane; farther, an agent cuts in
+  double risk_evaluation = 0.4;   ///< s of a cut-in or of hard braking until the driver sees it
+  double cc_delay = 0.75;         ///< s from then on until the driver brakes
+  double release = 0.4;           ///< m/s2 in the delay: the foot leaves the accelerator
+  double full_braking = 0.774 * 9.81;  ///< m/s2, also of RSS; no model brakes harder
+  double jerk = 12.65;                 ///< m/s3 to it, also of RSS and FSM
+  double critical_ttc = 2.0;           ///< s to a contact, above which there is no risk
+  double critical_headway = 2.0;       ///< s behind a vehicle that brakes hard
+  double hard_braking = 5.0;           ///< m/s2 of the vehicle ahead
+  // System
+  double system_lateral_gap = 0.5;  ///< m beside the ego's box
+  double system_delay = 0.35;       ///< s
+  double system_braking = 6.0;      ///< m/s2
+  double system_margin = 0.1;       ///< s that JRC-FSM adds to the time of the regulation
+  // RSS
+  double rss_delay = 0.75;        ///< s
+  double rss_acceleration = 3.0;  ///< m/s2 of the ego in the delay
+  double rss_braking = 6.0;       ///< m/s2 of both vehicles
+  double rss_lateral_gap = 0.3;   ///< m
+  double rss_lateral = 1.0;       ///< m/s2 to the side
+  // FSM
+  double fsm_delay = 0.75;          ///< s
+  double fsm_comfortable = 4.0;     ///< m/s2
+  double fsm_hardest = 6.0;         ///< m/s2 of the ego
+  double fsm_leader = 7.0;          ///< m/s2 of the vehicle ahead
+  double fsm_margin = 2.0;          ///< m, kept when both stand, and once more in the safe distance
+  double fsm_passing_margin = 0.1;  ///< s
+  // Choices of this project, for what the models leave open
+  double same_direction =
+      0.785;  ///< rad between headings, up to which an agent drives the same way
+  double conflict_horizon = 3.0;  ///< s to a contact with crossing or oncoming agents; see Approach
+};
+
+/// Observation of one other agent by a driver, along and across the ego's path.
+struct Approach {
+  double gap = 0.0;            ///< m between the boxes along the path, < 0 side by side
+  double lengths = 0.0;        ///< m, sum of the lengths of both boxes
+  bool is_ahead = true;        ///< its middle is ahead of the ego's
+  double lateral_gap = 0.0;    ///< m between the boxes across the path, < 0 if it is in the way
+  double lateral_speed = 0.0;  ///< m/s towards the path
+  double deviation = 0.0;      ///< m from the middle of its lane towards the path
+  double speed = 0.0;          ///< m/s along the path
+  double braking = 0.0;        ///< m/s2 along the path
+  bool is_same_direction = true;
+  /// For agents of other directions: at constant velocities there is a contact within
+  /// `conflict_horizon`. All models react to it, with their own delay and full braking.
+  bool is_conflict = false;
+};
+
+/// Returns the least following distance (m) at `speed` (m/s): UN R157 5.2.3.3.
+double r157Distance(double speed);
+
+/// Returns the proactive fuzzy safety metric, 0 (safe) to 1; `gap` in m, speeds in m/s.
+double proactiveFuzzy(double gap, double ego_speed, double leader_speed,
+                      const DriverOptions& options);
+
+/// Returns the critical fuzzy safety metric, 0 (safe) to 1; `acceleration` of the ego in m/s2.
+double criticalFuzzy(double gap, double ego_speed, double leader_speed, double acceleration,
+                     const DriverOptions& options);
+
+/// One driver, step by step. The driver keeps its speed until the model reacts; the CC driver then
+/// brakes to a stop, the other models brake while the situation is unsafe.
+class CarefulDriver {
+ public:
+  explicit CarefulDriver(DriverModel model, const DriverOptions& options = {})
+      : model_(model), options_(options) {}
+
+  /// Returns the deceleration (m/s2, >= 0) of the next `step` seconds; empty until the driver
+  /// reacts. `approach`: the agent that matters; empty if there is none. `speed` (m/s) is the
+  /// ego's.
+  std::optional<double> decelerate(const std::optional<Approach>& approach, double speed,
+                                   double step);
+
+  /// Returns whether the driver brakes, after its delay.
+  bool isBraking() const { return is_braking_; }
+
+ private:
+  bool isUnsafe(const Approach& approach, double speed, double step);
+  bool seesRisk(const Approach& approach, double speed, double step);
+  bool isRssUnsafe(const Approach& approach, double speed) const;
+  bool isFuzzyUnsafe(const Approach& approach, double speed);
+  double delay() const;
+  double brakingOf(double step) const;
+
+  DriverModel model_;
+  DriverOptions options_;
+  std::optional<double> last_speed_;  ///< m/s
+  double acceleration_ = 0.0;         ///< m/s2 of the last step
+  double evaluated_ = 0.0;            ///< s that the CC driver has evaluated the risk
+  double waited_ = 0.0;               ///< s of the delay
+  double fuzzy_braking_ = 0.0;        ///< m/s2 that FSM wants
+  double deceleration_ = 0.0;         ///< m/s2
+  bool has_reacted_ = false;
+  bool is_braking_ = false;
+};
+
+}  // namespace forge

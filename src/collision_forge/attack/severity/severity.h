@@ -1,0 +1,31 @@
+#pragma once
+
+#include "collision_forge/attack/severity/impact.h"
+#include "collision_forge/attack/severity/options.h"
+#include "collision_forge/base/scene/crash_severity.h"
+#include "collision_forge/base/scene/track.h"
+
+namespace forge {
+
+/// A vehicle or person at the contact time.
+struct CrashedVehicle {
+  AgentClass agent_class = AgentClass::kCar;
+  BoxSize size;
+  AgentState state;  ///< box centre, global map frame
+};
+
+/// Returns the party as a rigid body with its mass at the box centre and without yaw rate.
+ImpactBody bodyOf(const CrashedVehicle& party, const SeverityOptions& options);
+
+/// Returns the impact of two parties at their first touch: planarImpact() at the middle of the
+/// overlap after `engagement`, or at touchPoint() if they do not overlap then. The normal belongs
+/// to the touched face; if both are touched in front or at the rear, it is the mean of both faces.
+/// Throws as planarImpact().
+Impact impactOf(const CrashedVehicle& first, const CrashedVehicle& second,
+                const SeverityOptions& options);
+
+/// Returns the severity of a crash from the states at the first touch. Throws as planarImpact().
+CrashSeverity severityOf(const CrashedVehicle& ego, const CrashedVehicle& other,
+                         const SeverityOptions& options);
+
+}  // namespace forge

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace forge {
+
+/// Returns `time` - `now` in s, rounded to 1 us.
+double fromNow(double time, double now);
+
+}  // namespace forge
