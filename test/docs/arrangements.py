@@ -18,7 +18,7 @@ NOT_RUN = [
     (r'^forge study train\b|ablate_heads|^cat RUN', 'trains for hours, or takes what was trained'),
     (r'venv/bin', 'wants a torch from the network'),
     (r'^mpirun|^build-training', 'wants several machines, or another libtorch'),
-    (r'YOUR_BAGS', 'wants bags of another stack'),
+    (r'YOUR_(BAGS|ROS2_BAG)|--source drive\.bag', 'wants bags of another stack'),
 ]
 
 # What is run otherwise: a pattern and what takes its place.
