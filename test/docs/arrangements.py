@@ -17,7 +17,7 @@ NOT_RUN = [
     (r'--collide (DIR|COLLIDE|out/set)\b', 'wants the data set COLLIDE, or a data set of many scenes'),
     (r'^forge study train\b|^cat RUN', 'trains for hours, or takes what was trained'),
     (r'venv/bin', 'wants a torch from the network'),
-    (r'YOUR_BAGS', 'wants bags of another stack'),
+    (r'YOUR_(BAGS|ROS2_BAG)|--source drive\.bag', 'wants bags of another stack'),
 ]
 
 # What is run otherwise: a pattern and what takes its place.

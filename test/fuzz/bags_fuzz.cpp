@@ -8,11 +8,29 @@
 #include "fuzz/targets.h"
 
 namespace forge {
+namespace {
+
+TopicMapping mappingOfObjects() {
+  return readTopicMapping(COLLISION_FORGE_SOURCE_DIR "/config/topics_derived_object.yaml");
+}
+
+/// The ego's pose from a chain of transforms, agents in any frame.
+TopicMapping mappingOfTransforms() {
+  TopicMapping mapping = mappingOfObjects();
+  mapping.map_frame = "world";
+  mapping.ego.fields.topic = "/tf";
+  mapping.ego.fields.type = "tf2_msgs/TFMessage";
+  mapping.ego.in_transforms = true;
+  mapping.agents.fields.frame_id.clear();
+  return mapping;
+}
+
+}  // namespace
 
 /// A bag, of this suite or of others.
 bool fuzzBags(const std::string& input) {
-  static const TopicMapping mapping =
-      readTopicMapping(COLLISION_FORGE_SOURCE_DIR "/config/topics_derived_object.yaml");
+  static const TopicMapping objects = mappingOfObjects();
+  static const TopicMapping transforms = mappingOfTransforms();
   const InputFolder folder;
   const std::string path = folder.write("input.bag", input);
   const Config& config = configuration();
@@ -23,13 +41,17 @@ bool fuzzBags(const std::string& input) {
     source.format->open(source, {{}, config, {}, {}})->read("input");
   });
   const bool is_attacked = isTaken(path, [&] { readAttack(path, config, config.crash); });
-  const bool is_foreign = isTaken(path, [&] {
-    NuScenesRecording recording = readForeignBag(path, mapping, config.ego_vehicle, &warnings);
-    keepWithin(recording, config, &warnings);
-  });
+  const auto isTakenBy = [&](const TopicMapping& mapping) {
+    return isTaken(path, [&] {
+      NuScenesRecording recording = readForeignBag(path, mapping, config.ego_vehicle, &warnings);
+      keepWithin(recording, config, &warnings);
+    });
+  };
+  const bool is_foreign = isTakenBy(objects);
+  const bool is_chained = isTakenBy(transforms);
   const bool is_copied =
       isTaken(path, [&] { exportToMcap(path, folder.path() + "/output.mcap", config); });
-  return is_ours || is_source || is_attacked || is_foreign || is_copied;
+  return is_ours || is_source || is_attacked || is_foreign || is_chained || is_copied;
 }
 
 }  // namespace forge

@@ -184,6 +184,11 @@ void writeForeign(rosbag::Bag& bag) {
   const ros::Time now = stampOf(kNow);
   bag.write("/odom", now, odometry());
   bag.write("/objects", now, toObjects(agentsAtNow()));
+  tf2_msgs::TFMessage world = egoAt(kNow);
+  world.transforms.front().header.frame_id = "world";
+  world.transforms.front().child_frame_id = names::kMapFrame;
+  bag.write("/tf_static", now, world);
+  bag.write("/tf", now, egoAt(kNow));
 }
 
 }  // namespace

@@ -88,7 +88,9 @@ TEST_P(BagCheck, SoundBagsPass) {
 }
 
 TEST_P(BagCheck, AFileThatIsNoBagIsCalledSo) {
-  for (const char* bytes : {"", "x", "no bag at all, but some bytes"}) {
+  write("");
+  EXPECT_EQ(complaint(), path_ + ": is not a ROS bag, but empty");
+  for (const char* bytes : {"x", "no bag at all, but some bytes"}) {
     write(bytes);
     EXPECT_EQ(complaint(), path_ + ": is not a ROS bag") << bytes;
   }

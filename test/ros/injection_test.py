@@ -198,6 +198,18 @@ class RecordedCrashTest(road.RoadTest):
                     self.assertIn('contact not as asked: ' if tested.contact else 'no contact', last)
         self.assertIn(3, codes)
 
+    def test_a_recording_that_ends_before_the_contact_is_reported_as_such(self):
+        short = self.path('short.bag')
+        with rosbag.Bag(self.bag(SCENE)) as bag, rosbag.Bag(short, 'w') as begin:
+            end = bag.get_start_time() + NOW + 1.0
+            for topic, message, time in bag.read_messages():
+                if time.to_sec() <= end:
+                    begin.write(topic, message, time)
+        result = road.inject(short, self.path('out.bag'), 'rear_end', 4.0, NOW, '--mode', 'history')
+        self.assertEqual(result.returncode, 3, result.stderr)
+        self.assertRegex(result.stdout, r'against the recording: it ends \d\.\d\d s from now, before the contact\n')
+        self.assertIn(': the recording ends before the contact', result.stderr.splitlines()[-1])
+
     def test_by_default_the_recorded_future_is_known(self):
         out = self.path('out.bag')
         result = road.inject(self.bag(SCENE), out, 'rear_end', 4.0, NOW)

@@ -53,7 +53,9 @@ TEST(ReadTopicMapping, DerivedObjectsHaveTheirPlaces) {
   EXPECT_EQ(mapping.ego.fields.frame_id, "map");
   EXPECT_EQ(mapping.ego.fields.frame_id_path, "header.frame_id");
   EXPECT_EQ(mapping.ego.reference, EgoReference::kBaseLink);
-  EXPECT_EQ(mapping.ego.child_frame_id, "");
+  EXPECT_EQ(mapping.map_frame, "map");
+  EXPECT_EQ(mapping.ego.child_frame_id, "base_link");
+  EXPECT_FALSE(mapping.ego.in_transforms);
   EXPECT_EQ(pathOf(mapping.ego.pose.position[2]), "pose.pose.position.z");
   EXPECT_EQ(pathOf(std::get<0>(mapping.ego.pose.orientation)[3]), "pose.pose.orientation.w");
   const AgentsMapping& agents = mapping.agents;
@@ -72,30 +74,34 @@ TEST(ReadTopicMapping, DerivedObjectsHaveTheirPlaces) {
   EXPECT_EQ(pathOf(agents.velocity->velocity[0]), "objects[].twist.linear.x");
 }
 
-TEST(ReadTopicMapping, TransformsHaveTheirPlacesByTheirType) {
+TEST(ReadTopicMapping, TransformsNeedNoFieldsButTheFrameOfTheEgo) {
   const TemporaryFolder folder;
   std::stringstream content;
   content << std::ifstream(shipped("derived_object")).rdbuf();
   const std::string text = content.str();
   const std::string agents = text.substr(text.find("\nagents:"));
-  const std::string ego =
-      "ego: {topic: /tf, type: tf2_msgs/TFMessage, frame_id: map, reference: box_middle";
-  const EgoMapping read =
-      readTopicMapping(folder.write("mapping.yaml", ego + ", child_frame_id: car}" + agents)).ego;
-  EXPECT_EQ(read.child_frame_id, "car");
-  EXPECT_EQ(read.child_frame_id_path, "transforms[].child_frame_id");
-  EXPECT_EQ(read.fields.stamp, "transforms[].header.stamp");
-  EXPECT_EQ(read.fields.frame_id_path, "transforms[].header.frame_id");
-  EXPECT_EQ(pathOf(read.pose.position[0]), "transforms[].transform.translation.x");
-  EXPECT_EQ(pathOf(std::get<0>(read.pose.orientation)[0]), "transforms[].transform.rotation.x");
-  EXPECT_EQ(read.reference, EgoReference::kBoxMiddle);
-  EXPECT_THROW(readTopicMapping(folder.write("mapping.yaml", ego + "}" + agents)), ConfigError);
+  const auto read = [&](const std::string& ego) {
+    return readTopicMapping(
+        folder.write("mapping.yaml",
+                     "map_frame: world\nego: {type: tf2_msgs/TFMessage, reference: box_middle, " +
+                         ego + "}" + agents));
+  };
+  const TopicMapping mapping = read("topic: /car/tf, frame_id: world, child_frame_id: car");
+  EXPECT_TRUE(mapping.ego.in_transforms);
+  EXPECT_EQ(mapping.transformTopic(), "/car/tf");
+  EXPECT_EQ(mapping.map_frame, "world");
+  EXPECT_EQ(mapping.ego.child_frame_id, "car");
+  EXPECT_EQ(mapping.ego.reference, EgoReference::kBoxMiddle);
+  EXPECT_THROW(read("topic: /tf"), ConfigError) << "child_frame_id is missing";
+  EXPECT_THROW(read("topic: /tf, frame_id: odom, child_frame_id: car"), ConfigError);
 }
 
 TEST(ReadTopicMapping, WhatMayBeLeftOutOrOtherwise) {
   EXPECT_FALSE(spoilt("  velocity: {frame: map, vector: twist.linear}\n", "").agents.velocity);
   EXPECT_EQ(spoilt("  frame_id: map\n", "").ego.fields.frame_id, "");
-  EXPECT_EQ(spoilt("  frame_id: map\n", "  stamp: time\n").ego.fields.stamp, "time");
+  const TopicFields headless = spoilt("  frame_id: map\n", "  stamp: time\n").ego.fields;
+  EXPECT_EQ(headless.stamp, "time");
+  EXPECT_EQ(headless.frame_id_path, "") << "such a message may have no header";
 }
 
 TEST(ReadTopicMapping, EachNumberOfAPoseOrVelocityMayHaveAFieldOfItsOwn) {

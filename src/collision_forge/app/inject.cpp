@@ -14,8 +14,10 @@
 #include "collision_forge/attack/search/alternatives.h"
 #include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/attack/search/request_check.h"
+#include "collision_forge/attack/verify/untested_contact.h"
 #include "collision_forge/attack/verify/verification.h"
 #include "collision_forge/base/files/output_lock.h"
+#include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/io/batch/printable.h"
 #include "collision_forge/io/batch/progress_line.h"
 #include "collision_forge/io/drawing/draw_scenario.h"
@@ -50,7 +52,9 @@ struct Arguments {
 };
 
 /// Returns a sentence on the content of the output bag after the contact with the recorded ego.
-std::string aftermathOf(AfterContact after, bool has_contact, const AttackedBagOptions& options) {
+std::string aftermathOf(AfterContact after, bool has_contact, bool is_untested,
+                        const AttackedBagOptions& options) {
+  if (is_untested) return "the bag ends before the contact; the ego drives as recorded";
   if (!has_contact) return "no contact: the bag continues, the ego drives as recorded";
   std::ostringstream text;
   text << "after the contact: ";
@@ -70,12 +74,14 @@ std::string aftermathOf(AfterContact after, bool has_contact, const AttackedBagO
 }
 
 /// Returns the exit code after the bag was written. If the attack does not hit the recorded ego as
-/// requested, prints the difference on stderr.
-int exitCodeOf(const collision_forge::CollisionReport& tested, const Arguments& arguments) {
+/// requested, prints the difference on stderr. `is_untested`: endsBeforeContact().
+int exitCodeOf(const collision_forge::CollisionReport& tested, bool is_untested,
+               const Arguments& arguments) {
   if (tested.verified) return kExitOk;
   std::cout.flush();
   std::cerr << "NOT_AS_ASKED: " << printable(arguments.out)
-            << " does not show the requested collision: " << outcomeWords(tested)
+            << " does not show the requested collision: "
+            << (is_untested ? "the recording ends before the contact" : outcomeWords(tested))
             << (arguments.mode == Mode::kReplay ? "" : " (--mode replay uses the recorded future)")
             << "\n";
   return kExitNoAttack;
@@ -212,10 +218,17 @@ int inject(const Arguments& arguments) {
   if (tested.contact) tested.careful_drivers = driveCarefully(*moment.recorded, attack.trajectory);
   const BagAttack written = writeAttackedBag({attack, plans, tested, request, now}, scene,
                                              maker.name(), arguments, config);
+  const Track& recorded_ego = moment.recorded->ego;
+  const bool is_untested = endsBeforeContact(recorded_ego, attack.pattern, tested);
   std::cout << "now: " << now - scene.frame_times.front() << " s from the first frame\n"
             << "generated: " << summaryOf(written.attack) << "\n"
-            << "against the recording: " << lineOf(written.tested_report) << "\n";
-  std::cout << aftermathOf(arguments.after_contact, tested.contact, config.attacked_bag)
+            << "against the recording: "
+            << (is_untested ? formatted("it ends %.2f s from now, before the contact",
+                                        recorded_ego.states.back().time - now)
+                            : lineOf(written.tested_report))
+            << "\n"
+            << aftermathOf(arguments.after_contact, tested.contact, is_untested,
+                           config.attacked_bag)
             << "\nwrote " << arguments.out << "\n";
   if (!arguments.draw.empty()) {
     ScenarioView view{scene.name,       request.tta,    request.mode,      moment.snapshot,
@@ -228,7 +241,7 @@ int inject(const Arguments& arguments) {
     drawScenarioGif(arguments.draw + ".gif", view, config.drawing);
     std::cout << "wrote " << arguments.draw << ".png\nwrote " << arguments.draw << ".gif\n";
   }
-  return exitCodeOf(written.tested_report, arguments);
+  return exitCodeOf(written.tested_report, is_untested, arguments);
 }
 
 }  // namespace

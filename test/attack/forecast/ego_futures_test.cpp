@@ -161,6 +161,27 @@ TEST(EgoFutures, AStandingEgoStandsOrSetsOff) {
   }
 }
 
+TEST(EgoFutures, AReversingEgoContinuesToReverseOrStops) {
+  const Pose2 pose{-100, 0, 0.03};
+  const auto tracks = sampleOn(twoLaneRoad(), pose, -2.0, evenDrivers());
+  ASSERT_EQ(tracks.size(), static_cast<std::size_t>(kCount));
+  expectSane(tracks, pose);
+  int reversing = 0;
+  int standing = 0;
+  for (const Track& track : tracks) {
+    const AgentState& last = track.states.back();
+    for (const AgentState& state : track.states) {
+      EXPECT_LE(state.pose.heading().dot(state.velocity), 1e-6) << "never ahead";
+    }
+    EXPECT_LT(last.pose.x, pose.x);
+    EXPECT_NEAR(last.pose.yaw, pose.yaw, 0.8);
+    reversing += last.velocity.norm() > 0.5;
+    standing += last.velocity.norm() < 0.1;
+  }
+  EXPECT_GE(reversing, kCount / 4);
+  EXPECT_GE(standing, kCount / 3);
+}
+
 TEST(EgoFutures, RejectInvalidArguments) {
   const KinematicEgoFutures sampler(kOptions, nullptr);
   Snapshot snapshot = snapshotOf(pastTrack(kEgoId, kEgoSize, {0, 0, 0}, 5.0), {}, twoLaneRoad());

@@ -93,6 +93,20 @@ TEST(NetworkEgoFutures, DistancesUseTheKnownType) {
   expectSpread(sampled(network, snapshot, 0, CollisionType::kRearEnd), with_type);
 }
 
+TEST(NetworkEgoFutures, AReversingEgoReversesAsWithoutTheNetwork) {
+  Snapshot snapshot = junctionSnapshot();
+  for (AgentState& state : snapshot.ego.states) state.pose.yaw = wrapAngle(state.pose.yaw + M_PI);
+  const auto tracks = sampled(networkOf(modestWeights()), snapshot);
+  const auto expected = KinematicEgoFutures(shippedEgoFutureOptions(), nullptr)
+                            .sample(snapshot, lanesOf(snapshot), kHorizon, kCount, 0);
+  ASSERT_EQ(tracks.size(), expected.size());
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    const AgentState& last = tracks[i].states.back();
+    EXPECT_EQ(last.pose.x, expected[i].states.back().pose.x);
+    EXPECT_LE(last.pose.heading().dot(last.velocity), 1e-6);
+  }
+}
+
 TEST(NetworkEgoFutures, NeverDriveBackwards) {
   const Snapshot snapshot = junctionSnapshot();
   for (const Track& track : sampled(networkOf(randomWeights(5)), snapshot)) {

@@ -116,6 +116,24 @@ TEST(InputLimits, ChecksEgoAndFramesOfAScene) {
               StartsWith("log: lane \"a\""));
 }
 
+TEST(InputLimits, StampsOfAnotherUnitOrClockAreAnError) {
+  const auto everyStates = [](Scene& scene, double interval) {
+    scene.ego.states.resize(4, scene.ego.states.front());
+    for (int i = 0; i < 4; ++i) scene.ego.states[i].time = 10.0 + interval * i;
+  };
+  EXPECT_THAT(errorOfScene([&](Scene& scene) { everyStates(scene, 50.0); }),
+              StartsWith("log: ego: the median interval of its states, 50 s, is outside 0.0002 to "
+                         "1.1 s: check the unit of the stamps"));
+  EXPECT_THAT(errorOfScene([&](Scene& scene) { everyStates(scene, 5e-5); }), HasSubstr("the unit"));
+  EXPECT_EQ(errorOfScene([&](Scene& scene) { everyStates(scene, 1.0); }), "");
+  EXPECT_EQ(
+      errorOfScene([](Scene& scene) {
+        scene.frame_times = {1000.0, 1000.5};
+      }),
+      "log: stamps of agents (1000 to 1000.5 s) and of the ego (10 to 10.5 s) do not overlap: "
+      "both must have one clock");
+}
+
 TEST(InputLimits, RemovesAgentsBeyondTheLimitsWithAWarningPerKind) {
   Scene spoilt = scene();
   spoilt.agents.push_back(car("d"));

@@ -187,6 +187,36 @@ TEST(CollideExport, RoundTrippedClipCollidesUnderThePublishedProtocol) {
   EXPECT_NEAR(0.1 * (outcome.step - 5 * kCollideNowFrame), contact, 0.1 + 0.04);
 }
 
+/// The recording with another rate: ego and agents in frames `interval` s apart, one of them at t0.
+Scene recordedEvery(double interval) {
+  Scene scene = recording();
+  const double now = frameTime(kNow);
+  const int before = static_cast<int>((now - frameTime(0)) / interval);
+  const int after = static_cast<int>((frameTime(kFrames - 1) - now) / interval);
+  scene.frame_times.clear();
+  for (int i = -before; i <= after; ++i) scene.frame_times.push_back(now + interval * i);
+  Track& attacker = scene.agents.back();
+  attacker.states.clear();
+  for (const double time : scene.frame_times) {
+    attacker.states.push_back({time, {xOfEgo(time) - kGap, 50.0, 0.0}, {kEgoSpeed, 0.0}});
+  }
+  return scene;
+}
+
+TEST(CollideExport, ARecordingAtAnotherRateIsResampledToTwoHertz) {
+  for (const double rate : {3.0, 10.0, 12.0, 25.0}) {
+    const CollideClip clip = clipOf(attack(), recordedEvery(1.0 / rate));
+    ASSERT_EQ(clip.collision_frame, kCollisionFrame) << rate;
+    for (int frame = 0; frame <= kCollisionFrame; ++frame) {
+      EXPECT_NEAR(clip.times[frame], frameTime(kNow) + 0.5 * (frame - kCollideNowFrame), 1e-3);
+      EXPECT_NEAR(clip.ego().frames[frame]->pose.x, xOfEgo(clip.times[frame]), 1e-5) << rate;
+    }
+    EXPECT_NEAR(clip.attacker().frames[0]->pose.x, xOfEgo(clip.times[0]) - kGap, 1e-5) << rate;
+    EXPECT_NEAR(clip.attacker().frames[kCollisionFrame]->pose.x, 100.0 - kGap + kAttackSpeed * kTta,
+                1e-2);
+  }
+}
+
 TEST(CollideExport, ReportsWhyTheLayoutCannotHoldAnAttack) {
   Scenario early = attack();
   early.asked.now = frameTime(6);
@@ -250,8 +280,8 @@ TEST(CollideExport, ObstaclesAreCountedAndNamed) {
   exporter.add(refusal, recording(), 4);
   EXPECT_EQ(exporter.clips(), 1);
   EXPECT_EQ(exporter.complaint(),
-            "3 of 4 attacks have no clip of COLLIDE's layout: 2 with fewer than 7 frames before "
-            "now, 1 without the attacker in one of the 7 frames before now");
+            "3 of 4 attacks have no clip of COLLIDE's layout: 2 with fewer than 7 frames at 2 Hz "
+            "before now, 1 without the attacker in one of the 7 frames before now");
   EXPECT_EQ(listCollideClips(folder.path(), "val").size(), 1u);
 }
 

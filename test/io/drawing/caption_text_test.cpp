@@ -43,6 +43,8 @@ TEST(CaptionText, TheVerdictNamesTheFirstFailedCondition) {
   view.report.contact = false;
   EXPECT_EQ(verdictText(view), "no contact in the recording");
   EXPECT_EQ(verdictOf(view), Verdict::kUnwanted);
+  view.pattern.time = view.future.ego.states.back().time + 0.1;
+  EXPECT_EQ(verdictText(view), "the recording ends before the contact");
 }
 
 TEST(CaptionText, APlannerTestNamesThePlannerAndTheHit) {

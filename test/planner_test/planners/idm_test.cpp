@@ -75,6 +75,20 @@ TEST(IdmPlanner, DesiredSpeedIsTheHigherOfSpeedLimitAndEgoSpeed) {
   EXPECT_EQ(targetAt(9.0, 8.0), 9.0);
 }
 
+TEST(IdmPlanner, FollowsItsRouteBeyondTheEndOfItsLanes) {
+  auto map = emptyMap();
+  map->lanes = {straightLane("ends", {-50, 0}, {20, 0}),
+                straightLane("beside", {-50, 3.5}, {150, 3.5})};
+  DrivingTask task = straightTask();
+  task.lanes = std::make_shared<const LaneIndex>(map);
+  task.route = {{-50.0, 0.0}, {10.0, 0.0}, {30.0, 3.5}, {150.0, 3.5}};
+  IdmPlanner planner(standard(), routeOptions());
+  planner.initialize(task);
+  const auto plan = planner.plan({egoAt(10.0), {}});
+  EXPECT_GT(plan.back().pose.x, 60.0);
+  EXPECT_NEAR(plan.back().pose.y, 3.5, 0.1);
+}
+
 TEST(IdmPlanner, FollowsItsRouteWhereNoLaneIsNear) {
   DrivingTask task = straightTask();
   task.route = {{0.0, 60.0}, {0.0, 160.0}};

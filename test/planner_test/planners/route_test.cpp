@@ -29,6 +29,16 @@ TEST(Route, ContinuesStraightWhereNoLaneIsNear) {
   EXPECT_NEAR((route.back() - expected).norm(), 0.0, 1e-9);
 }
 
+TEST(Route, ContinuesStraightWhereTheLanesEnd) {
+  auto map = emptyMap();
+  map->lanes = {straightLane("ends", {-50, 0}, {40, 0})};
+  const Track recorded =
+      straightTrack(kEgoId, kEgoSize, {0.0, 0.0, 0.0}, 5.0, kNow, kNow, kNow + 4);
+  const auto route = routeOf(recorded, LaneIndex(map), options());
+  EXPECT_NEAR(route.back().x(), 20.0 + options().length_ahead, 1e-6);
+  EXPECT_NEAR(route.back().y(), 0.0, 1e-9);
+}
+
 TEST(Route, FollowsTheLaneForAStandingCar) {
   const LaneIndex lanes(twoLaneRoad());
   const Track recorded =

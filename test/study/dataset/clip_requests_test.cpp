@@ -56,6 +56,16 @@ TEST(ClipRequests, LengthsAreFramesWithinTheLimits) {
   EXPECT_THAT(clipLengths(odd), ElementsAre(10, 11));
 }
 
+TEST(ClipRequests, FasterFramesGiveTheRequestsOfTwoHertz) {
+  const auto requests = list(sceneOf(framesEvery(0.5, 20)), options());
+  const auto faster = list(sceneOf(framesEvery(1.0 / 12.0, 6 * 19 + 1)), options());
+  ASSERT_EQ(faster.size(), requests.size());
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    EXPECT_NEAR(faster[i].now, requests[i].now, 1e-9);
+    EXPECT_NEAR(faster[i].request.tta, requests[i].request.tta, 1e-9);
+  }
+}
+
 TEST(ClipRequests, EachBeginAndTypeGetsTheConfiguredNumberOfLengths) {
   // The impact is in frame 9 to 12 from the begin and has a frame after it: 20 frames hold begins 0
   // to 9; the last of them 9 alone, the one before 9 and 10.

@@ -22,6 +22,9 @@ std::vector<Track> KinematicEgoFutures::sample(const Snapshot& snapshot, const L
   if (count == 0) return tracks;
   tracks.reserve(static_cast<std::size_t>(count));
   std::mt19937_64 engine(seed);
+  if (isReversing(ego)) {
+    return reversingFutures(snapshot.ego, ego, horizon, count, options_, engine);
+  }
   const std::vector<EgoPath> paths = egoPaths(ego, lanes, horizon);
   std::vector<double> weights;
   for (const EgoPath& path : paths) weights.push_back(path.weight);

@@ -29,7 +29,7 @@ class EgoFutureSampler {
 
 /// Samples a path (egoPaths()) and a speed profile typical of the ego's situation (SpeedForecaster)
 /// per track; the lateral offset decays towards the path. Samples are stratified over paths, speeds
-/// and offsets, not independent. A reversing ego stops.
+/// and offsets, not independent. For a reversing ego: reversingFutures().
 class KinematicEgoFutures : public EgoFutureSampler {
  public:
   /// If `speeds` is null or its forecast has no columns, the acceleration at t0 (with a spread)

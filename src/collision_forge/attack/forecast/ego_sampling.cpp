@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "collision_forge/attack/forecast/kinematic_prediction.h"
+#include "collision_forge/attack/forecast/motion_estimate.h"
 #include "collision_forge/base/scene/number_words.h"
 
 namespace forge {
@@ -41,6 +43,25 @@ SpeedForecast fadingAccelerations(const std::array<double, 5>& past_speeds, int 
       forecast.speeds(i, j) = std::max(speed, 0.0);
     }
   }
+  return forecast;
+}
+
+/// Returns fadingAccelerations() and as many profiles of braking to a standstill, half of the
+/// weight each; speeds are backwards.
+SpeedForecast reversingSpeeds(const std::array<double, 5>& past_speeds, int intervals,
+                              const EgoFutureOptions& options) {
+  const SpeedForecast fading = fadingAccelerations(past_speeds, intervals, options);
+  SpeedForecast forecast;
+  forecast.speeds.resize(2 * kFadingProfiles, intervals);
+  forecast.speeds.topRows(kFadingProfiles) = fading.speeds;
+  for (Eigen::Index i = 0; i < kFadingProfiles; ++i) {
+    const double stop = kReverseStop * (static_cast<double>(i) + 0.5) / kFadingProfiles;
+    for (int j = 0; j < intervals; ++j) {
+      const double left = 1.0 - (j + 0.5) * kProfileStep / stop;
+      forecast.speeds(kFadingProfiles + i, j) = past_speeds[0] * std::max(left, 0.0);
+    }
+  }
+  forecast.weights.setConstant(2 * kFadingProfiles, 0.5 / static_cast<double>(kFadingProfiles));
   return forecast;
 }
 
@@ -161,6 +182,30 @@ Track drive(const Track& ego, const EgoNow& now, const DrivenDistance& distance,
   deriveVelocities(track);
   track.states.front().velocity = now.state.velocity;
   return track;
+}
+
+bool isReversing(const EgoNow& ego) { return ego.past_speeds[0] < -kStandstillSpeed; }
+
+std::vector<Track> reversingFutures(const Track& ego, const EgoNow& now, double horizon, int count,
+                                    const EgoFutureOptions& options, std::mt19937_64& engine) {
+  EgoNow turned = now;  // drives forwards in its direction of motion
+  turned.state.pose.yaw = wrapAngle(now.state.pose.yaw + M_PI);
+  for (double& speed : turned.past_speeds) speed = -speed;
+  const int intervals = static_cast<int>(std::ceil(horizon / kProfileStep - 1e-9));
+  const SpeedForecast forecast = reversingSpeeds(turned.past_speeds, intervals, options);
+  const auto profiles = drawProfiles(forecast, count, engine);
+  const auto turns = drawDifferences(count, options.turn_rate_spread, engine);
+  std::vector<Track> tracks;
+  for (std::size_t i = 0; i < profiles.size(); ++i) {
+    const DrivenDistance distance(turned.past_speeds[0], forecast.speeds.row(profiles[i]));
+    const SampledPath line = freePath(turned, turns[i], horizon);
+    const ReturnToPath way(line, turned, 0.0);
+    tracks.push_back(drive(ego, turned, distance, way, horizon, kPredictionStep));
+    auto& states = tracks.back().states;
+    for (AgentState& state : states) state.pose.yaw = wrapAngle(state.pose.yaw - M_PI);
+    states.front() = now.state;
+  }
+  return tracks;
 }
 
 void checkSampleArguments(double horizon, int count) {

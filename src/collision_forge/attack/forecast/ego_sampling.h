@@ -14,6 +14,10 @@ namespace forge {
 
 inline constexpr double kKeptOffset = 0.3;  ///< share of an offset from the path that stays
 
+/// s; an ego that reverses to a stop has stopped by then. Recordings have too few reversing egos to
+/// fit the speeds of reversing to them.
+inline constexpr double kReverseStop = 8.0;
+
 // Parts of the samplers of the ego's futures.
 
 /// Stratified random numbers in (0, 1): equally spaced, with one random shift.
@@ -87,6 +91,15 @@ class ReturnToPath {
 /// Returns the ego's track along `way` for `horizon` s, one state per `step` (s), the first at t0.
 Track drive(const Track& ego, const EgoNow& now, const DrivenDistance& distance,
             const ReturnToPath& way, double horizon, double step);
+
+/// Returns true if the ego reverses at t0.
+bool isReversing(const EgoNow& ego);
+
+/// Returns `count` equally likely tracks of a reversing ego: half of them continue to reverse with
+/// the acceleration at t0 (with a spread), which decays, half of them brake to a standstill within
+/// kReverseStop at evenly spread times. The turn rate at t0 (with a spread) decays.
+std::vector<Track> reversingFutures(const Track& ego, const EgoNow& now, double horizon, int count,
+                                    const EgoFutureOptions& options, std::mt19937_64& engine);
 
 /// Throws std::invalid_argument if `horizon` (s) is not positive and finite or `count` is negative.
 void checkSampleArguments(double horizon, int count);

@@ -186,7 +186,8 @@ std::vector<Track> NetworkEgoFutures::sample(const Snapshot& snapshot, const Lan
                                              double horizon, int count, std::uint64_t seed) const {
   checkSampleArguments(horizon, count);
   const PatternNetwork* network = foresight_.network.get();
-  if (count == 0 || !network || network->weights().features.head != EgoHead::kRegionProposal) {
+  if (count == 0 || !network || network->weights().features.head != EgoHead::kRegionProposal ||
+      isReversing(egoNow(snapshot.ego))) {
     return kinematic_.sample(snapshot, lanes, horizon, count, seed);
   }
   const PredictedScene scene(*network, snapshot, lanes, horizon);

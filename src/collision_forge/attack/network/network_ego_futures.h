@@ -8,7 +8,7 @@ namespace forge {
 /// Samples ego futures from the network: path probabilities and the distribution of driven distance
 /// at each time are the network's. Speed changes over time are the SpeedForecaster's: each of its
 /// profiles is rescaled to the distance at the same quantile of the network's distribution. Without
-/// a network, or with one whose anchors lie on no paths, samples as KinematicEgoFutures.
+/// a network with anchors on paths, and for a reversing ego, samples as KinematicEgoFutures.
 class NetworkEgoFutures : public EgoFutureSampler {
  public:
   NetworkEgoFutures(const EgoFutureOptions& options, PredictionModels foresight);

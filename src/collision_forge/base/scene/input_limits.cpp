@@ -83,6 +83,36 @@ void checkTrack(const Track& track, const InputLimits& limits, const std::string
   }
 }
 
+/// Checks that the intervals of the ego's states fit the unit of their clock, s.
+void checkIntervals(const Track& ego, const std::string& name) {
+  constexpr double kShortest = 2e-4;  // s; nothing records poses at more than 5 kHz
+  if (ego.states.size() < 3) return;
+  std::vector<double> intervals;
+  for (std::size_t i = 1; i < ego.states.size(); ++i) {
+    intervals.push_back(ego.states[i].time - ego.states[i - 1].time);
+  }
+  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
+  std::nth_element(intervals.begin(), middle, intervals.end());
+  if (*middle <= 0.0 || isWithin(*middle, kShortest, kMaxGap)) return;
+  refuse(name, ": the median interval of its states, ", *middle, " s, is outside ", kShortest,
+         " to ", kMaxGap, " s: check the unit of the stamps");
+}
+
+/// Checks that the frames of agents and the states of the ego have one clock.
+void checkOneClock(const Scene& scene, const std::string& where) {
+  constexpr double kFarthest = 10.0;  // s
+  const auto& states = scene.ego.states;
+  const auto& frames = scene.frame_times;
+  if (states.empty() || frames.empty()) return;
+  if (frames.front() <= states.back().time + kFarthest &&
+      states.front().time <= frames.back() + kFarthest) {
+    return;
+  }
+  refuse(where, ": stamps of agents (", frames.front(), " to ", frames.back(),
+         " s) and of the ego (", states.front().time, " to ", states.back().time,
+         " s) do not overlap: both must have one clock");
+}
+
 /// Checks a future of the ego, which must have at least one state.
 void checkFutureTrack(const Track& track, const InputLimits& limits, const std::string& name) {
   if (track.states.empty()) refuse(name, ": states is empty");
@@ -171,12 +201,14 @@ void keepWithin(std::vector<Track>& agents, const InputLimits& limits,
 void checkScene(Scene& scene, const InputLimits& limits, const std::string& where,
                 std::vector<std::string>* warnings) {
   if (scene.map) checkMap(*scene.map, limits, where);
+  checkIntervals(scene.ego, where + ": " + kEgoId);
   checkTrack(scene.ego, limits, where + ": " + kEgoId);
   for (std::size_t i = 0; i < scene.frame_times.size(); ++i) {
     const std::string frame = element(where + ": frames", i);
     check(scene.frame_times[i], 0.0, limits.max_time, frame + ".time");
     if (i > 0) checkTimes(scene.frame_times[i - 1], scene.frame_times[i], frame);
   }
+  checkOneClock(scene, where);
   checkCount(scene.agents.size(), limits.max_agents, where + ": agents", kMaxAgents);
   keepWithin(scene.agents, limits, warnings);
 }

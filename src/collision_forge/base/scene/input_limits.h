@@ -53,7 +53,7 @@ void keepWithin(std::vector<Track>& agents, const InputLimits& limits,
 // The next three throw for the ego, the times and the number of agents, and remove other agents as
 // keepWithin() does.
 
-/// Also checks the map, if there is one.
+/// Also checks the map, if any, and that all stamps have one clock, in the unit that they claim.
 void checkScene(Scene& scene, const InputLimits& limits, const std::string& where,
                 std::vector<std::string>* warnings = nullptr);
 /// Checks a scene as known at t0.

@@ -4,6 +4,7 @@
 #include "collision_forge/base/scene/clock.h"
 #include "collision_forge/base/scene/find_track.h"
 #include "collision_forge/base/scene/number_words.h"
+#include "collision_forge/io/collide/collide_frames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@ namespace {
 
 static_assert(kCollideNowFrame == 7, "the texts say so");
 constexpr EnumWord<ClipObstacle> kObstacleTexts[] = {
-    {ClipObstacle::kShortHistory, "with fewer than 7 frames before now"},
+    {ClipObstacle::kShortHistory, "with fewer than 7 frames at 2 Hz before now"},
     {ClipObstacle::kEgoMissing, "without the ego in a frame"},
     {ClipObstacle::kAttackerMissing, "without the attacker in one of the 7 frames before now"},
     {ClipObstacle::kNoCollisionFrame, "without a recorded frame at the collision"},
@@ -31,20 +32,20 @@ constexpr const char* kBatch = "collision-forge";
 
 CollideState recorded(const AgentState& state) { return {state.pose, state.velocity.norm()}; }
 
+std::optional<CollideState> interpolated(const Track& track, double time) {
+  const auto state = stateAt(track, time);
+  if (!state) return std::nullopt;
+  return recorded(*state);
+}
+
 /// Returns the state of an agent in an annotated frame; agents have states only there.
-std::optional<CollideState> stateInFrame(const Track& track, double time) {
+/// `is_resampled`: interpolates at a time that is no frame's.
+std::optional<CollideState> stateInFrame(const Track& track, double time, bool is_resampled) {
   const auto found = std::find_if(
       track.states.begin(), track.states.end(),
       [=](const AgentState& state) { return std::abs(state.time - time) <= kTimeEpsilon; });
-  if (found == track.states.end()) return std::nullopt;
-  return recorded(*found);
-}
-
-/// Interpolates: the ego is recorded more often than agents are annotated.
-std::optional<CollideState> egoInFrame(const Track& ego, double time) {
-  const auto state = stateAt(ego, time);
-  if (!state) return std::nullopt;
-  return recorded(*state);
+  if (found != track.states.end()) return recorded(*found);
+  return is_resampled ? interpolated(track, time) : std::nullopt;
 }
 
 /// Returns the state on a trajectory, linear between points; nullopt outside its times.
@@ -113,25 +114,32 @@ class ClipBuilder {
 
  private:
   std::optional<ClipObstacle> setFrames() {
-    const std::size_t now = frameAt(scene_, scenario_.asked.now);
-    if (now < kCollideNowFrame) return ClipObstacle::kShortHistory;
-    const std::size_t first = now - kCollideNowFrame;
-    clip_.collision_frame =
-        kCollideNowFrame +
+    const int ahead =
         static_cast<int>(std::lround(scenario_.asked.request.tta / kCollideFrameInterval));
-    const std::size_t end = first + static_cast<std::size_t>(clip_.collision_frame) + 1;
-    if (clip_.collision_frame <= kCollideNowFrame || end > scene_.frame_times.size()) {
+    clip_.collision_frame = kCollideNowFrame + ahead;
+    const std::vector<double>& frames = scene_.frame_times;
+    const std::size_t now = frameAt(scene_, scenario_.asked.now);
+    is_resampled_ = !areCollideFrames(frames);
+    if (!is_resampled_ && now < kCollideNowFrame) return ClipObstacle::kShortHistory;
+    if (ahead <= 0) return ClipObstacle::kNoCollisionFrame;
+    if (is_resampled_) {
+      clip_.times = collideGrid(frames, frames[now], -kCollideNowFrame, ahead);
+      if (clip_.times.front() < frames.front()) return ClipObstacle::kShortHistory;
+      if (clip_.times.back() > frames.back()) return ClipObstacle::kNoCollisionFrame;
+      return std::nullopt;
+    }
+    if (now + static_cast<std::size_t>(ahead) >= frames.size()) {
       return ClipObstacle::kNoCollisionFrame;
     }
-    const auto begin = scene_.frame_times.begin();
-    clip_.times.assign(begin + static_cast<std::ptrdiff_t>(first),
-                       begin + static_cast<std::ptrdiff_t>(end));
+    const auto at_now = frames.begin() + static_cast<std::ptrdiff_t>(now);
+    clip_.times.assign(at_now - kCollideNowFrame, at_now + ahead + 1);
     return std::nullopt;
   }
 
   std::optional<ClipObstacle> addEgoAndAttacker() {
     CollideTrack ego{kEgoId, {}};
-    for (const double time : clip_.times) ego.frames.push_back(egoInFrame(scene_.ego, time));
+    // The ego is recorded more often than agents are annotated.
+    for (const double time : clip_.times) ego.frames.push_back(interpolated(scene_.ego, time));
     if (!isComplete(ego)) return ClipObstacle::kEgoMissing;
 
     const AttackerTrajectory& trajectory = scenario_.answer.trajectory;
@@ -139,7 +147,7 @@ class ClipBuilder {
     const Track track = attackerPast(trajectory, scene_.agents);
     CollideTrack attacker{trajectory.attacker_id, {}};
     for (std::size_t frame = 0; frame <= kCollideNowFrame; ++frame) {
-      attacker.frames.push_back(stateInFrame(track, clip_.times[frame]));
+      attacker.frames.push_back(stateInFrame(track, clip_.times[frame], is_resampled_));
     }
     if (!isComplete(attacker)) return ClipObstacle::kAttackerMissing;
     for (std::size_t frame = kCollideNowFrame + 1; frame < clip_.times.size(); ++frame) {
@@ -155,7 +163,8 @@ class ClipBuilder {
       if (!isCarLike(agent.agent_class)) continue;
       if (agent.id == scenario_.answer.trajectory.attacker_id) continue;
       CollideTrack track{agent.id, {}};
-      for (const double time : clip_.times) track.frames.push_back(stateInFrame(agent, time));
+      for (const double time : clip_.times)
+        track.frames.push_back(stateInFrame(agent, time, is_resampled_));
       if (!isEmpty(track)) clip_.tracks.push_back(std::move(track));
     }
   }
@@ -181,6 +190,7 @@ class ClipBuilder {
   const Scenario& scenario_;
   const Scene& scene_;
   CollideClip clip_;
+  bool is_resampled_ = false;
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace forge {
 
 /// Reasons why the layout cannot hold an attack.
 enum class ClipObstacle {
-  kShortHistory,      ///< fewer than kCollideNowFrame frames before t0
+  kShortHistory,      ///< fewer than kCollideNowFrame frames at 2 Hz before t0
   kEgoMissing,        ///< the ego is missing in a frame of the clip
   kAttackerMissing,   ///< the attacker is missing in a frame up to t0
   kNoCollisionFrame,  ///< the recording ends before the collision frame, or it is not after t0
@@ -27,10 +27,11 @@ const char* toString(ClipObstacle obstacle);
 
 /// Converts an attack to the layout of COLLIDE; `scene` is the recording of its request.
 ///
-/// Frame kCollideNowFrame is t0; the last frame is TTA / 0.5 s, rounded, frames later. The ego and
-/// other car-like vehicles (isCarLike()) are as recorded in all frames; the attacker is as recorded
-/// up to t0 and on its trajectory after it. Poses are box centres, the ego's too. A speed is the
-/// norm of the velocity, the attacker's after t0 its trajectory's. Tracks are sorted by id;
+/// Frame kCollideNowFrame is t0; the last frame is TTA / 0.5 s, rounded, frames later. If the
+/// recording is not at 2 Hz (areCollideFrames()), it is interpolated at times 0.5 s apart. The ego
+/// and other car-like vehicles (isCarLike()) are as recorded in all frames; the attacker is as
+/// recorded up to t0 and on its trajectory after it. Poses are box centres, the ego's too. A speed
+/// is the norm of the velocity, the attacker's after t0 its trajectory's. Tracks are sorted by id;
 /// vehicles that are in no frame are left out.
 ///
 /// Name: batch "collision-forge", angle from the report. Placement: 4 for rear_end, 5 for

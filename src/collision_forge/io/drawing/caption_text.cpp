@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_forge/attack/verify/untested_contact.h"
 #include "collision_forge/base/scene/number_words.h"
 #include "collision_forge/base/scene/short_id.h"
 #include "collision_forge/io/drawing/decimal_text.h"
@@ -153,6 +154,9 @@ std::string verdictText(const ScenarioView& view) {
   if (view.avoided_hit) return "avoids the hit";
   if (!view.planner.empty()) return view.report.contact ? "hit by the attacker" : "no contact";
   if (view.report.verified()) return "requested crash in the recording";
+  if (endsBeforeContact(view.future.ego, view.pattern, view.report)) {
+    return "the recording ends before the contact";
+  }
   if (!view.report.contact) return "no contact in the recording";
   return "other contact in the recording: " + shortcoming(view.report);
 }

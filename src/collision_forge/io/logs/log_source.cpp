@@ -11,6 +11,7 @@
 #include "collision_forge/io/logs/nuscenes_json.h"
 #include "collision_forge/io/logs/nuscenes_tables.h"
 #include "collision_forge/io/logs/recording_repair.h"
+#include "collision_forge/io/logs/unknown_source.h"
 
 namespace forge {
 namespace {
@@ -30,18 +31,6 @@ std::vector<std::string> versionsIn(const std::string& path) {
   return found;
 }
 
-/// Returns true for a file of a ROS 2 bag or a folder that holds one.
-bool isRos2Bag(const fs::path& path) {
-  const auto isFile = [](const fs::path& file) {
-    return file.extension() == ".db3" || file.extension() == ".mcap";
-  };
-  if (isFile(path)) return true;
-  std::error_code ignored;
-  const fs::directory_iterator entries(path, ignored);
-  return std::any_of(begin(entries), end(entries),
-                     [&](const auto& entry) { return isFile(entry.path()); });
-}
-
 bool isNuScenesRoot(const std::string& path) { return fs::is_directory(fs::path(path) / "maps"); }
 
 std::vector<std::string> namesIn(const LogSource& source) {
@@ -50,6 +39,20 @@ std::vector<std::string> namesIn(const LogSource& source) {
   readTable(source.path + "/" + versionOf(source) + "/" + kScenes, {"token", "name"},
             [&](const JsonRow& row) { names.emplace_back(row.text(kName)); });
   return names;
+}
+
+/// Shifts the stamps of a recording that does not begin after 0 so that it begins at 1 s, because a
+/// bag cannot hold time 0.
+void shiftToPositive(NuScenesRecording& recording, std::vector<std::string>& warnings) {
+  constexpr std::int64_t kBegin = 1000000;  // us
+  if (recording.ego_poses.empty() || recording.frames.empty()) return;
+  const std::int64_t first =
+      std::min(recording.ego_poses.front().timestamp_us, recording.frames.front().timestamp_us);
+  if (first > 0) return;
+  for (NuScenesEgoPose& pose : recording.ego_poses) pose.timestamp_us += kBegin - first;
+  for (NuScenesFrame& frame : recording.frames) frame.timestamp_us += kBegin - first;
+  warnings.push_back("timestamps begin at " + std::to_string(first) +
+                     " us: shifted to begin at 1 s");
 }
 
 class NuScenesReader : public SceneReader {
@@ -64,6 +67,7 @@ class NuScenesReader : public SceneReader {
   LoggedScene recording(const std::string& name) override {
     NuScenesRecording found = root_.readScene(name);
     std::vector<std::string> warnings;
+    shiftToPositive(found, warnings);
     keepWithin(found, reading_.options, &warnings);
     if (reading_.on_warnings && !warnings.empty()) reading_.on_warnings(name, warnings);
     auto lanes = maps_.at(found.location);
@@ -96,15 +100,7 @@ std::string versionOf(const LogSource& source) {
   const std::vector<std::string> found = versionsIn(source.path);
   if (found.size() == 1) return found.front();
   if (found.empty()) {
-    if (isRos2Bag(source.path)) {
-      throw NuScenesError(source.path +
-                          ": is a ROS 2 bag; convert it to a ROS 1 bag first, for instance with "
-                          "rosbags-convert");
-    }
-    throw NuScenesError(
-        source.path + ": is neither a nuScenes root (no subfolder has " + kScenes +
-        "), nor a folder of ScenarioNet files (sd_*.pkl), nor a bag (.bag), nor a CommonRoad "
-        "scenario (.xml)");
+    throw NuScenesError(unknownSourceText(source.path));
   }
   std::string names;
   for (const std::string& name : found) names += (names.empty() ? "" : ", ") + name;

@@ -25,7 +25,8 @@ void checkInstantsDiffer(const std::vector<std::uint32_t>& rows, const Timestamp
     if (timestamp_of(rows[i]) != timestamp_of(rows[i - 1])) continue;
     throw NuScenesError(path + ": token " + tokens.text(rows[i]) + ": field timestamp " +
                         std::to_string(timestamp_of(rows[i])) + " is also the timestamp of " +
-                        tokens.text(rows[i - 1]) + " in the same scene");
+                        tokens.text(rows[i - 1]) +
+                        " in the same scene: check that timestamps are set, in microseconds");
   }
 }
 

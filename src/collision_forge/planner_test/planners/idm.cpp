@@ -24,18 +24,25 @@ TrajectoryPoint pointAfter(const TrajectoryPoint& before, double step, const Pos
   return point;
 }
 
-/// Returns the nodes of the lanes' centrelines, or of the route if there are no lanes.
+/// Returns the nodes of the lanes' centrelines and, where these end beside the route, of the route
+/// after a lane change; of the whole route if there are no lanes.
 std::vector<Pose2> nodesOf(const DrivingTask& task, const std::vector<std::size_t>& lanes,
-                           double spacing) {
+                           const RouteCenterlineOptions& options) {
   std::vector<Pose2> nodes;
   for (const std::size_t lane : lanes) {
     const std::vector<Pose2>& line = task.lanes->map().lanes[lane].centerline;
     nodes.insert(nodes.end(), line.begin(), line.end());
   }
-  if (!nodes.empty()) return nodes;
-  const Polyline line(task.route);
-  const int count = std::max(2, static_cast<int>(std::ceil(line.length() / spacing)));
-  for (int i = 0; i <= count; ++i) nodes.push_back(line.poseAt(line.length() * i / count));
+  const Polyline route(task.route);
+  double from = 0.0;
+  if (!nodes.empty()) {
+    const PolylineProjection end = route.project(nodes.back().position());
+    from = end.arc_length + options.lane_change_length;
+    if (end.distance > options.route_lane_distance || from >= route.length()) return nodes;
+  }
+  const double length = route.length() - from;
+  const int count = std::max(2, static_cast<int>(std::ceil(length / options.spacing)));
+  for (int i = 0; i <= count; ++i) nodes.push_back(route.poseAt(from + length * i / count));
   return nodes;
 }
 
@@ -110,7 +117,7 @@ void IdmPlanner::initialize(const DrivingTask& task) {
 
 void IdmPlanner::setOut(const TrajectoryPoint& ego) {
   lanes_ = laneRoute(*task_.lanes, task_.route, ego.pose, route_);
-  path_.emplace(nodesOf(task_, lanes_, route_.spacing));
+  path_.emplace(nodesOf(task_, lanes_, route_));
   law_ = options_.law;
   if (!lanes_.empty()) {
     const auto& limit = task_.lanes->map().lanes[lanes_.front()].speed_limit;

@@ -29,11 +29,11 @@ struct PublishedIdmOptions {
 };
 
 /// nuPlan's IDMPlanner. It follows the centrelines of the lanes along the route (laneRoute(); the
-/// route itself if no lane is near). The first plan() chooses the path and the desired speed: the
-/// limit of the first lane, or the ego's speed if that is higher. The lead is the nearest agent or
-/// red light (withRedLights()) within the radius that touches the corridor ahead or the ego's box.
-/// Its position is fixed throughout a plan, but its speed enters the law. Without a lead the ego
-/// treats the path's end as a standing lead.
+/// route itself if no lane is near, and where these lanes end before it). The first plan() chooses
+/// the path and the desired speed: the limit of the first lane, or the ego's speed if that is
+/// higher. The lead is the nearest agent or red light (withRedLights()) within the radius that
+/// touches the corridor ahead or the ego's box. Its position is fixed throughout a plan, but its
+/// speed enters the law. Without a lead the ego treats the path's end as a standing lead.
 class IdmPlanner : public Planner {
  public:
   /// `route`: how lanes along the route are found.

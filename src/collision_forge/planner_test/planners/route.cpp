@@ -6,15 +6,22 @@
 namespace forge {
 namespace {
 
+constexpr double kRounding = 1e-6;  // m
+
 /// Returns the path along the lane of the last pose, starting beside it; straight ahead if no lane
-/// is near.
+/// is near and where the lanes end.
 std::vector<Vector2> wayAhead(const Pose2& last, const LaneIndex& lanes,
                               const RouteOptions& options) {
   const auto matches = lanes.lanesNear(last, options.end_lane_distance, options.end_lane_heading);
   if (matches.empty()) return {last.position() + options.length_ahead * last.heading()};
   const LaneMatch& nearest = matches.front();
-  return lanes.pathAhead(nearest.lane, nearest.projection.arc_length, options.length_ahead)
-      .points();
+  const Polyline path =
+      lanes.pathAhead(nearest.lane, nearest.projection.arc_length, options.length_ahead);
+  std::vector<Vector2> points = path.points();
+  if (path.length() < options.length_ahead - kRounding) {
+    points.push_back(path.poseAt(options.length_ahead).position());
+  }
+  return points;
 }
 
 }  // namespace

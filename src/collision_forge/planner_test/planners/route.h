@@ -18,8 +18,8 @@ struct RouteOptions {
 
 /// Returns the path that a recorded ego should follow (m, global map frame): its recorded positions
 /// at least `spacing` apart, then `length_ahead` metres along LaneIndex::pathAhead() of the lane
-/// nearest to its last pose, joined `join_distance` metres ahead; straight ahead if no lane is
-/// near. Has at least two points. Throws std::invalid_argument for a track without states.
+/// nearest to its last pose, joined `join_distance` metres ahead; straight ahead where no lane is.
+/// Has at least two points. Throws std::invalid_argument for a track without states.
 std::vector<Vector2> routeOf(const Track& recorded, const LaneIndex& lanes,
                              const RouteOptions& options);
 

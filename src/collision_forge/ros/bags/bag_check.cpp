@@ -262,7 +262,7 @@ void checkBag(const std::string& path) {
   if (none || !stream.is_open()) return;
   std::string begin(kAnyBag.size(), '\0');
   if (!stream.read(begin.data(), static_cast<std::streamsize>(begin.size())) || begin != kAnyBag) {
-    throw BagError(path + ": is not a ROS bag");
+    throw BagError(path + ": is not a ROS bag" + (size == 0 ? ", but empty" : ""));
   }
   if (size <= RecordWalk::kFirstLine.size()) return;
   const ipc::file_mapping file(path.c_str(), ipc::read_only);

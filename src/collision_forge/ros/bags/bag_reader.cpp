@@ -150,18 +150,20 @@ class SceneBuilder {
   std::map<std::string, int> skipped_;
 };
 
+/// Throws BagError naming the topics that a bag of this suite has and this one lacks.
 void requireTopics(const std::string& path, const Scene& scene) {
-  const auto fail = [&](const std::string& missing) {
-    throw BagError(path + ": no " + missing +
-                   "; convert a bag of another stack with forge convert --topics "
-                   "(docs/foreign_bags.md)");
+  std::string missing;
+  const auto add = [&](bool is_there, const std::string& what) {
+    if (!is_there) missing += (missing.empty() ? "no " : ", no ") + what;
   };
-  if (!scene.map) fail("message on " + bagTopic(names::kLaneMap));
-  if (scene.frame_times.empty()) fail("message on " + bagTopic(names::kAgents));
-  if (scene.ego.states.empty()) {
-    fail(std::string("transform ") + names::kMapFrame + " -> " + names::kBaseFrame + " on " +
-         names::kTf);
-  }
+  add(scene.map != nullptr, "message on " + bagTopic(names::kLaneMap));
+  add(!scene.frame_times.empty(), "message on " + bagTopic(names::kAgents));
+  add(!scene.ego.states.empty(), std::string("transform ") + names::kMapFrame + " -> " +
+                                     names::kBaseFrame + " on " + names::kTf);
+  if (missing.empty()) return;
+  throw BagError(path + ": " + missing +
+                 ": is no bag of this suite; convert a bag of another stack with forge convert "
+                 "--topics (docs/foreign_bags.md)");
 }
 
 /// The last message on a topic, if there is one.

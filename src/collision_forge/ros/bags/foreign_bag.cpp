@@ -3,127 +3,42 @@
 #include <rosbag/view.h>
 
 #include <algorithm>
-#include <cmath>
+#include <deque>
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
 
-#include "collision_forge/base/scene/formatted.h"
-#include "collision_forge/ros/bags/message_fields.h"
+#include "collision_forge/ros/bags/bag_frames.h"
 #include "collision_forge/ros/bags/read_opened.h"
+#include "collision_forge/ros/bags/topic_values.h"
 #include "collision_forge/ros/messages/same_instant.h"
 
 namespace forge {
 namespace {
 
-constexpr std::int64_t kClockGap = 10000000;  // us; stamps farther apart are of different clocks
+std::int64_t microsecondsOf(std::int64_t nanoseconds) { return (nanoseconds + 500) / 1000; }
 
-/// The fields of a topic that are wanted, and what its newest message has there. A field that is
-/// not there is NaN, empty or 0.
-class TopicValues {
- public:
-  explicit TopicValues(const TopicFields& topic) : topic_(topic) {
-    want(topic.stamp, FieldKind::kTime);
-    if (!topic.frame_id.empty()) want(topic.frame_id_path, FieldKind::kText);
-  }
+ros::Time timeOf(std::int64_t nanoseconds) {
+  constexpr std::int64_t kSecond = 1000000000;  // ns
+  return {static_cast<std::uint32_t>(nanoseconds / kSecond),
+          static_cast<std::uint32_t>(nanoseconds % kSecond)};
+}
 
-  void want(const std::string& path, FieldKind kind) {
-    if (columns_.try_emplace(path, paths_.size()).second) paths_.push_back({path, kind});
-  }
-  void want(const NumberSource& source) {
-    if (const auto* path = std::get_if<std::string>(&source)) want(*path, FieldKind::kNumber);
-  }
-  template <std::size_t count>
-  void want(const std::array<NumberSource, count>& sources) {
-    for (const NumberSource& source : sources) want(source);
-  }
-  void want(const PoseFields& pose) {
-    want(pose.position);
-    std::visit([this](const auto& orientation) { want(orientation); }, pose.orientation);
-  }
-
-  /// A connection of the topic; throws BagError where it is not as the mapping says.
-  void add(const rosbag::ConnectionInfo& connection) {
-    if (connection.datatype != topic_.type) {
-      throw BagError("is of type " + connection.datatype + ", not " + topic_.type);
-    }
-    readers_[connection.header] =
-        std::make_unique<MessageFields>(connection.datatype, connection.msg_def, paths_);
-  }
-
-  void take(const rosbag::MessageInstance& instance) {
-    bytes_.resize(instance.size());
-    ros::serialization::OStream stream(bytes_.data(), static_cast<std::uint32_t>(bytes_.size()));
-    instance.write(stream);
-    values_ = readers_.at(instance.getConnectionHeader())->read(bytes_.data(), bytes_.size());
-  }
-
-  std::size_t rows(const std::string& path) const { return values_[columns_.at(path)].size(); }
-
-  /// All values in a row.
-  const std::vector<FieldValue>& all(const std::string& path, std::size_t row) const {
-    static const std::vector<FieldValue> none;
-    const FieldRows& rows = values_[columns_.at(path)];
-    return row < rows.size() ? rows[row] : none;
-  }
-  std::string text(const std::string& path, std::size_t row) const {
-    const auto& values = all(path, row);
-    return values.empty() ? "" : std::get<std::string>(values.front());
-  }
-  double number(const NumberSource& source, std::size_t row) const {
-    if (const auto* constant = std::get_if<double>(&source)) return *constant;
-    const auto& values = all(std::get<std::string>(source), row);
-    return values.empty() ? std::nan("") : std::get<double>(values.front());
-  }
-  Eigen::Vector3d vector(const std::array<NumberSource, 3>& sources, std::size_t row) const {
-    return {number(sources[0], row), number(sources[1], row), number(sources[2], row)};
-  }
-  /// Not finite where the fields give no rotation.
-  Eigen::Quaterniond rotation(const PoseFields& pose, std::size_t row) const {
-    if (const auto* yaw = std::get_if<NumberSource>(&pose.orientation)) {
-      return Eigen::Quaterniond(Eigen::AngleAxisd(number(*yaw, row), Eigen::Vector3d::UnitZ()));
-    }
-    const auto& parts = std::get<0>(pose.orientation);
-    Eigen::Vector4d coefficients;  // x, y, z, w
-    for (int i = 0; i < 4; ++i) coefficients[i] = number(parts[static_cast<std::size_t>(i)], row);
-    return Eigen::Quaterniond(Eigen::Vector4d(coefficients / coefficients.norm()));
-  }
-  std::int64_t microseconds(std::size_t row) const {
-    const auto& values = all(topic_.stamp, row);
-    constexpr std::int64_t kNanoseconds = 1000;
-    return values.empty() ? 0 : (std::get<std::int64_t>(values.front()) + 500) / kNanoseconds;
-  }
-  std::string frameId(std::size_t row) const { return text(topic_.frame_id_path, row); }
-
-  void requireFrame() const {
-    if (topic_.frame_id.empty() || frameId(0) == topic_.frame_id) return;
-    throw BagError(topic_.frame_id_path + " is '" + frameId(0) + "', not '" + topic_.frame_id +
-                   "'");
-  }
-
- private:
-  const TopicFields& topic_;
-  std::vector<FieldPath> paths_;
-  std::map<std::string, std::size_t> columns_;  ///< of `paths_`, by path
-  /// By the header of their connection, which is shared.
-  std::map<boost::shared_ptr<ros::M_string>, std::unique_ptr<MessageFields>> readers_;
-  std::vector<std::uint8_t> bytes_;
-  std::vector<FieldRows> values_;
-};
-
-/// Collects a recording message by message.
+/// Collects a recording message by message. Poses and frames of agents wait until the transforms to
+/// the map frame at their stamp are known.
 class RecordingBuilder {
  public:
   RecordingBuilder(const TopicMapping& mapping, const EgoVehicle& ego)
       : mapping_(mapping),
         ego_(ego),
+        map_frame_(frameName(mapping.map_frame)),
+        ego_frame_(frameName(mapping.ego.child_frame_id)),
         ego_values_(mapping.ego.fields),
-        agent_values_(mapping.agents.fields) {
-    ego_values_.want(mapping.ego.pose);
-    if (isOfTransforms()) ego_values_.want(mapping.ego.child_frame_id_path, FieldKind::kText);
+        agent_values_(mapping.agents.fields),
+        frames_(map_frame_, ego_frame_) {
+    if (!mapping.ego.in_transforms) ego_values_.want(mapping.ego.pose);
     const AgentsMapping& agents = mapping.agents;
     agent_values_.want(agents.id, FieldKind::kText);
     agent_values_.want(agents.classification, FieldKind::kText);
@@ -134,118 +49,219 @@ class RecordingBuilder {
   }
 
   void add(const rosbag::ConnectionInfo& connection) {
-    if (connection.topic == mapping_.ego.fields.topic) ego_values_.add(connection);
     if (connection.topic == mapping_.agents.fields.topic) agent_values_.add(connection);
+    if (connection.topic != mapping_.ego.fields.topic) return;
+    if (!mapping_.ego.in_transforms) {
+      ego_values_.add(connection);
+    } else if (connection.md5sum != ros::message_traits::md5sum<tf2_msgs::TFMessage>()) {
+      throw BagError("is of type " + connection.datatype + ", not " + mapping_.ego.fields.type);
+    }
   }
 
   void add(const rosbag::MessageInstance& instance) {
-    if (instance.getTopic() == mapping_.ego.fields.topic) addEgo(instance);
-    if (instance.getTopic() == mapping_.agents.fields.topic) addAgents(instance);
+    const std::string& topic = instance.getTopic();
+    if (topic == mapping_.transformTopic()) addTransforms(instance, false);
+    if (topic == mapping_.ego.fields.topic && !mapping_.ego.in_transforms) addEgo(instance);
+    if (topic == mapping_.agents.fields.topic) addAgents(instance);
+    takeReady(false);
   }
 
-  /// Adds to `left_out` what was left out, with counts.
+  /// Adds a message of /tf_static; all of them before add().
+  void addStatic(const rosbag::MessageInstance& instance) { addTransforms(instance, true); }
+
+  /// Appends the counts of unusable data to `left_out`.
   NuScenesRecording finish(std::vector<std::string>& left_out) {
-    requireOneClock();
+    takeReady(true);
     if (!mapping_.agents.velocity) deriveVelocities(recording_);
     for (const auto& [what, count] : left_out_) {
       left_out.push_back(std::to_string(count) + " " + what + " left out");
+    }
+    if (lacks_transforms_) {
+      left_out.push_back("map_frame of the mapping is " + map_frame_ +
+                         ", transforms of the bag: " + frames_.described());
     }
     return std::move(recording_);
   }
 
  private:
-  /// Throws BagError if the stamps of agents and ego are kClockGap apart.
-  void requireOneClock() const {
-    const auto& poses = recording_.ego_poses;
-    const auto& frames = recording_.frames;
-    if (poses.empty() || frames.empty()) return;
-    if (frames.front().timestamp_us <= poses.back().timestamp_us + kClockGap &&
-        poses.front().timestamp_us <= frames.back().timestamp_us + kClockGap) {
-      return;
+  /// A frame of agents, relative to the frame `source`.
+  struct WaitingFrame {
+    std::string source;
+    std::int64_t nanoseconds;
+    NuScenesFrame frame;
+  };
+
+  void addTransforms(const rosbag::MessageInstance& instance, bool is_static) {
+    const auto message = instance.instantiate<tf2_msgs::TFMessage>();
+    if (!message) return;
+    const auto transforms = usableTransforms(*message);
+    count("transforms that are not a number", message->transforms.size() - transforms.size());
+    for (const geometry_msgs::TransformStamped& transform : transforms) {
+      const bool in_ego_topic =
+          !mapping_.ego.in_transforms && transform.child_frame_id == ego_frame_;
+      if (!in_ego_topic) addTransform(transform, is_static);
     }
-    const auto range = [](std::int64_t first_us, std::int64_t last_us) {
-      return formatted("%.3f to %.3f s", 1e-6 * static_cast<double>(first_us),
-                       1e-6 * static_cast<double>(last_us));
-    };
-    throw BagError(
-        "stamps of agents (" + range(frames.front().timestamp_us, frames.back().timestamp_us) +
-        ") and of the ego (" + range(poses.front().timestamp_us, poses.back().timestamp_us) +
-        ") do not overlap: both must have one clock");
   }
 
-  bool isOfTransforms() const { return !mapping_.ego.child_frame_id.empty(); }
+  void addTransform(const geometry_msgs::TransformStamped& transform, bool is_static) {
+    const bool is_used = frames_.add(transform, is_static);
+    if (is_static || !mapping_.ego.in_transforms || !frames_.movesEgo(transform)) return;
+    if (is_used) {
+      ego_times_.push_back(static_cast<std::int64_t>(transform.header.stamp.toNSec()));
+      last_move_ = transform;
+    } else if (transform.header.frame_id == last_move_.header.frame_id) {
+      checkRepeated(transform);
+    }
+  }
+
+  /// Counts an unused transform of the ego. Throws BagError if it contradicts the one before.
+  void checkRepeated(const geometry_msgs::TransformStamped& transform) {
+    const auto& [x, y, z] = transform.transform.translation;
+    const auto& last = last_move_.transform.translation;
+    const auto time_us = [](const geometry_msgs::TransformStamped& moved) {
+      return microsecondsOf(static_cast<std::int64_t>(moved.header.stamp.toNSec()));
+    };
+    if (transform.header.stamp.isZero()) {
+      count("ego poses whose stamp is not set");
+    } else if (!isSameInstant(time_us(transform), time_us(last_move_))) {
+      count("ego poses whose stamp is before the last one's");
+    } else {
+      requireSamePlace({x - last.x, y - last.y, z - last.z}, time_us(transform));
+    }
+  }
+
+  static void requireSamePlace(const Eigen::Vector3d& apart, std::int64_t time_us) {
+    if (apart.norm() > kSamePlace) throw BagError(contradiction(apart.norm(), time_us));
+  }
+
+  /// Removes and converts what waits, in order, as far as its transforms are known. `at_end`: drops
+  /// the rest.
+  void takeReady(bool at_end) {
+    while (!ego_times_.empty()) {
+      const ros::Time time = timeOf(ego_times_.front());
+      const auto pose = frames_.poseOf(ego_frame_, time);
+      if (!pose && !at_end && !frames_.isPast(time)) break;
+      if (pose) {
+        const NuScenesEgoPose found{microsecondsOf(ego_times_.front()), pose->translation(),
+                                    Eigen::Quaterniond(pose->linear())};
+        keep(mapping_.ego.in_transforms ? ofBase(found) : found);
+      } else {
+        countWithoutTransforms("ego poses", ego_frame_);
+      }
+      ego_times_.pop_front();
+    }
+    while (!waiting_.empty()) {
+      const ros::Time time = timeOf(waiting_.front().nanoseconds);
+      const auto pose = frames_.poseOf(waiting_.front().source, time);
+      if (!pose && !at_end && !frames_.isPast(time)) break;
+      if (pose) {
+        addFrame(std::move(waiting_.front()), *pose);
+      } else {
+        countWithoutTransforms("frames of agents", waiting_.front().source);
+      }
+      waiting_.pop_front();
+    }
+  }
+
+  void count(const std::string& what, std::size_t number = 1) {
+    if (number > 0) left_out_[what] += number;
+  }
+
+  void countWithoutTransforms(const std::string& what, const std::string& frame) {
+    count(what + " without transforms from " + map_frame_ + " to " + frame + " at their stamp");
+    lacks_transforms_ = true;
+  }
 
   void addEgo(const rosbag::MessageInstance& instance) {
     ego_values_.take(instance);
-    if (!isOfTransforms()) ego_values_.requireFrame();
-    for (std::size_t row = 0; row < ego_values_.rows(mapping_.ego.fields.stamp); ++row) {
-      if (isOfTransforms() && !isOfEgo(row)) continue;
-      addEgoPose(row);
+    const std::string frame = ego_values_.frame(map_frame_);
+    const std::int64_t nanoseconds = ego_values_.nanoseconds();
+    NuScenesEgoPose pose{microsecondsOf(nanoseconds),
+                         ego_values_.vector(mapping_.ego.pose.position, 0),
+                         ego_values_.rotation(mapping_.ego.pose, 0)};
+    if (!pose.translation.allFinite() || !pose.rotation.coeffs().allFinite()) {
+      count("ego poses that are not a number");
+      return;
+    }
+    if (pose.timestamp_us == 0) {
+      count("ego poses whose stamp is not set");
+      return;
+    }
+    const NuScenesEgoPose base = ofBase(pose);
+    frames_.addPose(frame, ego_frame_, timeOf(nanoseconds),
+                    Eigen::Translation3d(base.translation) * base.rotation);
+    if (frame == map_frame_) {
+      keep(base);
+    } else {
+      ego_times_.push_back(nanoseconds);
     }
   }
 
-  /// Returns true if the row is the transform of the ego.
-  bool isOfEgo(std::size_t row) const {
-    return ego_values_.frameId(row) == mapping_.ego.fields.frame_id &&
-           ego_values_.text(mapping_.ego.child_frame_id_path, row) == mapping_.ego.child_frame_id;
-  }
-
-  void addEgoPose(std::size_t row) {
-    NuScenesEgoPose pose;
-    pose.timestamp_us = ego_values_.microseconds(row);
-    pose.translation = ego_values_.vector(mapping_.ego.pose.position, row);
-    pose.rotation = ego_values_.rotation(mapping_.ego.pose, row);
+  /// Returns the pose of base_link for a pose of the mapping's reference point.
+  NuScenesEgoPose ofBase(NuScenesEgoPose pose) const {
     if (mapping_.ego.reference == EgoReference::kBoxMiddle) {
       pose.translation -= pose.rotation * Eigen::Vector3d(ego_.center_offset, 0.0, 0.0);
     }
+    return pose;
+  }
+
+  /// Adds a pose of the ego in the map frame.
+  void keep(const NuScenesEgoPose& base) {
     auto& poses = recording_.ego_poses;
     const std::int64_t last = poses.empty() ? 0 : poses.back().timestamp_us;
-    if (!pose.translation.allFinite() || !pose.rotation.coeffs().allFinite()) {
-      ++left_out_["ego poses that are not a number"];
-    } else if (pose.timestamp_us == 0) {
-      ++left_out_["ego poses whose stamp is not set"];
-    } else if (!poses.empty() && isSameInstant(pose.timestamp_us, last)) {
-      const double distance = (pose.translation - poses.back().translation).norm();
-      if (distance > kSamePlace) throw BagError(contradiction(distance, pose.timestamp_us));
-    } else if (pose.timestamp_us > last) {
-      poses.push_back(pose);
+    if (!poses.empty() && isSameInstant(base.timestamp_us, last)) {
+      requireSamePlace(base.translation - poses.back().translation, base.timestamp_us);
+    } else if (base.timestamp_us > last) {
+      poses.push_back(base);
     } else {
-      ++left_out_["ego poses whose stamp is before the last one's"];
+      count("ego poses whose stamp is before the last one's");
     }
   }
 
   void addAgents(const rosbag::MessageInstance& instance) {
     agent_values_.take(instance);
-    agent_values_.requireFrame();
-    auto& frames = recording_.frames;
-    NuScenesFrame frame;
-    frame.timestamp_us = agent_values_.microseconds(0);
+    WaitingFrame waiting{agent_values_.frame(map_frame_), agent_values_.nanoseconds(), {}};
+    NuScenesFrame& frame = waiting.frame;
+    frame.timestamp_us = microsecondsOf(waiting.nanoseconds);
     if (frame.timestamp_us == 0) {
-      ++left_out_["frames of agents whose stamp is not set"];
+      count("frames of agents whose stamp is not set");
       return;
     }
-    if (!frames.empty() && (frame.timestamp_us <= frames.back().timestamp_us ||
-                            isSameInstant(frame.timestamp_us, frames.back().timestamp_us))) {
-      ++left_out_["frames of agents whose stamp is not after the one before"];
+    if (frame.timestamp_us <= last_frame_us_ || isSameInstant(frame.timestamp_us, last_frame_us_)) {
+      count("frames of agents whose stamp is not after the one before");
       return;
     }
+    last_frame_us_ = frame.timestamp_us;
     std::set<std::string> ids = {kEgoId, ""};
     for (std::size_t row = 0; row < agent_values_.rows(mapping_.agents.id); ++row) {
       NuScenesAnnotation agent = agentAt(row);
       if (!agent.velocity.allFinite()) {
         agent.velocity.setZero();
-        ++left_out_["velocities of agents that are not finite"];
+        count("velocities of agents that are not finite");
       }
       if (!agent.translation.allFinite() || !agent.rotation.coeffs().allFinite() ||
           !(agent.size.minCoeff() > 0.0) || !agent.size.allFinite()) {
-        ++left_out_["agents that are not a number or have no size"];
+        count("agents that are not a number or have no size");
       } else if (!ids.insert(agent.instance).second) {
-        ++left_out_["agents without an id, or with that of another one or the ego"];
+        count("agents without an id, or with that of another one or the ego");
       } else {
         frame.annotations.push_back(std::move(agent));
       }
     }
-    frames.push_back(std::move(frame));
+    waiting_.push_back(std::move(waiting));
+  }
+
+  /// Adds a frame of agents whose source frame has the pose `source` in the map frame.
+  void addFrame(WaitingFrame waiting, const Eigen::Isometry3d& source) {
+    const Eigen::Quaterniond rotation(source.linear());
+    if (waiting.source != map_frame_) {
+      for (NuScenesAnnotation& agent : waiting.frame.annotations) {
+        agent.translation = source * agent.translation;
+        agent.rotation = rotation * agent.rotation;
+        agent.velocity = rotation * agent.velocity;
+      }
+    }
+    recording_.frames.push_back(std::move(waiting.frame));
   }
 
   NuScenesAnnotation agentAt(std::size_t row) const {
@@ -280,10 +296,18 @@ class RecordingBuilder {
 
   const TopicMapping& mapping_;
   const EgoVehicle& ego_;
+  std::string map_frame_;
+  std::string ego_frame_;
   TopicValues ego_values_;
   TopicValues agent_values_;
+  BagFrames frames_;
+  geometry_msgs::TransformStamped last_move_;  ///< newest used transform that moves the ego
+  std::deque<std::int64_t> ego_times_;         ///< ns, of the poses that wait
+  std::deque<WaitingFrame> waiting_;
+  std::int64_t last_frame_us_ = 0;
   NuScenesRecording recording_;
-  std::map<std::string, int> left_out_;
+  std::map<std::string, std::size_t> left_out_;
+  bool lacks_transforms_ = false;
 };
 
 std::string topicsOf(const rosbag::Bag& bag) {
@@ -306,7 +330,11 @@ NuScenesRecording readForeignBag(const std::string& path, const TopicMapping& ma
   std::vector<std::string> left_out;
   NuScenesRecording recording = readOpened(path, [&](const rosbag::Bag& bag) {
     RecordingBuilder builder(mapping, ego);
-    rosbag::View view(bag, rosbag::TopicQuery(std::vector<std::string>{ego_topic, agents_topic}));
+    const std::string transforms = mapping.transformTopic();
+    rosbag::View fixed(bag, rosbag::TopicQuery(transforms + "_static"));
+    for (const rosbag::MessageInstance& instance : fixed) builder.addStatic(instance);
+    rosbag::View view(
+        bag, rosbag::TopicQuery(std::vector<std::string>{ego_topic, agents_topic, transforms}));
     std::set<std::string> topics;
     const auto add = [&](const auto& item, const std::string& topic) {
       try {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "collision_forge/io/logs/scenario_net_logs.h"
+#include "collision_forge/io/logs/unknown_source.h"
 #include "collision_forge/io/maps/common_road_logs.h"
 #include "collision_forge/ros/bags/bag_reader.h"
 
@@ -36,7 +37,7 @@ std::string nameOf(const fs::path& bag) { return bag.stem().string(); }
 std::vector<std::string> namesIn(const LogSource& source) {
   std::vector<std::string> names;
   for (const fs::path& bag : bagsAt(source.path)) names.push_back(nameOf(bag));
-  if (names.empty()) throw BagError(source.path + ": there is no bag");
+  if (names.empty()) throw BagError(unknownSourceText(source.path));
   return names;
 }
 
@@ -60,8 +61,7 @@ class BagLogs : public SceneReader {
 
   LoggedScene recording(const std::string& name) override {
     read(name);
-    throw std::runtime_error(name +
-                             ": is a bag of this suite; only --to scenarionet can convert it");
+    throw std::runtime_error("is a bag of this suite; only --to scenarionet can convert it");
   }
 
  private:

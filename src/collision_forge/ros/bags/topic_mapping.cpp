@@ -8,11 +8,12 @@
 #include "collision_forge/base/config/config_file.h"
 #include "collision_forge/base/config/config_folder.h"
 #include "collision_forge/base/scene/request_words.h"
+#include "collision_forge/ros/messages/topic_names.h"
 
 namespace forge {
 namespace {
 
-constexpr char kTransforms[] = "tf2_msgs/TFMessage";
+const std::set<std::string> kTransformTypes = {"tf2_msgs/TFMessage", "tf/tfMessage"};
 
 /// A text that is not empty.
 std::string wordIn(Section& section, const std::string& key) {
@@ -70,33 +71,27 @@ TopicFields topicIn(Section& section) {
   TopicFields fields;
   fields.topic = wordIn(section, "topic");
   fields.type = wordIn(section, "type");
-  fields.stamp = section.has("stamp") ? wordIn(section, "stamp") : "header.stamp";
+  const bool has_stamp = section.has("stamp");
+  fields.stamp = has_stamp ? wordIn(section, "stamp") : "header.stamp";
   if (section.has("frame_id")) fields.frame_id = wordIn(section, "frame_id");
-  fields.frame_id_path = "header.frame_id";
+  if (!has_stamp || !fields.frame_id.empty()) fields.frame_id_path = "header.frame_id";
   return fields;
 }
 
-/// The fields of the transforms in a message.
-void mapTransforms(EgoMapping& ego) {
-  const std::string each = "transforms[].";
-  ego.fields.stamp = each + "header.stamp";
-  ego.fields.frame_id_path = each + "header.frame_id";
-  ego.child_frame_id_path = each + "child_frame_id";
-  ego.pose = {vectorAt(each + "transform.translation"), quaternionAt(each + "transform.rotation")};
-}
-
-EgoMapping egoIn(Section section) {
+EgoMapping egoIn(Section section, const std::string& map_frame) {
   EgoMapping ego;
   ego.fields = topicIn(section);
   ego.reference = section.choice<EgoReference>(
       "reference",
       {{"base_link", EgoReference::kBaseLink}, {"box_middle", EgoReference::kBoxMiddle}});
-  if (ego.fields.type == kTransforms) {
-    if (ego.fields.frame_id.empty()) section.refuse("frame_id", "is missing");
-    ego.child_frame_id = wordIn(section, "child_frame_id");
-    mapTransforms(ego);
-  } else {
+  ego.in_transforms = kTransformTypes.count(ego.fields.type) > 0;
+  ego.child_frame_id = section.has("child_frame_id") || ego.in_transforms
+                           ? wordIn(section, "child_frame_id")
+                           : names::kBaseFrame;
+  if (!ego.in_transforms) {
     ego.pose = poseIn(section, "");
+  } else if (!ego.fields.frame_id.empty() && ego.fields.frame_id != map_frame) {
+    section.refuse("frame_id", ego.fields.frame_id + " is not map_frame, which is " + map_frame);
   }
   section.finish();
   return ego;
@@ -156,7 +151,8 @@ TopicMapping readTopicMapping(const std::string& path) {
   const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
   Section section = openConfigFile(folder, file.filename().string());
   TopicMapping mapping;
-  mapping.ego = egoIn(section.section("ego"));
+  mapping.map_frame = section.has("map_frame") ? wordIn(section, "map_frame") : names::kMapFrame;
+  mapping.ego = egoIn(section.section("ego"), mapping.map_frame);
   mapping.agents = agentsIn(section.section("agents"));
   section.finish();
   return mapping;

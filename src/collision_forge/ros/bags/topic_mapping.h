@@ -26,8 +26,8 @@ struct TopicFields {
   std::string topic;
   std::string type;           ///< package/Type
   std::string stamp;          ///< path of a time field
-  std::string frame_id;       ///< required frame of poses; empty: not checked
-  std::string frame_id_path;  ///< path of the field with the frame of the poses
+  std::string frame_id;       ///< required frame of poses; empty: any
+  std::string frame_id_path;  ///< path of the frame of poses; empty: map_frame for all messages
 };
 
 enum class EgoReference { kBaseLink, kBoxMiddle };
@@ -36,10 +36,8 @@ struct EgoMapping {
   TopicFields fields;
   PoseFields pose;
   EgoReference reference = EgoReference::kBaseLink;  ///< point that the pose describes
-  /// For tf2_msgs/TFMessage: the ego's frame, and the path of the child frame in a transform.
-  /// Transforms of other frames are ignored. Empty for other types.
-  std::string child_frame_id;
-  std::string child_frame_id_path;
+  std::string child_frame_id;                        ///< frame whose pose is given
+  bool in_transforms = false;  ///< the pose is in the transforms of `fields.topic`; `pose` is empty
 };
 
 enum class VelocityFrame { kMap, kObject };
@@ -62,8 +60,12 @@ struct AgentsMapping {
 };
 
 struct TopicMapping {
+  std::string map_frame;  ///< frame of the lanes; poses in other frames are transformed to it
   EgoMapping ego;
   AgentsMapping agents;
+
+  /// Returns the topic of transforms; its name with "_static" is the topic of static ones.
+  std::string transformTopic() const { return ego.in_transforms ? ego.fields.topic : "/tf"; }
 };
 
 /// Reads a mapping file. Throws ConfigError with file, key and value.

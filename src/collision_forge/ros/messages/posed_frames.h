@@ -9,22 +9,26 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "collision_forge/base/scene/scene_history.h"
 #include "collision_forge/ros/messages/topic_names.h"
 
 namespace forge {
 
-/// Detects the transforms of /tf that move the ego: their child is the first frame from base_link
-/// upwards that /tf_static does not fix to its parent.
+/// Detects the transforms of /tf that move the ego: their child is the first frame from
+/// `base_frame` upwards that /tf_static does not fix to its parent.
 class EgoMovers {
  public:
+  explicit EgoMovers(std::string base_frame = names::kBaseFrame)
+      : base_frame_(std::move(base_frame)), moving_(base_frame_) {}
+
   /// Adds transforms of /tf_static.
   void addFixed(const tf2_msgs::TFMessage& message) {
     for (const geometry_msgs::TransformStamped& transform : message.transforms) {
       parents_[transform.child_frame_id] = transform.header.frame_id;
     }
-    moving_ = names::kBaseFrame;
+    moving_ = base_frame_;
     for (std::size_t i = 0; i < parents_.size() && parents_.count(moving_) > 0; ++i) {
       moving_ = parents_[moving_];
     }
@@ -36,8 +40,9 @@ class EgoMovers {
   }
 
  private:
+  std::string base_frame_;
   std::map<std::string, std::string> parents_;  // by child frame, from /tf_static
-  std::string moving_ = names::kBaseFrame;
+  std::string moving_;
 };
 
 /// Pairs messages (with a header) with the ego's pose at their stamp, in their order. Messages wait

@@ -52,9 +52,10 @@ std::vector<SceneRequest> listRequests(const Arguments& arguments,
   };
   unreadable = source.forEach(add);
   if (requests.empty()) {
-    throw std::runtime_error(arguments.logs.path + ": no scene is long enough for a clip of " +
+    throw std::runtime_error(arguments.logs.path +
+                             ": no scene has frames at 2 Hz or more over a clip of " +
                              numberText(config.dataset.min_length) +
-                             " s (dataset.min_length) with an ego of at least " +
+                             " s (dataset.min_length) and with an ego of at least " +
                              numberText(config.dataset.min_ego_speed) +
                              " m/s (dataset.min_ego_speed)" + unreadableText(unreadable));
   }

@@ -6,6 +6,7 @@
 #include "collision_forge/attack/forecast/motion_estimate.h"
 #include "collision_forge/attack/search/request_check.h"
 #include "collision_forge/io/collide/collide_clip.h"
+#include "collision_forge/io/collide/collide_frames.h"
 #include "collision_forge/study/dataset/seeds.h"
 
 namespace forge {
@@ -36,10 +37,14 @@ class Lister {
  public:
   Lister(const Scene& scene, const DatasetOptions& options, const PredictionOptions& prediction,
          std::uint64_t seed)
-      : scene_(scene), options_(options), prediction_(prediction), seed_(seed) {}
+      : scene_(scene),
+        frames_(collideFrames(scene.frame_times)),
+        options_(options),
+        prediction_(prediction),
+        seed_(seed) {}
 
   std::vector<SceneRequest> list() {
-    for (const std::size_t begin : beginsOf(scene_.frame_times, options_.begin_stride)) {
+    for (const std::size_t begin : beginsOf(frames_, options_.begin_stride)) {
       addBegin(begin);
     }
     return std::move(requests_);
@@ -47,9 +52,8 @@ class Lister {
 
  private:
   void addBegin(std::size_t begin) {
-    const std::vector<double>& frames = scene_.frame_times;
-    if (begin + kNow >= frames.size() || !comesAtTwoHertz(frames, begin, begin + kNow)) return;
-    const Snapshot snapshot = snapshotAt(scene_, frames[begin + kNow], kCollideNowFrame + 1);
+    if (begin + kNow >= frames_.size() || !comesAtTwoHertz(frames_, begin, begin + kNow)) return;
+    const Snapshot snapshot = snapshotAt(scene_, frames_[begin + kNow], kCollideNowFrame + 1);
     if (snapshot.ego.states.size() < 2 ||
         estimateMotion(snapshot.ego).speed < options_.min_ego_speed) {
       return;
@@ -59,12 +63,11 @@ class Lister {
   }
 
   std::vector<int> possibleLengths(std::size_t begin) const {
-    const std::vector<double>& frames = scene_.frame_times;
     std::vector<int> possible;
     for (const int length : clipLengths(options_)) {
       const std::size_t impact = begin + static_cast<std::size_t>(length);
-      if (impact + 1 < frames.size() && comesAtTwoHertz(frames, begin + kNow, impact) &&
-          frames[impact + 1] <= scene_.ego.states.back().time) {
+      if (impact + 1 < frames_.size() && comesAtTwoHertz(frames_, begin + kNow, impact) &&
+          frames_[impact + 1] <= scene_.ego.states.back().time) {
         possible.push_back(length);
       }
     }
@@ -81,7 +84,7 @@ class Lister {
       const auto chosen = lengths.begin() + static_cast<std::ptrdiff_t>(seed % lengths.size());
       const std::size_t impact = begin + static_cast<std::size_t>(*chosen);
       lengths.erase(chosen);
-      const double tta = scene_.frame_times[impact] - snapshot.now;
+      const double tta = frames_[impact] - snapshot.now;
       CollisionRequest request;
       request.type = type;
       request.tta = tta;
@@ -93,6 +96,7 @@ class Lister {
   }
 
   const Scene& scene_;
+  const std::vector<double> frames_;  ///< s, at 2 Hz
   const DatasetOptions& options_;
   const PredictionOptions& prediction_;
   std::uint64_t seed_;

@@ -17,7 +17,8 @@ std::vector<int> clipLengths(const DatasetOptions& options);
 /// Returns the requests (replay mode, any attacker) for the clips to try on a recording, in order
 /// of begin, type and draw.
 ///
-/// Clips begin every `begin_stride` s; t0 is kCollideNowFrame frames after the begin. For each
+/// Clips consist of collideFrames() and begin every `begin_stride` s; t0 is kCollideNowFrame frames
+/// after the begin. For each
 /// begin and type, draws `attempts` different lengths from those with an impact before the
 /// recording's last frame. The TTA is the recorded time from t0 to the frame of the impact. Skips:
 /// - begins with an ego slower than `min_ego_speed` at t0,

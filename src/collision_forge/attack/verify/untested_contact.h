@@ -1,0 +1,14 @@
+#pragma once
+
+#include "collision_forge/base/scene/attack.h"
+
+namespace forge {
+
+/// Returns true if the attack is untested: `tested` has no contact, and the ego's recording (its
+/// states must not be empty) ends before the contact that `pattern` predicts.
+inline bool endsBeforeContact(const Track& recorded_ego, const CollisionPattern& pattern,
+                              const CollisionReport& tested) {
+  return !tested.contact && recorded_ego.states.back().time < pattern.time;
+}
+
+}  // namespace forge

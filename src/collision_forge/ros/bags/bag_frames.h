@@ -1,0 +1,75 @@
+#pragma once
+
+#include <geometry_msgs/TransformStamped.h>
+#include <tf2/buffer_core.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <Eigen/Geometry>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "collision_forge/ros/messages/posed_frames.h"
+
+namespace forge {
+
+/// Returns a frame id without the leading slash of tf's first version.
+std::string frameName(const std::string& frame_id);
+
+/// Returns the usable transforms of a message with frameName() of both frames and unit quaternions.
+/// Omits transforms that are not finite or whose stamp is at the end of the range of ros::Time.
+std::vector<geometry_msgs::TransformStamped> usableTransforms(const tf2_msgs::TFMessage& message);
+
+/// Poses of frames in the map frame, put together by tf2 from the transforms of a bag, which are
+/// added in the order of their recording: first all static ones. Not thread-safe.
+class BagFrames {
+ public:
+  /// `ego_frame`: the frame whose motion movesEgo() detects.
+  BagFrames(std::string map_frame, const std::string& ego_frame)
+      : map_frame_(std::move(map_frame)), ego_movers_(ego_frame) {}
+
+  /// Adds an element of usableTransforms(), of /tf_static if `is_static`. If a frame has several
+  /// parents, only the first one that leads to the map frame is used. Returns false if the
+  /// transform is not used: because of its parent, or because it is not newer than the one before.
+  bool add(const geometry_msgs::TransformStamped& transform, bool is_static);
+
+  /// Adds the pose of `child` relative to `parent` as a transform; ignored as by add().
+  void addPose(const std::string& parent, const std::string& child, const ros::Time& time,
+               const Eigen::Isometry3d& pose);
+
+  /// Returns true if the ego moves by `transform`, of /tf.
+  bool movesEgo(const geometry_msgs::TransformStamped& transform) const {
+    return ego_movers_.has(transform);
+  }
+
+  /// Returns the pose of `frame` in the map frame, interpolated: the identity for the map frame
+  /// itself; nullopt if no chain of the added
+  /// transforms connects the two at `time`.
+  std::optional<Eigen::Isometry3d> poseOf(const std::string& frame, const ros::Time& time) const;
+
+  /// Returns true if no further transform can change poseOf() at `time`, because newer transforms
+  /// have replaced the transforms of that time.
+  bool isPast(const ros::Time& time) const;
+
+  /// Returns all transforms by parent and child, as "map -> odom, odom -> base_link"; "none".
+  std::string described() const;
+
+ private:
+  bool acceptsParent(const std::string& child, const std::string& parent);
+  bool leadsToMap(std::string frame) const;
+
+  static constexpr double kCache = 30.0;  // s that a pose can wait for transforms of a slow source
+
+  std::string map_frame_;
+  EgoMovers ego_movers_;
+  tf2::BufferCore buffer_{ros::Duration(kCache)};
+  std::map<std::string, std::string> parents_;         // by child, as used
+  std::set<std::pair<std::string, std::string>> all_;  // parent and child
+  std::map<std::string, ros::Time> stamps_;            // of the newest transform, by child
+  ros::Time newest_;
+};
+
+}  // namespace forge
