@@ -31,9 +31,10 @@ std::string unknownSourceText(const std::string& path) {
            ": is a ROS 2 bag; scripts/ros2_bag converts it to a ROS 1 bag "
            "(docs/foreign_bags.md)";
   }
-  std::string text = path +
-                     ": is neither a nuScenes root (no subfolder has scene.json), nor a folder of "
-                     "ScenarioNet files (sd_*.pkl), nor a bag (.bag)";
+  std::string text =
+      path +
+      ": is neither a nuScenes root (no subfolder has scene.json), nor a folder of "
+      "ScenarioNet files (sd_*.pkl), nor a bag (.bag), nor a CommonRoad scenario (.xml)";
   if (fs::is_regular_file(path)) {
     text += fs::file_size(path) == 0 ? "; the file is empty" : "; it is a file of another kind";
   } else if (endings.empty()) {
