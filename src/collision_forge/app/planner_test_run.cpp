@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/planner_pictures.h"
 #include "collision_forge/app/report.h"
