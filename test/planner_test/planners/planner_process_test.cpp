@@ -154,5 +154,16 @@ TEST(PlannerProtocol, KeepsTheTask) {
   EXPECT_EQ(read.task.lanes->map().lanes[1].polygon, task.lanes->map().lanes[1].polygon);
 }
 
+TEST(PlannerProtocol, KeepsTheObservation) {
+  const Observation observation{
+      egoAt({1.0, 2.0, 0.3}, 4.0), {agentAt("a", {5.0, 3.5, 0.1}, 3.0)}, {"lane 7"}};
+  const PlanRequest read = readPlanRequest(planLine(observation));
+  EXPECT_FALSE(read.is_begin);
+  EXPECT_EQ(read.observation.ego.pose.yaw, 0.3);
+  EXPECT_EQ(read.observation.agents.at(0).states.at(0).velocity,
+            observation.agents[0].states[0].velocity);
+  EXPECT_EQ(read.observation.red_lanes, observation.red_lanes);
+}
+
 }  // namespace
 }  // namespace forge

@@ -173,6 +173,7 @@ void readPlan(JsonObject object, Observation& observation) {
   for (JsonObject& agent : object.objects("agents", kMaxElements)) {
     observation.agents.push_back(readAgent(std::move(agent)));
   }
+  observation.red_lanes = object.texts("red_lanes");
   object.finish();
 }
 
@@ -227,6 +228,7 @@ std::string planLine(const Observation& observation) {
     writer.endObject();
   }
   writer.endArray();
+  writer.texts("red_lanes", observation.red_lanes);
   writer.endObject();
   writer.endObject();
   return writer.line();

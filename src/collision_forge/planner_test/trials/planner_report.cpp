@@ -195,8 +195,7 @@ std::vector<RolloutMeasure> rolloutMeasures() {
     measures.push_back({{std::string("avoided_by_") + toString(model),
                          std::string("Collisions with the attacker that ") + toString(model) +
                              " avoids, share of collisions with the attacker",
-                         {},
-                         false},
+                         {}},
                         kShare,
                         avoidedBy(model)});
   }
