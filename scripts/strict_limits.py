@@ -1,27 +1,27 @@
-"""The limits of the protocol "strict", one set for all, told at the middle of the box; part of check_limits."""
+"""Checks of the limits of the protocol "strict", at the middle of the box; part of check_limits."""
 import math
 
 from limit_checks import BACKWARDS, ROUNDING, Worst, turn
 from scenario_files import steps_to_contact
 
-# Tolerances of differences over samples 0.1 s apart. A second difference is a mean of the acceleration over its two
-# steps and a turn over a way a mean of the curvature, so neither exceeds a limit that is kept at every instant but for
-# the turning of the heading within the steps and for the chord, which is shorter than the arc.
+# Tolerances of finite differences over samples 0.1 s apart. A second difference is a mean of the acceleration over its
+# two steps, and a turn over a distance is a mean of the curvature. Neither exceeds a limit that is kept at every
+# instant, except because the heading turns within the steps and because the chord is shorter than the arc.
 ACCELERATION_ERROR = 0.05    # m/s2
 CURVATURE_ERROR = 0.001      # 1/m
 SLIP = 0.02                  # rad between a step and the heading halfway
-# What is written is held against the range of the differences around it. A sudden change within a step is in v at once,
-# but in the differences as a mean, which leaves v outside their range by a quarter of the change times the step.
+# Tolerances of written values against the range of the differences around them. v has a sudden change of acceleration
+# within a step at once, the differences have its mean, so v is outside their range by a quarter of change times step.
 WRITTEN_SPEED = 0.33         # m/s between v and a step's speed; 13 m/s2 from full braking to full throttle
 WRITTEN_ACCELERATION = 0.1   # m/s2 between a and a second difference
 WRITTEN_CURVATURE = 0.002    # 1/m between kappa and a turn over a step
-# Around curvature_min_speed the speed of a step does not determine which of the two rules for turning holds.
+# Near curvature_min_speed, the speed of a step does not determine which of the two rules for turning applies.
 SURELY_FAST = 1.1            # times curvature_min_speed
 SURELY_SLOW = 0.85
 
 
 class Step:
-    """From one sample to the next."""
+    """The motion of the middle of the box from one sample to the next."""
 
     def __init__(self, a, b):
         self.a, self.b = a, b
@@ -47,7 +47,7 @@ def check_steps(steps, limits, worst):
 
 
 def acceleration(before, after):
-    """Along the heading of the sample between two steps, and in all."""
+    """Return the acceleration along the heading at the sample between two steps, and the total one, m/s2."""
     between = 0.5 * (before.duration + after.duration)
     x, y = ((v - u) / between for u, v in zip(before.velocity, after.velocity))
     yaw = after.a['yaw']
@@ -64,7 +64,7 @@ def check_accelerations(steps, limits, worst):
 
 
 def check_slow_turns(steps, limits, worst):
-    """Headings against that where the slow stretch began, wherever it is surely slow."""
+    """Compare headings in slow steps with the heading at the start of the slow stretch."""
     begin, driven = steps[0].a['yaw'], 0.0
     for step in steps:
         if step.speed >= SURELY_FAST * limits['curvature_min_speed']:
@@ -89,20 +89,20 @@ def check_written(points, limits, worst):
 
 
 def outside(value, around):
-    """Return the distance of a value from the range of its neighbours."""
+    """Return the distance of a value from the range of the values `around`; 0 inside."""
     return max(min(around) - value, value - max(around), 0.0)
 
 
 def check_agreement(steps, count, limits, worst):
-    """Compare the values at the points of the first `count` steps with the differences before, at and after them."""
+    """Compare the values written at the points of the first `count` steps with the differences around them."""
     along = [acceleration(before, after)[0] for before, after in zip(steps, steps[1:])]
     for i, (before, after) in enumerate(zip(steps[:count], steps[1:])):
         point = after.a
         around = along[i - 1:i + 2]
         if len(around) == 3:
-            # A step between two harder or two gentler ones is not in their means, but in the written speeds.
+            # The means hide a step between two harder or two gentler ones; the written speeds show it.
             around += [(step.b['v'] - step.a['v']) / step.duration for step in (before, after)]
-            vary = max(around[:3]) - min(around[:3])  # a step's own acceleration leaves the range of means by as much
+            vary = max(around[:3]) - min(around[:3])  # a step's own acceleration may be this far outside the means
             worst.check('a', outside(point['a'], around), vary, point['t'], WRITTEN_ACCELERATION)
         speeds = [math.copysign(step.speed, step.forward) for step in (before, after)]
         worst.check('v', outside(point['v'], speeds), 0.0, point['t'], WRITTEN_SPEED)
@@ -112,7 +112,7 @@ def check_agreement(steps, count, limits, worst):
 
 
 def fastest_steering(steps, limits):
-    """1/(m s), between steps that are surely fast."""
+    """Return the fastest change of curvature between fast steps, 1/(m s)."""
     slow = SURELY_FAST * limits['curvature_min_speed']
     return max((abs(after.turn / after.length - before.turn / before.length) /
                 (0.5 * (before.duration + after.duration))
@@ -120,7 +120,7 @@ def fastest_steering(steps, limits):
 
 
 def judge(scenario, limits):
-    """(violations, fastest change of curvature) of the attacker from now to contact."""
+    """Return (violations, fastest change of curvature) of the attacker from t0 to contact."""
     points = scenario['attacker']['trajectory']
     all_steps = [Step(a, b) for a, b in zip(points, points[1:])]
     count = steps_to_contact(scenario)

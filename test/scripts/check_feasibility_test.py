@@ -55,9 +55,9 @@ class WithTheChecker(FeasibilityTest):
 
     def test_what_cannot_be_driven_is_not_feasible(self):
         car, bus = Vehicle('car'), Vehicle('bus')
-        for what, line in (('is led where nothing leads in the step at 0.0 s', car.drive(5.0, slip=0.3)),
-                           ('is led where nothing leads in the step at 0.0 s', car.turn_by(10.0, 8.5)),
-                           ('is led where nothing leads in the step at 1.9 s',
+        for what, line in (('is kinematically infeasible in the step at 0.0 s', car.drive(5.0, slip=0.3)),
+                           ('is kinematically infeasible in the step at 0.0 s', car.turn_by(10.0, 8.5)),
+                           ('is kinematically infeasible in the step at 1.9 s',
                             moved(car.drive(5.0), index=20, y=0.05)),
                            ('has an input out of bounds in the step at 1.0 s', car.swing(0.8)),
                            ('has an input out of bounds in the step at 1.0 s', bus.swing(0.8)),
