@@ -1,8 +1,8 @@
 """Results of the suite as plain data.
 
-SI units and radians, in the frame `map`; a pose is the centre of the vehicle's box. `now` is t0, the stamp of the frame
-of agents used for the request, on the recording's clock. All other times are in s from t0. `message` is the ROS message
-of the result.
+SI units and radians, in the frame `map`; the pose of a vehicle is the middle of its box. `now` is the stamp of the
+frame of agents at t0, on the recording's clock. All other times are in s from t0. `message` is the ROS message of a
+result.
 """
 import math
 from dataclasses import dataclass, field, fields
@@ -39,12 +39,12 @@ class Pose(Result):
 
     @classmethod
     def of_2d(cls, message: Any) -> 'Pose':
-        """Convert a geometry_msgs/Pose2D."""
+        """Return the pose of a geometry_msgs/Pose2D."""
         return cls(message.x, message.y, message.theta)
 
     @classmethod
     def of_3d(cls, message: Any) -> 'Pose':
-        """Convert a geometry_msgs/Pose; drops height, roll and pitch."""
+        """Return the pose in the plane of a geometry_msgs/Pose."""
         turn = message.orientation
         yaw = math.atan2(2.0 * (turn.w * turn.z + turn.x * turn.y), 1.0 - 2.0 * (turn.y ** 2 + turn.z ** 2))
         return cls(message.position.x, message.position.y, yaw)
@@ -136,15 +136,15 @@ class Attack:
 
     now: Time
     collision_type: str     # lane_change, opposite_direction, rear_end, junction_crossing or ltap
-    attacker: str           # id of the attacker
+    attacker: str           # id of its agent
     attacker_class: str     # car, truck, ...
-    added: bool             # not recorded: added by the suite
+    added: bool             # not a recorded agent
     trajectory: Tuple[Point, ...]  # from t0 to after the contact
     report: Report          # predicted
     method: str
-    adaptive: bool          # replans every 0.1 s
-    phase: str              # if adaptive: attacking, committed or driving_on
-    decision: str           # last decision, as text
+    adaptive: bool          # the attacker replans
+    phase: str              # adaptive: attacking, committed or driving_on
+    decision: str           # last decision, for people
     plans: int              # number of decisions; 0 if not adaptive
     alternatives: Tuple['Attack', ...]  # by falling confidence
     message: Any = raw()
@@ -170,11 +170,11 @@ class PossibleCollision(Result):
 
     now: Time = field(repr=False)
     collision_type: str
-    tta: float            # s from t0, to request
-    alternative: int      # index of the attack in the response, from 1
-    attacker: str         # id; for an added vehicle the id it would get
+    tta: float            # s from t0, for the request
+    alternative: int      # number of the attack in the response, from 1
+    attacker: str         # id of the agent; for an added vehicle its new id
     attacker_class: str
-    added: bool           # not recorded: added by the suite
+    added: bool           # not a recorded agent
     manoeuvre: str
     confidence: float     # [0, 1]
     contact_after: float  # s from t0, predicted
@@ -234,9 +234,9 @@ class PlannerOutcome:
     failure_reason: str
     duration: float                    # s from t0 to the contact, the failure or the end of the attacker's trajectory
     contact: Optional[PlannerContact]  # None: no contact
-    avoidable: bool                    # an evasive manoeuvre was found; False is no proof
-    last_manoeuvre: str                # evasive manoeuvre that can start latest; empty unless avoidable
-    last_moment: Optional[float]       # s from t0, its latest start
+    avoidable: bool                    # an evasive manoeuvre was found; False: none was found
+    last_manoeuvre: str                # evasive manoeuvre with the latest begin; empty unless avoidable
+    last_moment: Optional[float]       # s from t0, latest begin of last_manoeuvre
     max_braking: float                 # m/s2
     off_road_share: float              # mean share of the ego's box off the drivable area, [0, 1]
     progress: float                    # m along the route
@@ -264,7 +264,7 @@ class PlannerOutcome:
 
     @property
     def hit(self) -> bool:
-        """Return True if the first contact is with the attacker."""
+        """Return True if the attacker touched the ego."""
         return self.contact is not None and self.contact.is_attacker
 
     def __repr__(self) -> str:
@@ -322,7 +322,7 @@ class Scene:
 
     @classmethod
     def of(cls, message: Any) -> 'Scene':
-        """Convert an EncodedScene."""
+        """Return the scene of an EncodedScene."""
         now = message.header.stamp
         present = [track for track in message.snapshot.agents if track.states and track.states[-1].stamp == now]
         return cls(now, Agent.of(message.snapshot.ego), tuple(Agent.of(track) for track in present), message)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws charts of the tables of forge: rates with their intervals, kept against promised confidence, training curves."""
+"""Draws charts of the tables of forge: rates with intervals, confidence calibration, and training curves."""
 import argparse
 import csv
 import io
@@ -13,9 +13,9 @@ import matplotlib
 matplotlib.use('Agg')  # needs no display
 from matplotlib import pyplot  # noqa: E402  pylint: disable=wrong-import-position
 
-SIZE = (12.0, 5.0)  # inches of 100 pixels
+SIZE = (12.0, 5.0)  # inches, 100 pixels each
 SQUARE = (7.0, 7.0)
-GROUP_SHARE = 0.8  # of the place of a group that its bars take
+GROUP_SHARE = 0.8  # share of a group's width for its bars
 
 
 class Rate(NamedTuple):
@@ -28,34 +28,34 @@ class Rate(NamedTuple):
 
 
 def read_rows(path: Path) -> List[Dict[str, str]]:
-    """The lines of a CSV file with a header."""
+    """Return the rows of a CSV file with a header."""
     with open(str(path), newline='') as file:
         return list(csv.DictReader(file))
 
 
 def read_rates(path: Path) -> List[Rate]:
-    """The lines of a table.csv that have a value."""
+    """Return the rows of a table.csv that have a value."""
     return [Rate(row['measure'], row['method'], row['group'], float(row['value']),
                  (float(row['low']), float(row['high'])) if row['low'] else None)
             for row in read_rows(path) if row['value']]
 
 
 def whiskers(values: Sequence[float], intervals: Sequence[Optional[Tuple[float, float]]]) -> List[List[float]]:
-    """The intervals, in percent below and above the values; none where there is no interval."""
+    """Return the distances of the interval ends below and above the values, in percent; 0 without an interval."""
     ends = [interval or (value, value) for value, interval in zip(values, intervals)]
     return [[100.0 * (value - low) for value, (low, _) in zip(values, ends)],
             [100.0 * (high - value) for value, (_, high) in zip(values, ends)]]
 
 
 def write(path: Path, content: bytes) -> None:
-    """Writes a file beside its place and moves it there, so that a file is either whole or not there."""
+    """Write a file atomically."""
     part = path.with_name(path.name + '.part')
     part.write_bytes(content)
     os.replace(str(part), str(path))
 
 
 def save(figure: 'pyplot.Figure', axes: 'pyplot.Axes', path: Path, title: str) -> None:
-    """Writes a finished chart. Long titles are wrapped."""
+    """Write a finished chart. Long titles are wrapped."""
     axes.set_title(title, loc='left', wrap=True)
     axes.legend(loc='upper left', bbox_to_anchor=(0.0, -0.12), ncol=2, frameon=False)
     png = io.BytesIO()
@@ -65,7 +65,7 @@ def save(figure: 'pyplot.Figure', axes: 'pyplot.Axes', path: Path, title: str) -
 
 
 def draw_rates(path: Path, title: str, rates: List[Rate]) -> None:
-    """Bars in percent: one colour per method, side by side in each group."""
+    """Draw bars in percent: one colour per method, side by side in each group."""
     figure, axes = pyplot.subplots(figsize=SIZE)
     methods = list(dict.fromkeys(rate.method for rate in rates))
     groups = list(dict.fromkeys(rate.group for rate in rates))
@@ -85,7 +85,7 @@ def draw_rates(path: Path, title: str, rates: List[Rate]) -> None:
 
 
 def draw_calibration(path: Path, title: str, rows: List[Dict[str, str]]) -> None:
-    """Kept over promised confidence; on the diagonal, what is promised is kept."""
+    """Draw the observed rate (kept) over the reported confidence (promised), with the ideal diagonal."""
     figure, axes = pyplot.subplots(figsize=SQUARE)
     axes.plot([0.0, 100.0], [0.0, 100.0], '--', color='0.6')
     for column in dict.fromkeys(row['column'] for row in rows):
@@ -100,7 +100,7 @@ def draw_calibration(path: Path, title: str, rows: List[Dict[str, str]]) -> None
 
 
 def draw_curves(path: Path, title: str, rows: List[Dict[str, str]], columns: Sequence[str]) -> None:
-    """Columns of a metrics.csv over the epochs."""
+    """Draw columns of a metrics.csv over the epochs."""
     figure, axes = pyplot.subplots(figsize=SIZE)
     for column in columns:
         axes.plot([int(row['epoch']) for row in rows], [float(row[column]) for row in rows], marker='.',
@@ -112,7 +112,7 @@ def draw_curves(path: Path, title: str, rows: List[Dict[str, str]], columns: Seq
 
 
 def run(program: Callable[[], None]) -> None:
-    """Runs the program; files that cannot be read or written end it with a message and exit code 1."""
+    """Run the program; for unreadable or unwritable files, exit with a message and exit code 1."""
     try:
         program()
     except (OSError, KeyError, ValueError) as error:
@@ -120,14 +120,14 @@ def run(program: Callable[[], None]) -> None:
 
 
 def main() -> None:
-    """Reads the command line, and draws beside each file that it names."""
+    """Read the command line, and write charts beside the named files."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument('--title', default='', help='what was measured')
+    parser.add_argument('--title', default='', help='title of the charts')
     parser.add_argument('--rates', type=Path, metavar='TABLE.csv', help='draws MEASURE.png for each measure')
-    parser.add_argument('--measures', nargs='+', metavar='MEASURE', help='of --rates; all by default')
+    parser.add_argument('--measures', nargs='+', metavar='MEASURE', help='measures of --rates; default: all')
     parser.add_argument('--calibration', type=Path, metavar='CALIBRATION.csv', help='draws calibration.png')
     parser.add_argument('--curves', type=Path, metavar='METRICS.csv', help='draws curves.png')
-    parser.add_argument('--columns', nargs='+', metavar='COLUMN', default=[], help='of --curves')
+    parser.add_argument('--columns', nargs='+', metavar='COLUMN', default=[], help='columns of --curves')
     arguments = parser.parse_args()
     if arguments.rates:
         rates = read_rates(arguments.rates)

@@ -1,4 +1,4 @@
-"""Similarity of two samples of motion: distances per quantity and a classifier two-sample test."""
+"""Compares two samples of motion: distances of each quantity, and the accuracy of classifiers that separate them."""
 from typing import Dict, List, NamedTuple, Optional, Set, Tuple
 
 import numpy as np
@@ -12,19 +12,19 @@ from sklearn.preprocessing import StandardScaler
 
 from motion import INNER, Motion
 
-MIN_WINDOWS = 30  # on either side of a comparison; smaller comparisons are skipped
+MIN_WINDOWS = 30  # in each sample of a comparison; comparisons of smaller samples are left out
 MATCHED = 3  # recorded windows for each attack in the two-sample test
 DRAWS = 10  # random halves of the recorded scenes, for the floors
 SEED = 1  # of all draws
 
 
 class Quantity(NamedTuple):
-    """A compared quantity; values outside the histogram count in its first or last bin."""
+    """A compared quantity. Values outside the histogram are counted in its first and last bin."""
     unit: str
     lowest: float
     highest: float
     bins: int
-    step: float  # the features of the classifier are rounded to multiples of it
+    step: float  # features of the classifier are rounded to multiples of this
 
 
 # Bins of speed, acceleration, yaw rate and yaw acceleration as in the Waymo Open Sim Agents Challenge
@@ -41,17 +41,17 @@ QUANTITIES = {
     'steering angle': Quantity('rad', -0.6, 0.6, 20, 0.01),
     'steering rate': Quantity('rad/s', -0.4, 0.4, 20, 0.02),
 }
-ALONG = ('speed', 'acceleration', 'jerk')  # quantities whose sign counts for the classifier
+ALONG = ('speed', 'acceleration', 'jerk')  # quantities whose sign is a feature of the classifier
 
 
 class Floor(NamedTuple):
-    """A measure between recorded and recorded motion, over the draws."""
+    """A measure between two samples of recorded motion, over the draws."""
     mean: float
     most: float
 
 
 class Areas(NamedTuple):
-    """Areas under the curve of both classifiers; 0.5: the samples are alike."""
+    """Areas under the ROC curves of both classifiers; 0.5: the samples cannot be separated."""
     logistic: float
     forest: float
 
@@ -61,23 +61,24 @@ class Areas(NamedTuple):
 
 
 class TwoSampleTest(NamedTuple):
-    """Attacks against the recorded windows that match them."""
+    """Result of a comparison of attacks with matching recorded windows."""
     areas: Areas
-    noisy: Areas  # the same for attacks with the noise of recordings
+    noisy: Areas  # of attacks with the noise of recordings
     floor: Floor  # of Areas.larger
     attacks: int
     unmatched: int  # attacks skipped for lack of a matching window
 
 
 def values_of(motion: Motion, quantity: str) -> np.ndarray:
-    """The values at the inner samples of all windows, without those that are unknown."""
+    """Return the known values at the inner samples of all windows."""
     values = motion.states[quantity][:, INNER].ravel()
     return values[~np.isnan(values)]
 
 
 def distances_of(first: Motion, second: Motion, quantity: str) -> Optional[Tuple[float, float]]:
-    """Jensen-Shannon divergence (bit) of the histograms and Wasserstein-1 distance (in the quantity's unit); None if one
-    side has no values."""
+    """Return the Jensen-Shannon divergence (bit) of the histograms and the Wasserstein-1 distance.
+
+    The distance is in the unit of the quantity. Returns None if one sample has no values."""
     samples = [values_of(motion, quantity) for motion in (first, second)]
     if min(map(len, samples)) == 0:
         return None
@@ -87,20 +88,21 @@ def distances_of(first: Motion, second: Motion, quantity: str) -> Optional[Tuple
 
 
 def scene_halves(rng: np.random.Generator, *samples: np.ndarray) -> np.ndarray:
-    """Return a random half (rounded up) of the scenes with windows of the same samples."""
+    """Return a random half of the scenes: of each set of scenes with windows of the same samples, half (rounded up)."""
     scenes = rng.permutation(np.unique(np.concatenate(samples)))
     return scenes[np.lexsort([np.isin(scenes, sample) for sample in samples])][::2]
 
 
 def recorded_halves(recorded: Motion, rng: np.random.Generator) -> Tuple[Motion, Motion]:
-    """Random halves by scene."""
+    """Return the windows of two random halves of the scenes."""
     first = np.isin(recorded.scene, scene_halves(rng, recorded.scene))
     return recorded.of(first), recorded.of(~first)
 
 
 def distance_floors(recorded: Motion, windows: int) -> Dict[str, List[Floor]]:
-    """The distances of each quantity between two random halves of the recorded scenes. The first half is reduced to
-    `windows`, because small samples differ more by chance."""
+    """Return the distances of each quantity between two random halves of the recorded scenes.
+
+    The first half is reduced to `windows` windows, because small samples differ more by chance."""
     rng = np.random.default_rng(SEED)
     draws: Dict[str, List[Tuple[float, float]]] = {quantity: [] for quantity in QUANTITIES}
     for _ in range(DRAWS):
@@ -115,10 +117,11 @@ def distance_floors(recorded: Motion, windows: int) -> Dict[str, List[Floor]]:
 
 
 def features_of(motion: Motion) -> np.ndarray:
-    """Return the classifier features of windows: means and extremes of its motion, a row per window.
+    """Return the features of the classifier, a row per window: means and extremes of its motion.
 
-    Nothing of place, time, class or size, nor of the fit's residuals; left and right are not told apart. Unknown
-    steering is 0. Values are rounded, because annotators repeat a yaw exactly, which computed motion never does."""
+    The features contain no position, time, class, size or residual of the fit, and do not distinguish left from right.
+    Unknown steering is 0. Values are rounded, because annotators repeat a yaw exactly, which does not
+    happen in computed motion."""
     def rounded(quantity: str, values: List[np.ndarray]) -> List[np.ndarray]:
         return [QUANTITIES[quantity].step * np.round(value / QUANTITIES[quantity].step) for value in values]
 
@@ -133,11 +136,11 @@ def features_of(motion: Motion) -> np.ndarray:
 
 
 def areas_of(first: Motion, second: Motion, seed: int) -> Optional[Areas]:
-    """The classifier two-sample test (Lopez-Paz and Oquab, "Revisiting Classifier Two-Sample Tests", ICLR 2017): areas
-    under the curve of a logistic regression and of boosted trees of depth two.
+    """Return the areas under the ROC curves of a logistic regression and of boosted trees of depth two.
 
-    Both are trained on one half of the scenes and tested on the other, both ways; pairs are counted within a half, for
-    the scores of two classifiers have no common zero. Return None if a half lacks one of the samples."""
+    This is the classifier two-sample test (Lopez-Paz and Oquab, "Revisiting Classifier Two-Sample Tests", ICLR 2017).
+    Each classifier is trained on one half of the scenes and tested on the other, in both directions. Pairs are counted
+    within a half, because the scores of two classifiers have no common zero. Returns None if a half lacks a sample."""
     features = np.concatenate([features_of(first), features_of(second)])
     labels = np.repeat([1, 0], [len(first.scene), len(second.scene)])
     half = np.isin(np.concatenate([first.scene, second.scene]),
@@ -154,7 +157,7 @@ def areas_of(first: Motion, second: Motion, seed: int) -> Optional[Areas]:
 
 
 class RecordedPool:
-    """Recorded windows in random order, by class group and speed band; each is given away once."""
+    """Recorded windows in random order, by class group and speed band; each can be taken once."""
 
     def __init__(self, recorded: Motion, rng: np.random.Generator) -> None:
         self.left: Dict[Tuple[str, ...], List[int]] = {}
@@ -165,7 +168,7 @@ class RecordedPool:
                 self.left.setdefault(key, []).append(index)
 
     def take(self, key: Tuple[str, ...]) -> Optional[int]:
-        """The next window of a class group, a speed band and, if given, a scene; None if none is left."""
+        """Return the index of the next window of a class group, a speed band and optionally a scene, else None."""
         left = self.left.get(key, [])
         while left:
             index = left.pop()
@@ -176,8 +179,10 @@ class RecordedPool:
 
 
 def match(attacks: Motion, recorded: Motion, rng: np.random.Generator) -> Tuple[Motion, Motion]:
-    """The attacks that have a match, and their matches: up to MATCHED recorded windows for each attack, of its class
-    group and speed band, from its own scene first, then from any."""
+    """Return the attacks that have a match, and the matches.
+
+    The matches are up to MATCHED recorded windows for each attack, with its class group and speed band, first from its
+    own scene, then from any scene."""
     pool = RecordedPool(recorded, rng)
     found = np.zeros(len(attacks.scene), int)
     matches: List[int] = []
@@ -193,23 +198,24 @@ def match(attacks: Motion, recorded: Motion, rng: np.random.Generator) -> Tuple[
 
 
 def draw_like(attacks: Motion, recorded: Motion, rng: np.random.Generator) -> Motion:
-    """Recorded windows, for each attack one of its class group and speed band, as far as there are."""
+    """Return one recorded window of the same class group and speed band for each attack, as long as some are left."""
     pool = RecordedPool(recorded, rng)
     drawn = [pool.take(kind) for kind in zip(attacks.group, attacks.band)]
     return recorded.of(np.array([index for index in drawn if index is not None], int))
 
 
 def areas_of_matched(attacks: Motion, recorded: Motion, seed: int) -> Optional[Areas]:
-    """Return areas_of(); None if a sample is too small."""
+    """Return areas_of(), or None if a sample has fewer than MIN_WINDOWS windows."""
     return areas_of(attacks, recorded, seed) if min(len(attacks.scene), len(recorded.scene)) >= MIN_WINDOWS else None
 
 
 def two_sample_test(attacks: Motion, noisy: Motion, recorded: Motion) -> Optional[TwoSampleTest]:
-    """Return how well a classifier separates the attacks from recorded windows of the same class and speed. `noisy` are the same attacks
-    with the noise of recordings. The floor replaces them by recorded windows, with other scenes on the other side.
-    Return None for too few windows."""
+    """Test whether a classifier separates attacks from recorded windows of the same class and speed.
+
+    `noisy` are the same attacks with the noise of recordings. For the floor, recorded windows replace the attacks and
+    are compared with windows of other scenes. Returns None for too few windows."""
     areas = []
-    for sample in (attacks, noisy):  # with the same matches and halves
+    for sample in (attacks, noisy):  # with the same random matches and halves
         rng = np.random.default_rng(SEED)
         matched, matches = match(sample, recorded, rng)
         areas.append(areas_of_matched(matched, matches, SEED))

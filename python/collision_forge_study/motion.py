@@ -1,4 +1,4 @@
-"""Vehicle motion in windows of 3 s: reading from motion.csv of forge study evaluate, derivatives, quantities."""
+"""Reads vehicle motion in windows of 3 s from a file of forge study evaluate, and derives speed, acceleration etc."""
 import csv
 from collections import defaultdict
 from typing import Dict, List, NamedTuple
@@ -6,7 +6,7 @@ from typing import Dict, List, NamedTuple
 import numpy as np
 
 RECORDED = 'recorded'  # the driver of recorded windows
-SAMPLES = 7  # of a window, about 0.5 s apart
+SAMPLES = 7  # per window, about 0.5 s apart
 MIDDLE = SAMPLES // 2
 # The middle sample and its neighbours. The derivatives of a least-squares cubic are noisy further out: with position
 # noise of s m, the standard deviation of the second derivative is 0.9 s m/s2 at the middle, 1.8 s beside it, and 3.4 s
@@ -19,7 +19,7 @@ WHEELBASE_SHARE = 0.58
 
 ROAD_COLUMNS = ('on_lane', 'wrong_way', 'off_road', 'on_walkway', 'on_island')
 PEAK_COLUMNS = ('steering_rate', 'jerk', 'lateral_acceleration')
-BUCKETS = (('0.5-1 s', 1.25), ('1.5-2.5 s', 2.75), ('3-4.5 s', 4.75), ('5-6.5 s', 7.0))  # of the TTA, and their ends, s
+BUCKETS = (('0.5-1 s', 1.25), ('1.5-2.5 s', 2.75), ('3-4.5 s', 4.75), ('5-6.5 s', 7.0))  # of the TTA; ends in s
 TYPES = {'lane_change': 'LC', 'opposite_direction': 'OD', 'rear_end': 'RE', 'junction_crossing': 'JC', 'ltap': 'LTAP'}
 CLASS_GROUPS = {'car': 'car', 'emergency_vehicle': 'car', 'truck': 'truck', 'construction_vehicle': 'truck', 'bus': 'bus'}
 BANDS = ('2-5 m/s', '5-10 m/s', '10+ m/s')
@@ -38,26 +38,26 @@ class Drives(NamedTuple):
     windows: np.ndarray  # (drives, SAMPLES, 4): time (s), x, y (m), yaw (rad, unwrapped); NaN without a window
 
     def of(self, chosen: np.ndarray) -> 'Drives':
-        """The drives at these indices, or where a mask is true."""
+        """Return the drives at these indices, or where a mask is true."""
         return Drives(*(field[chosen] if isinstance(field, np.ndarray) else
                         {name: column[chosen] for name, column in field.items()} for field in self))
 
 
 class Motion(NamedTuple):
-    """The derivatives of windows of motion; the arrays of `states` are (windows, SAMPLES)."""
+    """Motion derived from windows; the arrays of `states` are (windows, SAMPLES)."""
     scene: np.ndarray
     group: np.ndarray
-    band: np.ndarray  # of speed; empty below the first one
-    states: Dict[str, np.ndarray]  # by quantity; NaN where a vehicle is too slow to derive its steering
+    band: np.ndarray  # speed band; empty below the first one
+    states: Dict[str, np.ndarray]  # by quantity; NaN where a vehicle is too slow for a steering angle
 
     def of(self, chosen: np.ndarray) -> 'Motion':
-        """The windows at these indices, or where a mask is true."""
+        """Return the windows at these indices, or where a mask is true."""
         return Motion(self.scene[chosen], self.group[chosen], self.band[chosen],
                       {name: values[chosen] for name, values in self.states.items()})
 
 
 def read_drives(path: str) -> Dict[str, Drives]:
-    """The drives of each driver in the file, in the order of the file; the driver RECORDED is always there."""
+    """Return the drives of each driver in the order of the file; the driver RECORDED is always included."""
     rows: Dict[str, List[Dict[str, str]]] = defaultdict(list)
     with open(path, newline='') as file:
         for row in csv.DictReader(file):
@@ -67,7 +67,7 @@ def read_drives(path: str) -> Dict[str, Drives]:
 
 
 def drives_of(rows: List[Dict[str, str]]) -> Drives:
-    """The rows of one driver as arrays."""
+    """Return the rows of one driver as arrays."""
     def texts(name: str) -> np.ndarray:
         return np.array([row[name] for row in rows], dtype=str)
 
@@ -88,8 +88,9 @@ def drives_of(rows: List[Dict[str, str]]) -> Drives:
 
 
 def fit(windows: np.ndarray) -> np.ndarray:
-    """Least-squares cubics through x, y and yaw of each window: (3, windows, SAMPLES, 3) first, second and third
-    derivatives, and the residuals of the positions as a fourth."""
+    """Fit least-squares cubics to x, y and yaw of each window.
+
+    Return first, second and third derivatives and the residuals: (4, windows, SAMPLES, 3), last axis x, y, yaw."""
     times = windows[:, :, 0] - windows[:, MIDDLE, None, 0]
     powers = times[:, :, None] ** np.arange(4)
     positions = windows[:, :, 1:] - windows[:, MIDDLE, None, 1:]
@@ -101,8 +102,10 @@ def fit(windows: np.ndarray) -> np.ndarray:
 
 
 def states_of(windows: np.ndarray, length: np.ndarray) -> Dict[str, np.ndarray]:
-    """Speed, acceleration and so on at each sample; steering by the kinematic single-track model (CommonRoad vehicle
-    models 2020a, section 3): angle = atan(wheelbase * yaw rate / speed)."""
+    """Return the quantities at each sample by name, from windows and vehicle lengths (m).
+
+    Steering follows the kinematic single-track model (CommonRoad vehicle models 2020a, section 3): angle =
+    atan(wheelbase * yaw rate / speed)."""
     first, second, third, _ = fit(windows)
     speed = np.hypot(first[:, :, 0], first[:, :, 1])
     with np.errstate(divide='ignore', invalid='ignore'):
@@ -120,25 +123,26 @@ def states_of(windows: np.ndarray, length: np.ndarray) -> Dict[str, np.ndarray]:
 
 
 def motion_of(drives: Drives) -> Motion:
-    """Return the motion in the windows; each drive must have one."""
+    """Return the motion in the windows; every drive must have a window."""
     states = states_of(drives.windows, drives.length)
     band = np.array(('',) + BANDS)[np.digitize(states['speed'][:, MIDDLE], BAND_STARTS)]
     return Motion(drives.scene, drives.group, band, states)
 
 
 def moves(drives: Drives) -> np.ndarray:
-    """Return which drives have a window with a speed of at least MIN_SPEED at every sample."""
+    """Return a mask of the drives that have a window with at least MIN_SPEED at every sample."""
     found = ~np.isnan(drives.windows[:, 0, 0])
     found[found] = (states_of(drives.windows[found], drives.length[found])['speed'] >= MIN_SPEED).all(axis=1)
     return found
 
 
 def with_recorded_noise(drives: Drives, recorded: Drives, rng: np.random.Generator) -> Drives:
-    """The attacks as an annotator would have recorded them: adds the fit residuals of a random recorded window, in
-    random order, to the positions of the generated samples, in vehicle axes.
+    """Return the attacks with the noise of annotations.
 
-    In their own order, the fit would remove the residuals again. They are scaled by sqrt(7 / 3), because the fit of a
-    cubic to seven samples removes four sevenths of the variance. Yaws are kept: annotated yaws are smooth."""
+    Adds the fit residuals of a random recorded window, in random order, to the positions of the generated samples, in
+    vehicle axes. In their original order, the fit would remove the residuals again. The residuals are scaled by
+    sqrt(7 / 3), because the fit of a cubic to seven samples removes four sevenths of the variance. Yaws are unchanged,
+    because annotated yaws are smooth."""
     if len(recorded.scene) == 0:
         return drives
     residuals = fit(recorded.windows)[3][:, :, :2] * np.sqrt(7.0 / 3.0)
@@ -153,7 +157,7 @@ def with_recorded_noise(drives: Drives, recorded: Drives, rng: np.random.Generat
 
 
 def in_axes(vectors: np.ndarray, yaw: np.ndarray) -> np.ndarray:
-    """The vectors (windows, SAMPLES, 2), turned by the yaws."""
+    """Return the vectors (windows, SAMPLES, 2), rotated by the yaws."""
     cos, sin = np.cos(yaw), np.sin(yaw)
     return np.stack([cos * vectors[:, :, 0] - sin * vectors[:, :, 1], sin * vectors[:, :, 0] + cos * vectors[:, :, 1]],
                     axis=2)

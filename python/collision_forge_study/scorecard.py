@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The scorecard of forge study evaluate: how much attackers drive like the recorded vehicles of the same scenes.
+"""Writes the scorecard of forge study evaluate: compares attackers with the recorded vehicles of the same scenes.
 
 Reads FOLDER/motion.csv; writes FOLDER/scorecard.md, scorecard.csv and scorecard.png. docs/protocols.md describes them."""
 import argparse
@@ -15,12 +15,12 @@ from distances import MIN_WINDOWS, QUANTITIES, SEED, distance_floors, distances_
 from motion import (BANDS, BUCKETS, INNER, PEAK_COLUMNS, RECORDED, TYPES, Drives, Motion, motion_of, moves, read_drives,
                     states_of, with_recorded_noise)
 
-MIN_GENERATED = 3  # samples of an attack's window that the method generated; fewer are not representative
-MIN_SCENES = 5  # minimum for an interval
+MIN_GENERATED = 3  # generated samples in an attack's window; windows with fewer are left out
+MIN_SCENES = 5  # needed for an interval
 VEHICLES = ('all', 'car', 'truck', 'bus')
 WHOLE = 1.0 - 1e-3  # shares have four decimals
 
-# Name in scorecard.csv, title, whether it is a bar of the chart, value of each drive.
+# Name in scorecard.csv, title, True if the chart has a bar for it, function that returns the value of each drive.
 SHARES = (
     ('wholly_on_lane', 'On a lane throughout', True, lambda road: road['on_lane'] >= WHOLE),
     ('on_lane', 'On a lane, mean share of the time', True, lambda road: road['on_lane']),
@@ -34,21 +34,21 @@ SHARES = (
 
 
 class Statistics(NamedTuple):
-    """The bootstrap of the intervals; section `statistics` of evaluation.yaml."""
+    """Settings of the bootstrap for intervals; section `statistics` of evaluation.yaml."""
     resamples: int
     confidence: float
     seed: int
 
 
 class Report:
-    """Collects the output."""
+    """Collects the contents of scorecard.md and scorecard.csv."""
 
     def __init__(self) -> None:
         self.markdown: List[str] = []
         self.rows = ['measure,method,group,trials,value,low,high']
 
     def add_table(self, title: str, columns: Sequence[str], rows: List[List[str]]) -> None:
-        """A table below a title; none without rows."""
+        """Add a table below a title, unless it has no rows."""
         if rows:
             lines = [columns, ['---'] * len(columns)] + rows
             self.markdown += ['', title, ''] + ['|' + '|'.join(' {} '.format(cell) if cell != '---' else cell
@@ -56,14 +56,15 @@ class Report:
 
     def add_value(self, measure: str, method: str, group: str, trials: int, value: Optional[float],
                   interval: Optional[Tuple[float, float]] = None) -> None:
-        """A line of scorecard.csv."""
+        """Add a row of scorecard.csv."""
         numbers = ['' if number is None else '{:.4f}'.format(number) for number in (value,) + (interval or (None, None))]
         self.rows.append(','.join([measure, method, group, str(trials)] + numbers))
 
 
 def groups_of(driver: str, drives: Drives) -> Dict[str, np.ndarray]:
-    """A mask of the drives of each type, of each bucket of the TTA, and of all. Recorded windows are of no type and
-    TTA."""
+    """Return masks of the drives of each type, of each bucket of the TTA, and of all drives, by name.
+
+    Recorded windows have no type and no TTA."""
     after, masks = 0.0, {}
     for name, short in TYPES.items():
         masks[short] = drives.type == name
@@ -75,7 +76,7 @@ def groups_of(driver: str, drives: Drives) -> Dict[str, np.ndarray]:
 
 
 def interval_of(values: np.ndarray, scenes: np.ndarray, statistics: Statistics) -> Optional[Tuple[float, float]]:
-    """Bootstrap interval of the mean over scenes; None below MIN_SCENES."""
+    """Return the bootstrap interval of the mean, with scenes as clusters; None below MIN_SCENES."""
     names, index = np.unique(scenes, return_inverse=True)
     if len(names) < MIN_SCENES:
         return None
@@ -87,7 +88,7 @@ def interval_of(values: np.ndarray, scenes: np.ndarray, statistics: Statistics) 
 
 def add_share(report: Report, name: str, title: str, shares: Dict[str, np.ndarray], drives: Dict[str, Drives],
               statistics: Statistics) -> None:
-    """A share that every drive has, as the mean of each group."""
+    """Add the mean of a share in each group."""
     rows, counts = [], []
     for driver, of_driver in drives.items():
         row, count = [driver], ['of, ' + driver]
@@ -106,7 +107,7 @@ def add_share(report: Report, name: str, title: str, shares: Dict[str, np.ndarra
 
 def add_quantiles(report: Report, name: str, title: str, scale: float, shares: Sequence[float],
                   values: Dict[str, np.ndarray], drives: Dict[str, Drives]) -> None:
-    """The quantiles of a value of each group; NaN for drives without it."""
+    """Add quantiles of a value in each group; the value is NaN for drives without it."""
     rows = []
     for driver, of_driver in drives.items():
         if np.isnan(values[driver]).all():
@@ -126,7 +127,7 @@ def add_quantiles(report: Report, name: str, title: str, scale: float, shares: S
 
 
 def add_driving(report: Report, drives: Dict[str, Drives]) -> None:
-    """Least gaps, and the peaks of each drive as shares of the limits of its class."""
+    """Add smallest gaps, and the peaks of each drive as shares of the limits of its class."""
     add_quantiles(report, 'least_gap', 'Least gap to anybody but the ego until the contact, m (recorded: to anybody)', 1.0,
                   (0.05, 0.5), {driver: found.values['least_gap'] for driver, found in drives.items()}, drives)
     for peak in PEAK_COLUMNS:
@@ -145,7 +146,7 @@ def add_driving(report: Report, drives: Dict[str, Drives]) -> None:
 
 
 def add_comparisons(report: Report, drives: Dict[str, Drives]) -> None:
-    """Classifiers of all methods by class and by type, then the distances of each method."""
+    """Add the classifier tests of all methods by class and by type, then the distances of each method."""
     recorded = motion_of(drives[RECORDED])
     classifiers: List[List[str]] = []
     tables = []
@@ -179,17 +180,17 @@ def add_comparisons(report: Report, drives: Dict[str, Drives]) -> None:
 
 
 def in_group(motion: Motion, group: str) -> np.ndarray:
-    """Return which vehicles are of a class group."""
+    """Return a mask of the vehicles of a class group; `all` is every vehicle."""
     return (motion.group == group) | (group == 'all')
 
 
 def in_band(motion: Motion, band: str) -> Motion:
-    """The windows of a speed band."""
+    """Return the windows of a speed band; `all` is every window."""
     return motion.of((motion.band == band) | (band == 'all'))
 
 
 def add_test(report: Report, method: str, group: str, attacks: Motion, noisy: Motion, recorded: Motion) -> List[List[str]]:
-    """The row of a two-sample test; none for too few windows."""
+    """Return the row of a two-sample test in a list; an empty list for too few windows."""
     test = two_sample_test(attacks, noisy, recorded)
     if test is None:
         return []
@@ -204,7 +205,7 @@ def add_test(report: Report, method: str, group: str, attacks: Motion, noisy: Mo
 
 def add_distances(report: Report, method: str, group: str, band: str, attacks: Motion, noisy: Motion,
                   recorded: Motion) -> List[List[str]]:
-    """A row of distances for each quantity; none for too few windows."""
+    """Return a row of distances for each quantity; an empty list for too few windows."""
     if min(len(attacks.scene), len(recorded.scene)) < MIN_WINDOWS:
         return []
     rows = []
@@ -224,7 +225,7 @@ def add_distances(report: Report, method: str, group: str, band: str, attacks: M
 
 
 def write_scorecard(folder: Path, heading: str, title: str, statistics: Statistics) -> None:
-    """Writes the three files."""
+    """Write scorecard.md, scorecard.csv and scorecard.png."""
     drives = read_drives(str(folder / 'motion.csv'))
     drives[RECORDED] = drives[RECORDED].of(moves(drives[RECORDED]))
     report = Report()
@@ -243,14 +244,14 @@ def write_scorecard(folder: Path, heading: str, title: str, statistics: Statisti
 
 
 def main() -> None:
-    """Reads the command line."""
+    """Read the command line and write the scorecard."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('folder', type=Path, metavar='FOLDER')
     parser.add_argument('--heading', default='Scorecard', help='first line of scorecard.md')
-    parser.add_argument('--title', default='', help='what was measured, for the chart')
-    parser.add_argument('--resamples', type=int, default=1000, help='of the bootstrap over scenes')
+    parser.add_argument('--title', default='', help='title of the chart')
+    parser.add_argument('--resamples', type=int, default=1000, help='resamples of the bootstrap over scenes')
     parser.add_argument('--confidence', type=float, default=0.95, help='share of the resamples within an interval')
-    parser.add_argument('--seed', type=int, default=1, help='of the bootstrap')
+    parser.add_argument('--seed', type=int, default=1, help='seed of the bootstrap')
     arguments = parser.parse_args()
     with threadpool_limits(1):  # sums of several threads differ in their last bits
         write_scorecard(arguments.folder, arguments.heading, arguments.title,
