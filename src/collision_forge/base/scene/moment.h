@@ -10,7 +10,7 @@
 
 namespace forge {
 
-/// A recording and the spatial index of its map.
+/// A recording and the spatial index of its map; `lanes` is not null.
 struct IndexedScene {
   Scene scene;
   std::shared_ptr<const LaneIndex> lanes;
