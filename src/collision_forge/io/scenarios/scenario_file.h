@@ -46,9 +46,10 @@ void writePose(JsonLineWriter& writer, const char* key, const Pose2& pose);
 void writeCollisionReport(JsonLineWriter& writer, const char* key, const CollisionReport& report,
                           double now);
 
-/// Writes the array "plans". `write_points` adds the field "trajectory" to each plan.
+/// Writes the field "trajectory" of a plan into the open object.
 using WritePoints = std::function<void(JsonLineWriter& writer,
                                        const std::vector<TrajectoryPoint>& points, double now)>;
+/// Writes the array "plans", each with `write_points`.
 void writePlans(JsonLineWriter& writer, const std::vector<AttackerPlan>& plans, double now,
                 const WritePoints& write_points);
 
