@@ -27,10 +27,11 @@ struct RateTable {
   std::vector<std::vector<Rate>> rates;  ///< by method, then by group
 };
 
-/// Trials of a table: one element per row, in order, with its method.
+/// Method names with their trials; one element per row of a table.
 using MethodTrials = std::vector<std::pair<std::string, std::vector<Trial>>>;
 
-/// Computes the rates with intervals (pooledRate()) for each method and group.
+/// Returns the pooledRate() of each method and group (groupTrials()). `measure` is copied to the
+/// table; the trials already have its values.
 RateTable tabulateTrials(const Measure& measure, const MethodTrials& trials);
 
 /// Unit in which a table shows its values.
