@@ -32,13 +32,14 @@ class OpenedBag {
 /// different bags at the same time.
 class NewBag {
  public:
-  /// Throws BagError, and std::runtime_error if `path` exists and is no file.
+  /// Throws as AsideFile, and BagError if rosbag cannot open the file.
   explicit NewBag(const std::string& path);
   ~NewBag();
   NewBag(const NewBag&) = delete;
   NewBag& operator=(const NewBag&) = delete;
 
-  /// `header`: header of the connection; null: default. Throws BagError.
+  /// `time`: time in the bag, not 0. `header`: header of the connection; null: default. Throws
+  /// BagError.
   template <typename Message>
   void write(const std::string& topic, const ros::Time& time, const Message& message,
              const boost::shared_ptr<ros::M_string>& header = {}) {

@@ -16,7 +16,8 @@ struct ForeignBags {
   std::string map;
 };
 
-/// Opens a bag or a folder of bags, one scene per bag, read by readForeignBag(). Throws BagError if
+/// Opens the bag or the folder of bags at `bags`, one scene per bag, read by readForeignBag() and
+/// named after its file. Throws BagError if
 /// there is no bag, std::runtime_error if a wanted scene is missing. recording() throws like
 /// readForeignBag(), readLaneMap() and readNuScenesMapFile(), BagError for a bag without lanes, and
 /// ConfigError for a location without a driving side.

@@ -23,7 +23,9 @@ namespace forge {
 /// recording ends before the contact or already contains an attack. Thread-safe.
 class AttackFinder {
  public:
-  /// `config` must outlive the object. Propagates the exceptions of loading methods and weights.
+  /// `node` resolves the services and topics. `config` must outlive the object. Throws as
+  /// loadMethods() and the loaders of weights. A recording that cannot be read is logged; replay
+  /// mode is then rejected.
   AttackFinder(ros::NodeHandle& node, const ros::NodeHandle& private_node, const Config& config);
 
   const MethodRegistry& methods() const { return methods_; }
