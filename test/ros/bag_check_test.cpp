@@ -97,7 +97,7 @@ TEST_P(BagCheck, AFileThatIsNoBagIsCalledSo) {
 TEST_P(BagCheck, BagsOfOtherVersionsAndNamesAreRefused) {
   for (const char* line : {"#ROSBAG V1.2\n", "#ROSG V2.0\n", "#ROSRECORD V2.0\n"}) {
     write(line + withLength(0x7fffffff, std::strlen("#ROSBAG V2.0\n")));
-    EXPECT_EQ(complaint(), path_ + ": is no bag of version 2.0") << line;
+    EXPECT_EQ(complaint(), path_ + ": is not a bag of version 2.0") << line;
   }
 }
 
@@ -109,7 +109,7 @@ TEST_P(BagCheck, PlacesWhereNothingIsAreRefused) {
   bytes = bytes_;
   bytes[bytes.find("chunk_pos=") + std::strlen("chunk_pos=")] ^= 1;
   write(bytes);
-  EXPECT_THAT(complaint(), HasSubstr("names a chunk where there is none"));
+  EXPECT_THAT(complaint(), HasSubstr("refers to a chunk that does not exist"));
 }
 
 TEST_P(BagCheck, LengthsOfArraysInAMessage) {

@@ -72,7 +72,8 @@ TEST(AttackerTrajectoryMessage, MustBeOfNumbersWhoseTimesGrow) {
   EXPECT_EQ(complaintAbout(message), "attacker a: size is not positive");
   message = drivenFor(4);
   message.points[3].stamp = message.points[2].stamp;
-  EXPECT_EQ(complaintAbout(message), "attacker a: points[3].stamp is not after the one before");
+  EXPECT_EQ(complaintAbout(message),
+            "attacker a: points[3].stamp is not later than the previous one");
   message = drivenFor(4);
   message.agent_class = 200;
   EXPECT_NE(complaintAbout(message), "");
@@ -95,7 +96,8 @@ TEST(AttackerTrajectoryMessage, HasAPastIfItWasAdded) {
   EXPECT_TRUE(again.added);
   EXPECT_EQ(again.past, message.past);
   message.past[2].stamp = message.past[1].stamp;
-  EXPECT_EQ(complaintAbout(message), "attacker a: past[2].stamp is not after the one before");
+  EXPECT_EQ(complaintAbout(message),
+            "attacker a: past[2].stamp is not later than the previous one");
   message.past[1].pose.x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(complaintAbout(message), "attacker a: past[1] is not finite");
   message.past.clear();

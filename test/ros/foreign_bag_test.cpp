@@ -417,8 +417,8 @@ TEST_F(ForeignBagTest, AgentsThatCannotBeUsedAreLeftOut) {
   EXPECT_EQ(agents[2].instance, "6");
   EXPECT_THAT(
       warnings_,
-      ElementsAre("3 agents that are not a number or have no size left out",
-                  "1 agents without an id, or with that of another one or the ego left out"));
+      ElementsAre("3 agents that are not finite or have no size left out",
+                  "1 agents without an id, or with the id of another agent or the ego left out"));
 }
 
 TEST_F(ForeignBagTest, AVelocityThatIsNotFiniteCostsNoAgent) {
@@ -450,12 +450,13 @@ TEST_F(ForeignBagTest, StampsThatGoBackOrAreNotSetAreLeftOut) {
   const NuScenesRecording recording = read();
   EXPECT_EQ(recording.ego_poses.size(), 3U);
   EXPECT_EQ(recording.frames.size(), 3U);
-  EXPECT_THAT(warnings_,
-              ElementsAre("1 ego poses that are not a number left out",
-                          "1 ego poses whose stamp is before the last one's left out",
-                          "1 ego poses whose stamp is not set left out",
-                          "1 frames of agents whose stamp is not after the one before left out",
-                          "1 frames of agents whose stamp is not set left out"));
+  EXPECT_THAT(
+      warnings_,
+      ElementsAre("1 ego poses are not finite and left out",
+                  "1 ego poses whose stamp is earlier than the previous one left out",
+                  "1 ego poses whose stamp is not set left out",
+                  "1 frames of agents whose stamp is not later than the previous one left out",
+                  "1 frames of agents whose stamp is not set left out"));
 }
 
 TEST_F(ForeignBagTest, WhatIsNotAsTheMappingSaysIsAnError) {

@@ -469,9 +469,9 @@ TEST_F(InjectIntoBagTest, WhatIsNotFiniteIsLeftOutAndTold) {
   const auto warnings =
       injectIntoBag(spoilt, out_, attack_,
                     {ego_, 0.0, config_.attack.verification.drivable, config_.attacked_bag});
-  EXPECT_EQ(warnings, (std::vector<std::string>{"4 entries of /agents that are not finite left out",
-                                                "2 entries of /odom that are not finite left out",
-                                                "2 entries of /tf that are not finite left out"}));
+  EXPECT_EQ(warnings, (std::vector<std::string>{"4 entries of /agents are not finite and left out",
+                                                "2 entries of /odom are not finite and left out",
+                                                "2 entries of /tf are not finite and left out"}));
   for (const auto& message : read<collision_forge::AgentArray>(bagTopic(names::kAgents))) {
     for (const auto& agent : message.agents) {
       EXPECT_NE(agent.id, "spoilt");

@@ -283,7 +283,7 @@ TEST(CrashMarkers, CountDownAndThenTellTheVerdict) {
   view.header = header(11.0);
   EXPECT_EQ(inNamespace(crashMarkers(view), "words")[0].text, "contact in 2.0 s");
   view.header = header(13.0);
-  EXPECT_EQ(inNamespace(crashMarkers(view), "words")[0].text.find("contact as asked\n"), 0U);
+  EXPECT_EQ(inNamespace(crashMarkers(view), "words")[0].text.find("contact as requested\n"), 0U);
 }
 
 TEST(CrashMarkers, KeepTheWordsInTheirPlaceWhileTheVehiclesCome) {

@@ -241,7 +241,7 @@ TEST_F(ExportToMcapTest, WhatIsBeyondTheLimitsIsCopiedNotShownAndTold) {
     bag.write(bagTopic(names::kAgents), ros::Time(1.5), frameAt(1.5));
     bag.commit();
   }
-  const std::string entries = " beyond the limits of input are not shown";
+  const std::string entries = " beyond the input limits are not shown";
   EXPECT_THAT(
       exportToMcap(in_, out_, optionsOfTest()),
       UnorderedElementsAre("3 entries of /agents" + entries, "1 entries of /lane_map" + entries,

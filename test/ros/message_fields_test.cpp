@@ -149,8 +149,8 @@ TEST(MessageFields, TypesThatHoldThemselvesAreRefused) {
   EXPECT_THAT(
       complaintOf(std::string("Box box\n") + kRule + "MSG: zoo_msgs/Box\nBox[] inner\n", {}),
       testing::AllOf(HasSubstr("zoo_msgs/Box"), HasSubstr("inner"),
-                     HasSubstr("does one hold itself?")));
-  EXPECT_THAT(complaintOf("Cage cage\n", {}), HasSubstr("does one hold itself?"));
+                     HasSubstr("does a type contain itself?")));
+  EXPECT_THAT(complaintOf("Cage cage\n", {}), HasSubstr("does a type contain itself?"));
 }
 
 TEST(MessageFields, DefinitionsThatCannotBeReadAreRefused) {
@@ -163,7 +163,7 @@ TEST(MessageFields, DefinitionsThatCannotBeReadAreRefused) {
   EXPECT_THAT(complaintOf("uint8[3 a\n", {}), HasSubstr("'uint8[3 a'"));
   EXPECT_THAT(complaintOf("uint8[99999999999999999999] a\n", {}), HasSubstr("[9999"));
   EXPECT_THAT(complaintOf("", {{"header.stamp", FieldKind::kTime}}),
-              HasSubstr("has no field 'header' but none"));
+              HasSubstr("has no field 'header'; its fields are none"));
 }
 
 TEST(MessageFields, PathsThatLeadNowhereAreRefused) {
@@ -174,19 +174,20 @@ TEST(MessageFields, PathsThatLeadNowhereAreRefused) {
   };
   const Case cases[] = {
       {"", FieldKind::kNumber, "no field ''"},
-      {"header.stamps", FieldKind::kTime, "std_msgs/Header has no field 'stamps' but seq, stamp"},
+      {"header.stamps", FieldKind::kTime,
+       "std_msgs/Header has no field 'stamps'; its fields are seq, stamp"},
       {"header", FieldKind::kNumber, "is of type Header, not a number"},
       {"header.stamp", FieldKind::kNumber, "is of type time, not a number"},
       {"header.seq", FieldKind::kTime, "is of type uint32, not a time"},
       {"header.stamp.secs", FieldKind::kNumber, "is of type time and has no fields"},
-      {"header[0].stamp", FieldKind::kTime, "header is no array"},
+      {"header[0].stamp", FieldKind::kTime, "header is not an array"},
       {"animals.name", FieldKind::kText, "write animals[0] or animals[]"},
       {"animals[].size", FieldKind::kNumber, "write size[0] or size[]"},
       {"animals[].size", FieldKind::kText, "write size[0] or size[]"},
       {"animals[].size[0]", FieldKind::kText, "is of type float32[2], not a string"},
       {"animals[].size[2]", FieldKind::kNumber, "size has 2 elements"},
-      {"animals[x].name", FieldKind::kText, "'[x]' is no element"},
-      {"animals[0.name", FieldKind::kText, "'[0' is no element"},
+      {"animals[x].name", FieldKind::kText, "'[x]' is not an index"},
+      {"animals[0.name", FieldKind::kText, "'[0' is not an index"},
       {"animals[].tag", FieldKind::kNumber, "write tag[0] or tag[]"}};
   for (const auto& [path, kind, complaint] : cases) {
     EXPECT_THAT(complaintOf(kCage, {{path, kind}}),

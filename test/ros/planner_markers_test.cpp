@@ -99,7 +99,7 @@ TEST(RolloutMarkers, ShowThoseWhoReactAsTheyDrove) {
 TEST(RolloutMarkers, WithoutAContactTellWhatHappenedAtTheEnd) {
   PlannerTrial trial = standing();
   const MarkerArray array = rolloutMarkers(shown(trial, "idm"), kEnd);
-  EXPECT_EQ(reportOf(array), "idm: no contact in 2.00 s\nno way to avoid it was found");
+  EXPECT_EQ(reportOf(array), "idm: no contact in 2.00 s\nno evasive manoeuvre found");
   EXPECT_TRUE(inNamespace(array, "contact").empty());
 
   trial.outcome.failure = PlannerFailure::kTimedOut;
@@ -121,7 +121,7 @@ TEST(RolloutMarkers, ShowTheContactAtTheEnd) {
   const MarkerArray array = rolloutMarkers(shown(trial, "pdm"), kEnd);
   EXPECT_EQ(reportOf(array),
             "pdm: touches the attacker\nafter 2.00 s, impact 5.0 m/s\nnot at fault\n"
-            "no way to avoid it was found");
+            "no evasive manoeuvre found");
   EXPECT_EQ(inNamespace(array, "contact").size(), 1U);
   EXPECT_TRUE(inNamespace(rolloutMarkers(shown(trial, "pdm"), kNow), "contact").empty());
 

@@ -92,12 +92,13 @@ TEST(CrashText, CountsDownUntilTheContact) {
 TEST(CrashText, GivesTheVerdictInGreenOrRed) {
   const collision_forge::Attack attack = attackAt(10.0);
   collision_forge::CollisionReport tested = testedOf(attack);
-  const std::string as_asked = crashAt(14.5, attack, &tested);
-  EXPECT_THAT(as_asked, HasSubstr("contact as asked"));
+  const std::string as_requested = crashAt(14.5, attack, &tested);
+  EXPECT_THAT(as_requested, HasSubstr("contact as requested"));
   tested.verified = tested.on_time = false;
-  const std::string not_as_asked = crashAt(14.5, attack, &tested);
-  EXPECT_THAT(not_as_asked, HasSubstr("at another time"));
-  EXPECT_NE(as_asked.substr(0, as_asked.find('>')), not_as_asked.substr(0, not_as_asked.find('>')));
+  const std::string not_as_requested = crashAt(14.5, attack, &tested);
+  EXPECT_THAT(not_as_requested, HasSubstr("at another time"));
+  EXPECT_NE(as_requested.substr(0, as_requested.find('>')),
+            not_as_requested.substr(0, not_as_requested.find('>')));
 }
 
 }  // namespace

@@ -141,12 +141,12 @@ ReportRow rowOfAttack(const Scenario& scenario, const Attack& attack,
   row.origin = attack.trajectory.isAdded() ? "added" : "recorded";
   row.believable = yesOrNo(report.believable());
   row.confidence = report.confidence;
-  const CollisionReport& told = recorded ? recorded->report : report;
-  if (!told.contact) return row;
-  row.contact_t = told.contact_time - scenario.asked.now;
-  row.impact_speed = told.impact_speed;
-  row.heading = told.relative_heading;
-  row.overlap = told.overlap;
+  const CollisionReport& shown_report = recorded ? recorded->report : report;
+  if (!shown_report.contact) return row;
+  row.contact_t = shown_report.contact_time - scenario.asked.now;
+  row.impact_speed = shown_report.impact_speed;
+  row.heading = shown_report.relative_heading;
+  row.overlap = shown_report.overlap;
   return row;
 }
 

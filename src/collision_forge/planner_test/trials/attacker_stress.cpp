@@ -22,7 +22,7 @@ constexpr EnumWord<EgoConduct> kConductWords[] = {
 constexpr double kJump = 30.0;         // m ahead
 constexpr double kReverseSpeed = 3.0;  // m/s
 constexpr double kLatestStart = 0.9;   // share of the requested TTA
-constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Returns the recorded state at `time`; extrapolates straight ahead after the recording's end.
 AgentState recordedAt(const Track& ego, double time) {
@@ -53,7 +53,7 @@ AgentState confusing(EgoConduct conduct, const AgentState& from, double time) {
       state.pose = compose(from.pose, {kJump + speed * since, 0.0, 0.0});
       break;
     case EgoConduct::kVanishes:
-      state.pose = {kNowhere, kNowhere, kNowhere};
+      state.pose = {kUnknown, kUnknown, kUnknown};
       break;
   }
   return state;

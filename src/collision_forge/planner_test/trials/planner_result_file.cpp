@@ -167,7 +167,7 @@ PlannerRow readRow(JsonObject& object, double now) {
   if (auto contact = object.objectOrNull("contact")) {
     row.outcome.contact = readContact(*contact, now);
   }
-  if (auto escape = object.objectOrNull("escape")) row.escape = readAvoidability(*escape);
+  if (auto evasion = object.objectOrNull("escape")) row.evasion = readAvoidability(*evasion);
   row.is_fair = object.flag("fair");
   row.outcome.duration = object.number("duration");
   row.outcome.max_braking = object.number("max_braking");
@@ -278,8 +278,8 @@ void writePlannerRow(JsonLineWriter& writer, const PlannerRow& row, double now) 
   } else {
     writer.null("contact");
   }
-  if (row.escape) {
-    writeAvoidability(writer, "escape", *row.escape);
+  if (row.evasion) {
+    writeAvoidability(writer, "escape", *row.evasion);
   } else {
     writer.null("escape");
   }
@@ -368,7 +368,7 @@ std::vector<std::string> plannerResultCsvRows(const PlannerTestResult& result) {
         "%.3f,%.3f,%.3f,%.4f,%.3f,%.3f", outcome.duration, outcome.max_braking,
         outcome.hard_braking, outcome.off_road_share, outcome.progress, outcome.recorded_progress);
     rows.push_back(start + ',' + row.planner + ',' + csvAttacker(row.attacker) + ',' +
-                   (row.escape ? csvLast(*row.escape) : ",") + (row.is_fair ? ",1," : ",0,") +
+                   (row.evasion ? csvLast(*row.evasion) : ",") + (row.is_fair ? ",1," : ",0,") +
                    toString(outcome.failure) + ',' + csvContact(outcome.contact, result.now) + ',' +
                    numbers + csvNuplan(outcome.nuplan) + ',' + csvHit(row.published_hit));
   }

@@ -7,8 +7,8 @@
 namespace forge {
 namespace {
 
-/// A bag loads and unloads its encryption plugin when it is made and destroyed, and the plugin
-/// loader must not do that from two threads at a time.
+/// Guards construction and destruction of bags, which load and unload an encryption plugin: the
+/// plugin loader is not thread-safe.
 std::mutex& pluginMutex() {
   static std::mutex mutex;
   return mutex;
@@ -52,7 +52,7 @@ NewBag::~NewBag() {
   try {
     close();
   } catch (const rosbag::BagException&) {
-    // Only an uncommitted bag gets here open, and its file goes away.
+    // Only an uncommitted bag is still open here, and its file is deleted.
   }
 }
 

@@ -76,7 +76,7 @@ class CrashTopics {
   void takeTransforms(const tf2_msgs::TFMessage& message, const ros::Time& time, bool is_static);
   void takeAttack(const collision_forge::Attack& attack);
   void takeAgents(collision_forge::AgentArray agents, const ros::Time& time);
-  void tell();
+  void writePosed();
   void showSpeed(const Place& place, const Pose2& base);
   void show(const Frame& frame, const Pose2& base);
 

@@ -19,10 +19,10 @@
 namespace forge {
 namespace {
 
-constexpr std::int64_t kClockGap = 10000000;  // us; stamps farther apart are of different clocks
+constexpr std::int64_t kClockGap = 10000000;  // us; stamps farther apart belong to different clocks
 
-/// The fields of a topic that are wanted, and what its newest message has there. A field that is
-/// not there is NaN, empty or 0.
+/// The mapped fields of a topic and their values in the newest message. The value of a missing
+/// field is NaN, empty or 0.
 class TopicValues {
  public:
   explicit TopicValues(const TopicFields& topic) : topic_(topic) {
@@ -45,7 +45,8 @@ class TopicValues {
     std::visit([this](const auto& orientation) { want(orientation); }, pose.orientation);
   }
 
-  /// A connection of the topic; throws BagError where it is not as the mapping says.
+  /// Adds a connection of the topic; throws BagError if its type differs from the mapping or lacks
+  /// a field.
   void add(const rosbag::ConnectionInfo& connection) {
     if (connection.datatype != topic_.type) {
       throw BagError("is of type " + connection.datatype + ", not " + topic_.type);
@@ -63,7 +64,7 @@ class TopicValues {
 
   std::size_t rows(const std::string& path) const { return values_[columns_.at(path)].size(); }
 
-  /// All values in a row.
+  /// Returns all values in a row; empty if there is no such row.
   const std::vector<FieldValue>& all(const std::string& path, std::size_t row) const {
     static const std::vector<FieldValue> none;
     const FieldRows& rows = values_[columns_.at(path)];
@@ -81,7 +82,7 @@ class TopicValues {
   Eigen::Vector3d vector(const std::array<NumberSource, 3>& sources, std::size_t row) const {
     return {number(sources[0], row), number(sources[1], row), number(sources[2], row)};
   }
-  /// Not finite where the fields give no rotation.
+  /// Returns the rotation; not finite if the fields describe none.
   Eigen::Quaterniond rotation(const PoseFields& pose, std::size_t row) const {
     if (const auto* yaw = std::get_if<NumberSource>(&pose.orientation)) {
       return Eigen::Quaterniond(Eigen::AngleAxisd(number(*yaw, row), Eigen::Vector3d::UnitZ()));
@@ -108,7 +109,7 @@ class TopicValues {
   const TopicFields& topic_;
   std::vector<FieldPath> paths_;
   std::map<std::string, std::size_t> columns_;  ///< of `paths_`, by path
-  /// By the header of their connection, which is shared.
+  /// Readers by the header of their connection, which all its messages share.
   std::map<boost::shared_ptr<ros::M_string>, std::unique_ptr<MessageFields>> readers_;
   std::vector<std::uint8_t> bytes_;
   std::vector<FieldRows> values_;
@@ -143,7 +144,7 @@ class RecordingBuilder {
     if (instance.getTopic() == mapping_.agents.fields.topic) addAgents(instance);
   }
 
-  /// Adds to `left_out` what was left out, with counts.
+  /// Appends a line per kind of dropped data to `left_out`.
   NuScenesRecording finish(std::vector<std::string>& left_out) {
     requireOneClock();
     if (!mapping_.agents.velocity) deriveVelocities(recording_);
@@ -201,7 +202,7 @@ class RecordingBuilder {
     auto& poses = recording_.ego_poses;
     const std::int64_t last = poses.empty() ? 0 : poses.back().timestamp_us;
     if (!pose.translation.allFinite() || !pose.rotation.coeffs().allFinite()) {
-      ++left_out_["ego poses that are not a number"];
+      ++left_out_["ego poses that are not finite"];
     } else if (pose.timestamp_us == 0) {
       ++left_out_["ego poses whose stamp is not set"];
     } else if (!poses.empty() && isSameInstant(pose.timestamp_us, last)) {
@@ -210,7 +211,7 @@ class RecordingBuilder {
     } else if (pose.timestamp_us > last) {
       poses.push_back(pose);
     } else {
-      ++left_out_["ego poses whose stamp is before the last one's"];
+      ++left_out_["ego poses whose stamp is earlier than the previous one"];
     }
   }
 
@@ -226,7 +227,7 @@ class RecordingBuilder {
     }
     if (!frames.empty() && (frame.timestamp_us <= frames.back().timestamp_us ||
                             isSameInstant(frame.timestamp_us, frames.back().timestamp_us))) {
-      ++left_out_["frames of agents whose stamp is not after the one before"];
+      ++left_out_["frames of agents whose stamp is not later than the previous one"];
       return;
     }
     std::set<std::string> ids = {kEgoId, ""};
@@ -238,9 +239,9 @@ class RecordingBuilder {
       }
       if (!agent.translation.allFinite() || !agent.rotation.coeffs().allFinite() ||
           !(agent.size.minCoeff() > 0.0) || !agent.size.allFinite()) {
-        ++left_out_["agents that are not a number or have no size"];
+        ++left_out_["agents that are not finite or have no size"];
       } else if (!ids.insert(agent.instance).second) {
-        ++left_out_["agents without an id, or with that of another one or the ego"];
+        ++left_out_["agents without an id, or with the id of another agent or the ego"];
       } else {
         frame.annotations.push_back(std::move(agent));
       }
@@ -321,7 +322,7 @@ NuScenesRecording readForeignBag(const std::string& path, const TopicMapping& ma
     }
     for (const std::string& topic : {ego_topic, agents_topic}) {
       if (topics.count(topic) > 0) continue;
-      throw BagError(path + ": no message on " + topic + " but on " + topicsOf(bag));
+      throw BagError(path + ": no message on " + topic + "; the bag has " + topicsOf(bag));
     }
     for (const rosbag::MessageInstance& instance : view) add(instance, instance.getTopic());
     try {

@@ -46,10 +46,11 @@ class ForeignLogs : public SceneReader {
   std::shared_ptr<const LaneIndex> lanesIn(const std::string& path) const {
     const auto map = readLaneMap(path, reading_.options.input_limits);
     if (map) return std::make_shared<const LaneIndex>(map);
-    throw BagError(path + ": no message on " + bagTopic(names::kLaneMap) + "; --map gives the map");
+    throw BagError(path + ": no message on " + bagTopic(names::kLaneMap) +
+                   "; name a map with --map");
   }
 
-  /// Read once.
+  /// Returns the lanes of the map file, read at the first call.
   std::shared_ptr<const LaneIndex> lanesOfMap() {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (lanes_) return lanes_;

@@ -6,7 +6,8 @@
 namespace forge {
 namespace {
 
-/// The ego from above, a little from the south, on white as the colours are meant.
+/// Returns the 3D view: the ego from above and slightly from the south, on a white background, for
+/// which the colours were chosen.
 std::string scenePanel() {
   return R"({
       "cameraState": {

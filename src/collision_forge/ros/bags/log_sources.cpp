@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 bool isBag(const fs::path& path) { return path.extension() == ".bag" && fs::is_regular_file(path); }
 
-/// Sorted.
+/// Returns the paths of the bag or of the bags in the folder, sorted.
 std::vector<fs::path> bagsAt(const std::string& path) {
   if (isBag(path)) return {path};
   std::vector<fs::path> bags;
@@ -35,7 +35,7 @@ std::string nameOf(const fs::path& bag) { return bag.stem().string(); }
 std::vector<std::string> namesIn(const LogSource& source) {
   std::vector<std::string> names;
   for (const fs::path& bag : bagsAt(source.path)) names.push_back(nameOf(bag));
-  if (names.empty()) throw BagError(source.path + ": there is no bag");
+  if (names.empty()) throw BagError(source.path + ": contains no bag");
   return names;
 }
 
@@ -60,7 +60,7 @@ class BagLogs : public SceneReader {
   LoggedScene recording(const std::string& name) override {
     read(name);
     throw std::runtime_error(name +
-                             ": is a bag of this suite; only --to scenarionet can convert it");
+                             ": a bag of this package can be converted with --to scenarionet only");
   }
 
  private:

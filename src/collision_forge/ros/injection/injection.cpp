@@ -18,8 +18,8 @@
 #include "collision_forge/ros/injection/attacker_injector.h"
 #include "collision_forge/ros/injection/finite_parts.h"
 #include "collision_forge/ros/injection/frame_between.h"
+#include "collision_forge/ros/injection/post_crash_ego.h"
 #include "collision_forge/ros/injection/record_clock.h"
-#include "collision_forge/ros/injection/sliding_ego.h"
 #include "collision_forge/ros/markers/marker_parts.h"
 #include "collision_forge/ros/markers/markers.h"
 #include "collision_forge/ros/messages/conversions.h"
@@ -119,7 +119,7 @@ class Injection {
     std::vector<std::string> warnings;
     for (const auto& [topic, count] : left_out_) {
       warnings.push_back(std::to_string(count) + " entries of " + topic +
-                         " that are not finite left out");
+                         " are not finite and left out");
     }
     return warnings;
   }
@@ -443,8 +443,8 @@ void requireNoAttack(const std::string& path) {
     for (const char* name : kAttackTopics) {
       const std::string topic = bagTopic(name);
       if (rosbag::View(bag, rosbag::TopicQuery(topic)).size() == 0) continue;
-      throw BagError(path + ": has an attack already, on " + topic +
-                     "; inject into the recording that it was made from");
+      throw BagError(path + ": already has an attack, on " + topic +
+                     "; use the recording without it");
     }
   } catch (const rosbag::BagException& error) {
     throw BagError(path + ": cannot be read: " + error.what());

@@ -30,7 +30,7 @@ class AttackFinder {
 
   const MethodRegistry& methods() const { return methods_; }
   const std::string& defaultMethod() const { return default_method_; }
-  const PredictionModels& foresight() const { return foresight_; }
+  const PredictionModels& models() const { return models_; }
 
   /// Returns the moment of `scene`, or the reason of rejection. Throws MessageError and InputError
   /// for an unusable scene.
@@ -57,7 +57,7 @@ class AttackFinder {
 
   const Config& config_;
   MethodRegistry methods_;
-  PredictionModels foresight_;
+  PredictionModels models_;
   std::string default_method_;
   std::optional<IndexedScene> recording_;
   std::string attack_in_recording_;  // reason of rejection; empty: the bag has no attack

@@ -101,7 +101,7 @@ GridCell cellOf(const CollideClip& clip, const ClipQuestion& question, const Met
 ScenarioGrid gridOf(const std::vector<std::string>& paths, const Arguments& arguments,
                     const StudyConfig& config) {
   CityMaps maps(arguments.dataroot, config);
-  const PredictionModels foresight = loadForesight(config);
+  const PredictionModels models = loadPredictionModels(config);
   const MethodRegistry methods = loadMethods(config);
   ScenarioGrid grid{arguments.methods, {}};
   ProgressLine progress("attacks");
@@ -112,7 +112,7 @@ ScenarioGrid gridOf(const std::vector<std::string>& paths, const Arguments& argu
     grid.rows.emplace_back();
     for (const std::string& name : arguments.methods) {
       const MethodMaker maker =
-          clipMethod(name, clip, {methods, foresight, config}, arguments.seen_scenes);
+          clipMethod(name, clip, {methods, models, config}, arguments.seen_scenes);
       grid.rows.back().push_back(cellOf(clip, question, maker, arguments, config));
       grid.rows.back().back().view.seconds_after_stand = config.attacked_bag.seconds_after_stand;
       progress.show(++done, paths.size() * arguments.methods.size());

@@ -40,14 +40,14 @@ using Tallies = std::array<Tally, kEgoConducts.size()>;
 /// Runs all drives of one case. Returns one line: the five counts of each behaviour, then the
 /// broken limits, each preceded by a tab.
 std::string stressCase(const PlannerCases& cases, std::size_t index, const Arguments& arguments,
-                       const PredictionModels& foresight, const Config& config) {
+                       const PredictionModels& models, const Config& config) {
   const PlannerCase one = cases.at(index);
   Tallies tallies;
   std::string broken;
   const bool is_tested = one.status.code == StatusCode::kOk;
   for (std::size_t i = 0; is_tested && i < arguments.drives; ++i) {
     const std::size_t kind = i % kEgoConducts.size();
-    const auto attacker = makeAttacker(one, PolicyKind::kAdaptive, foresight, config);
+    const auto attacker = makeAttacker(one, PolicyKind::kAdaptive, models, config);
     const StressOutcome outcome =
         stressAttacker(one.scenario, one.request, kEgoConducts[kind],
                        arguments.seed + index * arguments.drives + i,
@@ -102,7 +102,7 @@ void print(const Tallies& tallies, const std::string& broken) {
 
 int measure(const Arguments& arguments) {
   const Config config = loadRunConfig(arguments.config);
-  const PredictionModels foresight = loadForesight(config);
+  const PredictionModels models = loadPredictionModels(config);
   const auto cases =
       openScenarioCases(arguments.scenarios, arguments.logs,
                         static_cast<std::size_t>(arguments.jobs) + 1, config, showReading());
@@ -113,7 +113,7 @@ int measure(const Arguments& arguments) {
   const bool is_master = isMaster();
   dispatch(
       count,
-      [&](std::size_t index) { return stressCase(*cases, index, arguments, foresight, config); },
+      [&](std::size_t index) { return stressCase(*cases, index, arguments, models, config); },
       [&](std::size_t index, const std::string& line) {
         add(line, tallies, broken);
         progress.show(index + 1, count);

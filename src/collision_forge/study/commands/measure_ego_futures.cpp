@@ -120,7 +120,7 @@ void print(const Cases& cases) {
 
 int measure(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
-  const PredictionModels foresight = loadForesight(config);
+  const PredictionModels models = loadPredictionModels(config);
   SceneSource scenes(arguments.logs, {}, config, 1, {}, showReading());
   const std::vector<std::string> names = scenes.names();
   Cases cases;
@@ -128,7 +128,7 @@ int measure(const Arguments& arguments) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto indexed = scenes.at(names[i]);
     const std::vector<double>& times = indexed->scene.frame_times;
-    const NetworkEgoFutures sampler(config.attack.ego_futures, foresight.withoutScene(names[i]));
+    const NetworkEgoFutures sampler(config.attack.ego_futures, models.withoutScene(names[i]));
     const double last = times.back() - kHorizons[0] + 1e-6;
     for (double at = times.front() + arguments.stride; at <= last; at += arguments.stride) {
       measureAt(*lastFrameTime(indexed->scene, at), *indexed, sampler, config, cases);

@@ -73,9 +73,9 @@ int measure(const Arguments& arguments) {
   std::vector<std::string> paths = listCollideClips(arguments.collide, arguments.split);
   if (arguments.limit > 0 && arguments.limit < paths.size()) paths.resize(arguments.limit);
   CityMaps maps(arguments.dataroot, config);
-  const PredictionModels foresight = loadForesight(config);
+  const PredictionModels models = loadPredictionModels(config);
   const MethodRegistry methods = loadMethods(config);
-  const ClipEvaluationSetup setup{methods, foresight, config};
+  const ClipEvaluationSetup setup{methods, models, config};
   std::vector<Measurement> measurements;
   for (const std::string& method : arguments.methods) measurements.push_back({method, {}});
   ProgressLine progress("clips");

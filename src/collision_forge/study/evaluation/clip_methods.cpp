@@ -64,11 +64,11 @@ class LookaheadMethod : public AttackMethod {
 std::unique_ptr<const AttackMethod> publishedSearch(const CollideClip* clip,
                                                     const EvaluationOptions& evaluation,
                                                     const AttackOptions& options,
-                                                    const MethodPredictors& foresight) {
+                                                    const MethodPredictors& predictors) {
   return std::make_unique<ClipMethod>([=](const Moment& moment, const CollisionRequest& request) {
     return publishedSearchAttacker(*clip, moment.snapshot,
                                    moment.recorded ? &*moment.recorded : nullptr, request,
-                                   *moment.lanes, foresight.ego_futures, options, evaluation);
+                                   *moment.lanes, predictors.ego_futures, options, evaluation);
   });
 }
 

@@ -16,7 +16,7 @@ namespace forge {
 /// References to the inputs of an evaluation on clips, which must outlive it.
 struct ClipEvaluationSetup {
   const MethodRegistry& methods;  ///< configured methods; clipMethods() adds more
-  const PredictionModels& foresight;
+  const PredictionModels& models;
   const StudyOptions& study;
 };
 

@@ -1,4 +1,4 @@
-#include "collision_forge/ros/injection/sliding_ego.h"
+#include "collision_forge/ros/injection/post_crash_ego.h"
 
 #include <algorithm>
 
