@@ -100,9 +100,9 @@ class Report:
     touched_before: str         # id of the agent that the attacker touches before the ego; empty: none
     off_road_share: float       # mean share of its box off the drivable area, [0, 1]
     manoeuvre: str              # manoeuvre of the attacker; empty without contact
-    manoeuvre_begin: Optional[float]  # s from now
+    manoeuvre_begin: Optional[float]  # s from t0
     believable: bool            # plausible: drives like recorded drivers until its manoeuvre
-    unbelievable: str           # reason if not believable
+    unbelievable: str           # reason if not plausible
     confidence: float           # share of predicted ego futures in which it is verified, [0, 1]; 0 if tested
     decision: str               # last decision of an adaptive attacker
     message: Any = raw()
@@ -211,7 +211,7 @@ class Answer(Result):
 class PlannerContact(Result):
     """First contact of the ego driven by a planner."""
 
-    t: float                 # s from now
+    t: float                 # s from t0
     other: str               # id of the touched agent
     is_attacker: bool
     collision_type: str      # type of the contact; empty: none of the types
@@ -274,9 +274,9 @@ class PlannerOutcome:
         if self.failure:
             return 'failed ({}): {}'.format(self.failure, self.failure_reason)
         if self.contact is None:
-            return 'touches nobody in {:.1f} s'.format(self.duration)
+            return 'no contact in {:.1f} s'.format(self.duration)
         return 'touches {} {:.8} after {:.2f} s at {:.1f} m/s, {}'.format(
-            'the attacker' if self.hit else 'another agent,', self.contact.other, self.contact.t,
+            'the attacker' if self.hit else 'the agent', self.contact.other, self.contact.t,
             self.contact.impact_speed, self._avoidance())
 
     def _avoidance(self) -> str:
@@ -285,7 +285,7 @@ class PlannerOutcome:
             return 'not known to be avoidable'
         at_once = self.last_moment < 1e-6  # s
         if self.last_manoeuvre != 'keeping':
-            when = 'at once' if at_once else 'up to {:.1f} s'.format(self.last_moment)
+            when = 'at once' if at_once else 'up to {:.1f} s after t0'.format(self.last_moment)
             how = 'braking and steering' if self.last_manoeuvre == 'both' else self.last_manoeuvre
             return 'avoidable {} by {}'.format(when, how)
         if self.message.attacker_policy != 'adaptive':

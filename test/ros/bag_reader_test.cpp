@@ -64,7 +64,7 @@ class BagReaderTest : public testing::Test {
   const std::string path_ = folder_.path() + "/drive.bag";
 };
 
-TEST_F(BagReaderTest, OfPosesAndFramesOfOneInstantTheFirstIsKept) {
+TEST_F(BagReaderTest, KeepsTheFirstOfPosesAndFramesAtOneTime) {
   // Half a metre in a microsecond would be more than any vehicle drives.
   const ros::Time twin(101, 400);
   write({poseAt(twin, 0.4), poseAt(ros::Time(101, 1000), 0.4)}, twin);
@@ -76,7 +76,7 @@ TEST_F(BagReaderTest, OfPosesAndFramesOfOneInstantTheFirstIsKept) {
   }
 }
 
-TEST_F(BagReaderTest, TheBoxOfTheRecordedEgoIsTheEgosBox) {
+TEST_F(BagReaderTest, UsesTheRecordedSizeOfTheEgo) {
   NuScenesRecording recording;
   recording.name = "drive";
   recording.frames.push_back({"", 1000000, {}});
@@ -94,7 +94,7 @@ TEST_F(BagReaderTest, TheBoxOfTheRecordedEgoIsTheEgosBox) {
   }
 }
 
-TEST_F(BagReaderTest, PosesOfOneInstantThatContradictEachOtherNameTopicAndTime) {
+TEST_F(BagReaderTest, ContradictoryPosesAtOneTimeAreRejectedNamingTopicAndTime) {
   write({poseAt(ros::Time(101, 400), 3.0)}, {});
   EXPECT_THAT(errorOf<BagError>([&] { readBag(path_, config_); }),
               testing::HasSubstr("drive.bag: /tf: two poses of the ego at 101.000000 s are"));

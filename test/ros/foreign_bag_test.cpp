@@ -257,7 +257,7 @@ class ForeignBagTest : public testing::Test {
   std::vector<std::string> warnings_;
 };
 
-TEST_F(ForeignBagTest, DerivedObjectsAreARecording) {
+TEST_F(ForeignBagTest, DerivedObjectsBecomeARecording) {
   objects_[1].objects.push_back(objectAt(9, 1.1));
   objects_[1].objects.back().classification = 4;
   objects_[2].objects.clear();
@@ -285,7 +285,7 @@ TEST_F(ForeignBagTest, DerivedObjectsAreARecording) {
 }
 
 /// A bag of ours, by what it holds for other tools.
-TEST_F(ForeignBagTest, OurOwnBagsComeBack) {
+TEST_F(ForeignBagTest, BagsOfThisPackageAreReadBack) {
   write();
   const NuScenesRecording recording = read();
   LaneMap map;
@@ -351,7 +351,7 @@ ForeignMessage trackedObjectsAt(double time) {
   return {kTrackedObjects, kTrackedObjectsDefinition, bytes};
 }
 
-TEST_F(ForeignBagTest, AutowaresObjectsAreARecording) {
+TEST_F(ForeignBagTest, AutowareObjectsBecomeARecording) {
   mapping_ = shipped("autoware");
   write("/localization/kinematic_state", ego_, "/perception/object_recognition/tracking/objects",
         std::vector<ForeignMessage>{trackedObjectsAt(1.0), trackedObjectsAt(1.1)});
@@ -373,7 +373,7 @@ TEST_F(ForeignBagTest, AutowaresObjectsAreARecording) {
   EXPECT_EQ(truck.category, "vehicle.truck") << "the likeliest";
 }
 
-TEST_F(ForeignBagTest, TheEgoMayBeInTransforms) {
+TEST_F(ForeignBagTest, TheEgoMayComeFromTransforms) {
   mapping_.ego.fields = {"/tf", "tf2_msgs/TFMessage", "transforms[].header.stamp", "map",
                          "transforms[].header.frame_id"};
   mapping_.ego.child_frame_id = "car";
@@ -403,7 +403,7 @@ TEST_F(ForeignBagTest, TheEgoMayBeInTransforms) {
   EXPECT_THAT(complaint(), HasSubstr("no pose of the ego on /tf"));
 }
 
-TEST_F(ForeignBagTest, AgentsThatCannotBeUsedAreLeftOut) {
+TEST_F(ForeignBagTest, UnusableAgentsAreDropped) {
   auto& objects = objects_[0].objects;
   objects.assign(7, objectAt(1, 1.0));
   for (std::size_t i = 0; i < objects.size(); ++i) objects[i].id = static_cast<std::uint32_t>(i);
@@ -421,7 +421,7 @@ TEST_F(ForeignBagTest, AgentsThatCannotBeUsedAreLeftOut) {
                   "1 agents without an id, or with the id of another agent or the ego left out"));
 }
 
-TEST_F(ForeignBagTest, AVelocityThatIsNotFiniteCostsNoAgent) {
+TEST_F(ForeignBagTest, ANonFiniteVelocityKeepsTheAgent) {
   for (auto& frame : objects_) {
     for (auto& object : frame.objects) object.velocity.x = std::nan("");
   }
@@ -432,13 +432,13 @@ TEST_F(ForeignBagTest, AVelocityThatIsNotFiniteCostsNoAgent) {
   EXPECT_THAT(warnings_, ElementsAre(HasSubstr("velocities of agents that are not finite")));
 }
 
-TEST_F(ForeignBagTest, ClocksThatNeverMeetAreAnError) {
+TEST_F(ForeignBagTest, StampsOfTwoClocksAreAnError) {
   ego_ = {odometryAt(1000.0), odometryAt(1000.1)};
   write();
   EXPECT_THAT(complaint(), HasSubstr("and of the ego (1000.000 to 1000.100 s) do not overlap"));
 }
 
-TEST_F(ForeignBagTest, StampsThatGoBackOrAreNotSetAreLeftOut) {
+TEST_F(ForeignBagTest, DecreasingAndMissingStampsAreDropped) {
   ego_.push_back(odometryAt(1.15));
   ego_.push_back(odometryAt(1.2));
   ego_.push_back(odometryAt(0.0));
@@ -459,7 +459,7 @@ TEST_F(ForeignBagTest, StampsThatGoBackOrAreNotSetAreLeftOut) {
                   "1 frames of agents whose stamp is not set left out"));
 }
 
-TEST_F(ForeignBagTest, WhatIsNotAsTheMappingSaysIsAnError) {
+TEST_F(ForeignBagTest, BagsThatContradictTheMappingAreErrors) {
   objects_[2].header.frame_id = "base_link";
   write();
   EXPECT_THAT(complaint(),
@@ -481,7 +481,7 @@ TEST_F(ForeignBagTest, WhatIsNotAsTheMappingSaysIsAnError) {
   EXPECT_THAT(complaint(), AllOf(HasSubstr("/odom"), HasSubstr("not a time")));
 }
 
-TEST_F(ForeignBagTest, BagsThatCannotBeReadOrHaveNothingAreErrors) {
+TEST_F(ForeignBagTest, UnreadableAndEmptyBagsAreErrors) {
   EXPECT_THAT(complaint(), HasSubstr("cannot be read"));
   folder_.write("drive.bag", "#ROSBAG V2.0\nnothing");
   EXPECT_NE(complaint(), "");

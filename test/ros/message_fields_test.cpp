@@ -134,7 +134,7 @@ TEST(MessageFields, PathsLeadThroughMessagesAndArrays) {
 }
 
 /// 5^25 bytes: they cannot be there, and nobody looks for them.
-TEST(MessageFields, TypesThatGrowWithoutBoundCostNothing) {
+TEST(MessageFields, HugeNestedTypesAreParsedQuickly) {
   std::string definition = "T0 x\n";
   for (int i = 0; i < 25; ++i) {
     const std::string next = "T" + std::to_string(i + 1);
@@ -145,7 +145,7 @@ TEST(MessageFields, TypesThatGrowWithoutBoundCostNothing) {
   EXPECT_THAT(complaintOf(definition, {}, "abc"), HasSubstr("end within its fields"));
 }
 
-TEST(MessageFields, TypesThatHoldThemselvesAreRefused) {
+TEST(MessageFields, RecursiveTypesAreRejected) {
   EXPECT_THAT(
       complaintOf(std::string("Box box\n") + kRule + "MSG: zoo_msgs/Box\nBox[] inner\n", {}),
       testing::AllOf(HasSubstr("zoo_msgs/Box"), HasSubstr("inner"),
@@ -153,7 +153,7 @@ TEST(MessageFields, TypesThatHoldThemselvesAreRefused) {
   EXPECT_THAT(complaintOf("Cage cage\n", {}), HasSubstr("does a type contain itself?"));
 }
 
-TEST(MessageFields, DefinitionsThatCannotBeReadAreRefused) {
+TEST(MessageFields, UnreadableDefinitionsAreRejected) {
   EXPECT_THAT(complaintOf("Lion lion\n", {}), HasSubstr("type Lion of its field lion"));
   EXPECT_THAT(complaintOf("float64\n", {}), HasSubstr("'float64'"));
   EXPECT_THAT(complaintOf("uint8 a b\n", {}), HasSubstr("'uint8 a b'"));
@@ -166,7 +166,7 @@ TEST(MessageFields, DefinitionsThatCannotBeReadAreRefused) {
               HasSubstr("has no field 'header'; its fields are none"));
 }
 
-TEST(MessageFields, PathsThatLeadNowhereAreRefused) {
+TEST(MessageFields, PathsWithoutAFieldAreRejected) {
   struct Case {
     const char* path;
     FieldKind kind;

@@ -5,13 +5,13 @@
 namespace forge {
 namespace {
 
-TEST(TestablePlanners, AreThoseThatAreBuiltInAndTheExternalOne) {
+TEST(TestablePlanners, AreTheBuiltInOnesAndTheExternalOne) {
   const std::vector<std::string> names = testablePlanners();
   EXPECT_EQ(names.front(), "idm");
   EXPECT_EQ(names.back(), "external");
 }
 
-TEST(PlannedTrajectoryMessage, NeedsItsOrientations) {
+TEST(PlannedTrajectoryMessage, NeedsValidOrientations) {
   collision_forge::PlannedTrajectory message;
   message.points.resize(2);
   message.points[0].pose.orientation.w = 1.0;
@@ -25,7 +25,7 @@ TEST(PlannedTrajectoryMessage, NeedsItsOrientations) {
   EXPECT_EQ(fromMessage(message).size(), 2u);
 }
 
-TEST(PlannerOutcomeMessage, TellsTheContactAndNuplansScore) {
+TEST(PlannerOutcomeMessage, HasTheContactAndNuplansScore) {
   PlannerTrial trial;
   trial.outcome.driven.push_back({100.0, {1.0, 2.0, 0.5}, 3.0, 0.0, 0.0});
   EXPECT_FALSE(toMessage(trial, "pdm", PolicyKind::kFixed).collided);

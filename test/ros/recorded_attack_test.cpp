@@ -53,7 +53,7 @@ TEST_F(RecordedAttackTest, TheRefusalNamesBagAttackerAndRecording) {
             "scene.bag");
 }
 
-TEST_F(RecordedAttackTest, AFileThatIsNoBagIsNamed) {
+TEST_F(RecordedAttackTest, AFileThatIsNotABagIsNamed) {
   try {
     readRecordedAttack("/nowhere.bag");
     FAIL();

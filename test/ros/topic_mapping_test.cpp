@@ -45,7 +45,7 @@ constexpr char kPlane[] =
 
 std::string pathOf(const NumberSource& source) { return std::get<std::string>(source); }
 
-TEST(ReadTopicMapping, DerivedObjectsHaveTheirPlaces) {
+TEST(ReadTopicMapping, ReadsTheMappingOfDerivedObjects) {
   const TopicMapping mapping = readTopicMapping(shipped("derived_object"));
   EXPECT_EQ(mapping.ego.fields.topic, "/odom");
   EXPECT_EQ(mapping.ego.fields.type, "nav_msgs/Odometry");
@@ -72,7 +72,7 @@ TEST(ReadTopicMapping, DerivedObjectsHaveTheirPlaces) {
   EXPECT_EQ(pathOf(agents.velocity->velocity[0]), "objects[].twist.linear.x");
 }
 
-TEST(ReadTopicMapping, TransformsHaveTheirPlacesByTheirType) {
+TEST(ReadTopicMapping, TransformsNeedNoFieldPaths) {
   const TemporaryFolder folder;
   std::stringstream content;
   content << std::ifstream(shipped("derived_object")).rdbuf();
@@ -92,13 +92,13 @@ TEST(ReadTopicMapping, TransformsHaveTheirPlacesByTheirType) {
   EXPECT_THROW(readTopicMapping(folder.write("mapping.yaml", ego + "}" + agents)), ConfigError);
 }
 
-TEST(ReadTopicMapping, WhatMayBeLeftOutOrOtherwise) {
+TEST(ReadTopicMapping, OptionalKeysMayBeOmittedOrOverridden) {
   EXPECT_FALSE(spoilt("  velocity: {frame: map, vector: twist.linear}\n", "").agents.velocity);
   EXPECT_EQ(spoilt("  frame_id: map\n", "").ego.fields.frame_id, "");
   EXPECT_EQ(spoilt("  frame_id: map\n", "  stamp: time\n").ego.fields.stamp, "time");
 }
 
-TEST(ReadTopicMapping, EachNumberOfAPoseOrVelocityMayHaveAFieldOfItsOwn) {
+TEST(ReadTopicMapping, EachNumberOfAPoseOrVelocityMayHaveItsOwnField) {
   const TopicMapping plane = spoilt("  pose: pose\n", kPlane);
   EXPECT_EQ(pathOf(plane.agents.pose.position[0]), "objects[].east");
   EXPECT_EQ(std::get<double>(plane.agents.pose.position[2]), -1.5);

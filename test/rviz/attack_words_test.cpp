@@ -35,7 +35,7 @@ std::string crashAt(double now, const collision_forge::Attack& attack,
   return crashText(attack, tested, ros::Time(now)).toStdString();
 }
 
-TEST(AttackText, NamesTypeClassManoeuvreAndBelief) {
+TEST(AttackText, NamesTypeClassManoeuvreAndPlausibility) {
   const std::string text = attackText(attackAt(10.0)).toStdString();
   EXPECT_THAT(text, HasSubstr("<b>rear_end</b> by the recorded car"));
   EXPECT_THAT(text, HasSubstr("lead_brakes"));
@@ -51,7 +51,7 @@ TEST(AttackText, NamesTheAttackerByTheIdInThePicture) {
   EXPECT_THAT(text, Not(HasSubstr("626d04d")));
 }
 
-TEST(OutcomeText, TellsWhomThePlannerTouchesAndWhoseFaultItIs) {
+TEST(OutcomeText, NamesTheTouchedAgentAndTheFault) {
   collision_forge::PlannerOutcome outcome;
   outcome.planner = "idm";
   outcome.failure = "none";
@@ -67,7 +67,7 @@ TEST(OutcomeText, TellsWhomThePlannerTouchesAndWhoseFaultItIs) {
   EXPECT_THAT(outcomeText(outcome).toStdString(), HasSubstr("touches the attacker after"));
 }
 
-TEST(OutcomeText, TellsWhyThePlannerFailed) {
+TEST(OutcomeText, GivesTheReasonOfAFailure) {
   collision_forge::PlannerOutcome outcome;
   outcome.planner = "external";
   outcome.failure = "timed_out";
@@ -75,7 +75,7 @@ TEST(OutcomeText, TellsWhyThePlannerFailed) {
   EXPECT_THAT(outcomeText(outcome).toStdString(), HasSubstr("fails, timed_out: no answer"));
 }
 
-TEST(AttackText, SaysWhyNobodyWouldDriveSo) {
+TEST(AttackText, GivesTheReasonWhyAMotionIsImplausible) {
   collision_forge::Attack attack = attackAt(10.0);
   attack.report.believable = false;
   attack.report.unbelievable = "drives on a walkway";

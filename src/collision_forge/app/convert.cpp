@@ -107,7 +107,7 @@ int convert(const Arguments& arguments) {
                     [&](const std::string& scene) { return isConverted(arguments, scene); }));
   if (isMaster()) {
     std::cerr << counted(scenes.size() - before, "scene") << " to convert, " << before
-              << " converted before\n";
+              << " already converted\n";
   }
   PickleWorkers workers;
   const auto convertOne = [&](std::size_t index) -> std::string {
@@ -168,7 +168,7 @@ void addConvert(CommandLine& line) {
                       "of ScenarioNet; even: every step of export.yaml, as MetaDrive replays; "
                       "recorded: when something was recorded, so that nothing is lost");
   addJobs(app, arguments->jobs, "scenes converted in parallel");
-  app.add_flag("--force", arguments->force, "convert scenes again that were converted before");
+  app.add_flag("--force", arguments->force, "also convert scenes whose output exists");
   addConfig(app, arguments->config);
 }
 

@@ -210,7 +210,7 @@ int inject(const Arguments& arguments) {
   tested.confidence = attack.report.confidence;
   const BagAttack written = writeAttackedBag({attack, plans, tested, request, now}, scene,
                                              maker.name(), arguments, config);
-  std::cout << "now: " << now - scene.frame_times.front() << " s from the first frame\n"
+  std::cout << "t0: " << now - scene.frame_times.front() << " s after the first frame\n"
             << "generated: " << summaryOf(written.attack) << "\n"
             << "against the recording: " << lineOf(written.tested_report) << "\n";
   std::cout << aftermathOf(arguments.after_contact, tested.contact, config.attacked_bag)
@@ -233,7 +233,7 @@ int inject(const Arguments& arguments) {
 void addInject(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(kMakingCollisions, "inject",
-                           "Makes an agent of a bag collide with the ego and writes the new bag.",
+                           "Adds a collision to a bag: a recorded or added vehicle hits the ego.",
                            [arguments] { return inject(*arguments); });
   auto& request = arguments->request;
   app.add_option("--bag", arguments->bag, "recorded bag, as written by forge convert")->required();

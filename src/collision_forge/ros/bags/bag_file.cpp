@@ -1,5 +1,6 @@
 #include "collision_forge/ros/bags/bag_file.h"
 
+#include <filesystem>
 #include <mutex>
 
 #include "collision_forge/ros/bags/bag_check.h"
@@ -28,6 +29,7 @@ void dropBag(std::unique_ptr<rosbag::Bag>& bag) {
 
 OpenedBag::OpenedBag(const std::string& path) : bag_(makeBag()) {
   try {
+    if (!std::filesystem::exists(path)) throw BagError(path + ": there is no such file");
     checkBag(path);
     bag_->open(path, rosbag::bagmode::Read);
   } catch (...) {

@@ -16,7 +16,8 @@ inline std::string bagTopic(const char* name) { return std::string("/") + name; 
 /// A bag opened for reading. Threads may read different bags at the same time.
 class OpenedBag {
  public:
-  /// Throws like rosbag::Bag::open(), and BagError for a damaged bag (checkBag()).
+  /// Throws like rosbag::Bag::open(), and BagError for a missing file and a damaged bag
+  /// (checkBag()).
   explicit OpenedBag(const std::string& path);
   ~OpenedBag();
   OpenedBag(const OpenedBag&) = delete;

@@ -13,8 +13,8 @@ namespace forge {
 
 /// Reads /tf (map -> base_link), /agents, /lane_map and, if present, /ego_vehicle of a bag into a
 /// scene named after the file, equal to the scene in the live nodes: times are header stamps (s),
-/// agents are sorted by id, velocities are derived. Leaves out the interpolated frames of a bag with
-/// an attack (names::kInBetween). Drops unusable messages and agents (stamp not after the
+/// agents are sorted by id, velocities are derived. Leaves out the interpolated frames of a bag
+/// with an attack (names::kInBetween). Drops unusable messages and agents (stamp not after the
 /// previous one, non-finite values, no size) and agents rejected by checkScene(), with one line per
 /// kind in `warnings` if given. Throws BagError with path and topic for a truncated bag, a file
 /// that is no bag, a missing topic or two poses of the ego at one time that are kSamePlace apart,

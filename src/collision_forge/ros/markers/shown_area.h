@@ -19,9 +19,8 @@ struct ShownArea {
   Vector2 size() const { return highest - lowest; }
 };
 
-/// Returns the rectangle that contains all boxes with a margin, and is at least
-/// `shortest_width` metres wide (along x) and 1/1.4 of that high (along y). `boxes` must not be
-/// empty.
+/// Returns the rectangle that contains all boxes with a margin, and is at least `shortest_width`
+/// metres wide (along x) and 1/1.4 of that high (along y). `boxes` must not be empty.
 ShownArea areaAround(const std::vector<OrientedBox>& boxes, double shortest_width);
 
 /// Returns the factor for letter heights that keeps texts at the same size on the screen: 1 for an
