@@ -16,7 +16,7 @@ constexpr double kTimeTolerance = 1e-6;  // s
 constexpr float kGhostAlpha = 0.16F;
 constexpr double kIdLetterHeight = 1.0;  // m, at letterScale() 1
 constexpr double kEgoWay = 40.0;  // m of the ego's path before the contact that texts do not cover
-// As long and as high as most texts of an attack.
+// Text with the length and height of most texts of an attack.
 constexpr char kMostWords[] = "contact not as requested:\n\n";
 
 /// Returns the boxes of an attack that its text must not cover.
