@@ -330,7 +330,7 @@ class PlannerTesterTest(road.RoadTest):
         self.assertLess(time.monotonic() - began, live.TIMEOUT)
 
     def test_external_planner_that_stops_publishing(self):
-        self.assert_failed(self.odd('never'), 'timed_out', 'no answer')
+        self.assert_failed(self.odd('never'), 'timed_out', 'no response')
 
     def test_external_planner_that_dies(self):
         self.assert_failed(self.odd('dies'), 'timed_out', '/planned_trajectory is gone')

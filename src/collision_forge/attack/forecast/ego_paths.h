@@ -21,8 +21,7 @@ class SampledPath {
   /// Samples the first `length` m of a polyline of at least two points, extended straight beyond
   /// its end. Headings are averaged over 4 m.
   SampledPath(const std::vector<Vector2>& points, double length);
-  /// Samples `length` m of an arc from `start` whose `curvature` (1/m) decays by 1/e per `fading`
-  /// m.
+  /// Samples an arc from `start` whose `curvature` (1/m) decays by 1/e per `fading` m.
   SampledPath(const Pose2& start, double curvature, double fading, double length);
 
   /// Returns the pose `lateral` m to the left of the path at `arc_length` (m), with the path's yaw;

@@ -65,8 +65,8 @@ class DrivenDistance {
 };
 
 /// Poses that converge from the ego's pose to a lateral offset from the path, critically damped.
-/// The target offset is the share kKeptOffset of the offset at t0 plus `offset_difference` (m).
-/// `path` must outlive this object.
+/// The target offset is a share (options.kept_offset) of the offset at t0 plus `offset_difference`
+/// (m). `path` must outlive this object.
 class ReturnToPath {
  public:
   ReturnToPath(const SampledPath& path, const EgoNow& ego, double offset_difference);
@@ -84,8 +84,7 @@ class ReturnToPath {
   double return_distance_ = 0.0;
 };
 
-/// Returns the ego's track for `horizon` s, one state per `step` (s), the first at t0: the poses of
-/// `way` after the distances driven. Id, class and size are the ones of `ego`.
+/// Returns the ego's track along `way` for `horizon` s, one state per `step` (s), the first at t0.
 Track drive(const Track& ego, const EgoNow& now, const DrivenDistance& distance,
             const ReturnToPath& way, double horizon, double step);
 

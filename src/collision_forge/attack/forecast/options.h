@@ -54,8 +54,6 @@ struct EgoFutureOptions {
   double acceleration_spread = 0.0;  ///< m/s2, mean |difference|
 };
 
-// Read the mapping of each struct from its file. Throw ConfigError for a missing key or a value out
-// of range.
 void readOptions(Section& section, PredictionOptions& options);
 void readOptions(Section& section, SpeedModelFitOptions& options);
 void readOptions(Section& section, EgoFutureOptions& options);

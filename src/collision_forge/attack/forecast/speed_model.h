@@ -39,7 +39,7 @@ struct SpeedModelWeights {
 /// too large, or profile weights are negative or do not sum to 1.
 void checkWeights(const SpeedModelWeights& weights);
 
-/// Returns the basis vectors of unscaled features (featuresOf()), one row per situation.
+/// Returns the basis vectors of the feature rows, one row per situation.
 Eigen::MatrixXd basisOf(const Eigen::ArrayXXd& features, const SpeedModelWeights& weights);
 
 /// Forecasts by a regression fitted to recorded profiles (fitSpeedModel()); the profiles are not

@@ -13,7 +13,7 @@ namespace forge {
 /// One recorded frame of the ego.
 struct SpeedProfileRow {
   std::string scene;
-  int frame = 0;       ///< number of the frame; successive numbers are kProfileStep apart
+  int frame = 0;       ///< counts kProfileStep; consecutive frames form a profile
   double speed = 0.0;  ///< m/s, mean since the previous frame
   WayAhead ahead;
 };

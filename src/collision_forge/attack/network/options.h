@@ -55,7 +55,6 @@ struct PatternNetworkOptions {
   int anchor = 0;  ///< of an anchor and of a candidate
 };
 
-// Read the mapping of each struct. Throw ConfigError for a missing key or a value out of range.
 /// `history_frames`: PredictionOptions::history_frames.
 void readOptions(Section& section, PatternFeatureOptions& options, int history_frames);
 void readOptions(Section& section, PatternNetworkOptions& options);

@@ -22,7 +22,6 @@ struct AdaptiveOptions {
   FairnessOptions fairness;
 };
 
-/// Throws ConfigError for a missing key or a value out of range.
 void readOptions(Section& section, AdaptiveOptions& options);
 
 }  // namespace forge

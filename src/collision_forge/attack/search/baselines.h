@@ -40,12 +40,15 @@ AttackerTrajectory patternAttacker(const CollisionPattern& pattern, const Snapsh
                                    double tta, const AttackOptions& options,
                                    const std::optional<EndMotion>& end = std::nullopt);
 
-// The baselines as methods. They ignore vehicle limits, so their reports use LimitSet::kStrict
-// whatever the request says. Without a requested attacker they return the first candidate
-// (isCandidate()) whose attack is verified, else one that touches the ego, else any. In history
-// mode other agents move as in predictFuture().
+// The same as methods, which know no wheels: their reports are by LimitSet::kStrict, whatever the
+// request says. Without an attacker in the request they take of all candidates
+// (isCandidate()) the first that is verified, else that touches the ego, else any. In history mode
+// the others are expected to drive as predictFuture() says.
 
-/// See constantVelocityAttacker().
+/// The baselines as methods. They ignore vehicle limits, so their reports use LimitSet::kStrict
+/// whatever the request says. Without a requested attacker they return the first candidate
+/// (isCandidate()) whose attack is verified, else one that touches the ego, else any. In history
+/// mode other agents move as in predictFuture().
 class ConstantVelocityMethod : public AttackMethod {
  public:
   explicit ConstantVelocityMethod(const AttackOptions& options) : options_(options) {}

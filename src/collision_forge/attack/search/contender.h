@@ -15,8 +15,8 @@ namespace forge {
 /// A target of the search: one collision pattern.
 struct Aim {
   const CollisionPattern* pattern = nullptr;
-  std::size_t ego = 0;  ///< index of the future nearest to the pattern's ego pose at its time
-  Pose2 touching;       ///< touchingOffset() of the pattern's attacker_offset
+  std::size_t ego = 0;  ///< index of the future nearest to the pattern's ego pose
+  Pose2 touching;       ///< the pattern's offset, moved so that the boxes just touch
 
   /// Returns how far (m) a corner of the attacker is from the pattern beyond the pattern's
   /// tolerance; with `exact`, without tolerance.
@@ -27,13 +27,12 @@ struct Aim {
 
 /// A candidate attacker and the motions that it could drive.
 struct Contender {
-  const Track* track = nullptr;  ///< in the snapshot
-  std::vector<Aim> aims;         ///< its patterns, most promising first
+  const Track* track = nullptr;
+  std::vector<Aim> aims;  ///< its patterns, most promising first
   DriveStart start;
-  // Set if the limits of the class apply (kDrivable, plausible or underway); not with the strict
-  // limits alone:
-  DriveLimits limits;
-  DriveState drive_start;  ///< single-track state at t0
+  DriveLimits limits;      ///< of its class
+  DriveState drive_start;  ///< single-track state at t0, if it keeps its class's limits
+  /// Keeps the class's limits; empty if only the strict limits apply.
   std::optional<TrackDriver> driver;
   std::vector<RouteDriver> routes;  ///< paths that it may follow, in a search by routes
 };

@@ -16,7 +16,7 @@ inline constexpr double kHeadingMargin = 0.0087;
 /// Score of one attacker motion over the sampled ego futures.
 struct FutureScore {
   double share = 0.0;      ///< share 0..1 of futures in which all conditions hold
-  double closeness = 0.0;  ///< closeness 0..1 in the futures that miss, mean over all futures
+  double closeness = 0.0;  ///< mean closeness 0..1 of the others, over all futures
   // With a share above 0:
   std::size_t met = 0;  ///< index of a future in which all conditions hold
   Pose2 contact;        ///< attacker in the ego box's frame at the contact there

@@ -49,8 +49,8 @@ class AttackJudge {
   const std::vector<const Track*>& searched() const { return searched_; }
 
   /// Verifies `attack` in the first four futures of `egos` until it meets the request in one, and
-  /// sets report, miss and confidence from that one. `attack` needs pattern and trajectory;
-  /// `attacker` is its track in the snapshot. Returns true if the attack is accepted.
+  /// sets report, miss and confidence from that one. `attack` needs aim and trajectory; `attacker`
+  /// is its track in the snapshot. Returns true if the attack is accepted.
   bool accepts(Attack& attack, const Track& attacker, const std::vector<const Track*>& egos);
 
   /// Returns the status that explains why no attack from these patterns was accepted.

@@ -98,22 +98,21 @@ struct AttackOptions {
 /// Attackers that a list of requests names: any vehicle, or each possible one by its id.
 enum class Attackers { kAny, kEach };
 
-/// Contents of a list of requests; config/requests.yaml has the first three.
+/// Contents of a list of requests. Defaults of stride, ttas and min_ego_speed and their units:
+/// config/requests.yaml.
 struct RequestListOptions {
-  double stride = 0.0;         ///< s between the times of requests
-  std::vector<double> ttas;    ///< s from t0 to contact
-  double min_ego_speed = 0.0;  ///< m/s at t0; times with a slower ego are left out
+  double stride = 0.0;
+  std::vector<double> ttas;
+  double min_ego_speed = 0.0;
   std::vector<CollisionType> types{std::begin(kCollisionTypes), std::end(kCollisionTypes)};
   Attackers attackers = Attackers::kAny;
   std::uint64_t seed = 0;  ///< of every request
 };
 
-/// Reads stride, ttas and min_ego_speed. Throws ConfigError for a missing key or a value out of
-/// range.
 void readOptions(Section& section, RequestListOptions& options);
 
 /// Reads prediction.yaml, search.yaml, believability.yaml, vehicle_limits.yaml and
-/// ego_futures.yaml. Throws ConfigError.
+/// ego_futures.yaml.
 void readAttackOptions(const ConfigFolder& directory, AttackOptions& options);
 
 }  // namespace forge

@@ -36,9 +36,9 @@ class PatternPredictor {
                                     const Future* recorded) const = 0;
 };
 
-/// Predicts from t0 to t0 + `horizon` (s): `samples` equally likely ego futures and, as
-/// Future::ego, the sample whose position `central` s after t0 is the most central; other agents by
-/// predictFuture(). Deterministic in its arguments.
+/// Predicts from t0 to t0 + `horizon` (s): `samples` equally likely ego futures, the most central
+/// of them `central` s after t0 as the likeliest, and other agents by predictFuture().
+/// Deterministic in its arguments.
 Future predictWithEgoSamples(const Snapshot& snapshot, const LaneIndex& lanes,
                              const EgoFutureSampler& ego_futures, double horizon, double central,
                              int samples, std::uint64_t seed);
@@ -46,8 +46,7 @@ Future predictWithEgoSamples(const Snapshot& snapshot, const LaneIndex& lanes,
 /// Predicts without learning: places each candidate attacker at the ego's predicted (in replay
 /// mode: recorded) pose at impact, with the type's nominal heading. The ego moves as `ego_futures`
 /// samples it, other agents as predictFuture(). Returns kRoadDoesNotAllow if the request requires
-/// plausibility and roadAllows() is false, kBeyondRecording if the recorded ego ends before the
-/// contact, kNoCandidate without patterns.
+/// plausibility and roadAllows() is false.
 class KinematicPatternPredictor : public PatternPredictor {
  public:
   KinematicPatternPredictor(const AttackOptions& options,

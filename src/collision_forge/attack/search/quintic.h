@@ -4,21 +4,20 @@
 
 namespace forge {
 
-/// State on one axis at one end of a quintic. The derivatives are with respect to the variable of
-/// the polynomial: time (s), or distance (m).
+/// Position, velocity and acceleration on one axis at one end of a quintic.
 struct AxisState {
-  double position = 0.0;      ///< m
-  double velocity = 0.0;      ///< m/s, or m/m
-  double acceleration = 0.0;  ///< m/s2, or m/m2
+  double position = 0.0;
+  double velocity = 0.0;
+  double acceleration = 0.0;
 };
 
-/// Polynomial of degree five through two axis states (Takahashi et al. 1989).
+/// Polynomial of degree five through two axis states (Takahashi et al. 1989). Units of position, s.
 class Quintic {
  public:
-  /// `duration`: range of the variable. Throws std::invalid_argument unless it is positive.
+  /// Throws std::invalid_argument unless `duration` > 0 (s).
   Quintic(const AxisState& start, const AxisState& end, double duration);
 
-  /// Returns the state at `time` in [0, duration].
+  /// Returns the state at `time` in [0, duration], s.
   AxisState at(double time) const;
 
  private:

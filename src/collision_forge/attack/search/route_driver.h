@@ -17,7 +17,7 @@ struct DrivingStyle {
   double braking = 0.0;  ///< m/s2
   double lateral = 0.0;  ///< m/s2, in bends
   double jerk = 0.0;     ///< m/s3
-  double cost = 0.0;     ///< penalty, in units of the share of futures; part of Attack::effort
+  double cost = 0.0;     ///< share of the futures
 };
 
 /// The calmest first: a driver takes the first style that arrives in time. The first three were
@@ -28,7 +28,7 @@ inline constexpr std::array<DrivingStyle, 4> kDrivingStyles{{{0.4, 1.0, 2.0, 0.5
                                                              {2.0, 2.5, 2.8, 3.0, 0.14},
                                                              {4.0, 6.0, 4.0, 10.0, 0.3}}};
 
-inline constexpr double kRouteReach = 7.0;  ///< m; routes farther from the contact are not tried
+inline constexpr double kRouteReach = 7.0;        ///< m from a route to the ego, at most
 inline constexpr double kArrivalPrecision = 0.3;  ///< m along the route that an arrival may miss
 inline constexpr double kMaxDeparture = 5.0;      ///< m from the lane's middle in a manoeuvre
 inline constexpr double kMaxLean = 0.6;           ///< rad between vehicle and lane at the contact

@@ -16,9 +16,9 @@
 
 namespace forge {
 
-/// Largest difference between contact and pattern in an exact search (isExact()). In any other
-/// search without routes, a candidate ends the search only if its contact is at most kExactDistance
-/// beyond the pattern's tolerance.
+/// Contact and pattern of a request for an exact contact differ by at most so much. A candidate
+/// also ends the search only if its contact is at most kExactDistance beyond the pattern's
+/// tolerance.
 inline constexpr double kExactDistance = 0.3;  ///< m
 inline constexpr double kExactHeading = 0.09;  ///< rad (5 degrees)
 

@@ -36,8 +36,8 @@ class SteeringSearch {
   /// Steers until aim.last_in_time.
   SteeringSearch(const DriveStart& start, const SteeringAim& aim, const VehicleLimits& limits);
 
-  /// Runs one round. Returns the motions at most kNear short of the aim, nearest first, at most
-  /// kConsidered.
+  /// Runs one round. Returns the motions close to the aim, nearest first, up to the configured
+  /// number.
   std::vector<SteeringKnots> next(Random& random);
 
   /// Returns the distance (m) of the last round's best motion to the aim: remaining gap, with

@@ -52,7 +52,7 @@ const char* toString(VehicleClass vehicle_class);
 /// Keys `drivable` and `lengths` of config/vehicle_limits.yaml, which has the sources.
 struct DriveLimitOptions {
   /// In the order of kVehicleClasses; here wheelbase is a share 0..1 of the box length and
-  /// axle_to_middle is unused. kEmergency has the limits of kVan.
+  /// axle_to_middle is unused.
   std::array<DriveLimits, kVehicleClasses.size()> rows;
   double car_length = 0.0;    ///< m; a longer car counts as a van
   double van_length = 0.0;    ///< m; a shorter truck counts as a van (pick-ups)
@@ -78,11 +78,9 @@ struct DriveState {
 
 /// Converts a recorded motion to a single-track state: speed and acceleration along the heading,
 /// and the steering angle that gives the yaw rate, each clamped to the limits. Below
-/// kStandstillSpeed, also in reverse, the vehicle stands with straight wheels.
+/// kStandstillSpeed the vehicle stands with straight wheels.
 DriveState driveStateOf(const Motion& motion, const DriveLimits& limits);
 
-/// Reads both keys from vehicle_limits.yaml. Throws ConfigError for a missing key or a value out of
-/// range.
 void readOptions(Section& section, DriveLimitOptions& options);
 
 }  // namespace forge

@@ -22,8 +22,7 @@ struct DetectedManoeuvre {
 /// - junction_crossing, ltap: from the total turn. Starts at the first point on a junction lane or,
 ///   if the map marks none at the contact, with the turn.
 ///
-/// `report.contact` must be true. Uses only poses and speeds, so it also classifies trajectories
-/// that were not planned as a manoeuvre.
+/// `report.contact` must be true. The trajectory's origin does not matter.
 DetectedManoeuvre detectManoeuvre(const AttackerTrajectory& trajectory,
                                   const CollisionReport& report, const VerificationInput& input,
                                   const VerificationOptions& options);

@@ -42,7 +42,6 @@ struct VerificationOptions {
   double off_road_interval = 0.5;    ///< s between the poses averaged by offRoadShare()
 };
 
-// Read the mapping of each struct. Throw ConfigError for a missing key or a value out of range.
 void readOptions(Section& section, VehicleLimits& limits);
 /// Reads `strict`, `drivable` and `lengths` of config/vehicle_limits.yaml.
 void readVehicleLimits(Section& section, VerificationOptions& options);

@@ -24,9 +24,9 @@ struct OrientedBox {
 /// Returns the corners counter-clockwise, front left first.
 std::array<Vector2, 4> corners(const OrientedBox& box);
 
-inline constexpr std::size_t kBoxSamples = 9;  ///< number of points of placesOf()
 /// Returns sample points of a box for quick queries about the ground below it: a grid of three by
 /// three, spaced 0.4 of the length and 0.4 of the width around the centre.
+inline constexpr std::size_t kBoxSamples = 9;
 std::array<Vector2, kBoxSamples> placesOf(const OrientedBox& box);
 
 /// Returns the box with every side moved inwards by `margin` (m; outwards if negative); sides stay

@@ -25,8 +25,8 @@ class ReferencePath {
     double stretch = 1.0;    ///< m travelled per m of arc length, below 1 in sharp bends
   };
 
-  static constexpr double kBendSpacing = 1.0;     ///< m between bends()
-  static constexpr std::size_t kMinControls = 4;  ///< of a cubic spline with one piece
+  static constexpr double kBendSpacing = 1.0;  ///< m between bends()
+  static constexpr std::size_t kMinControls = 4;
 
   /// Smooths a centreline (or several joined ones) over a few metres: recorded centrelines have
   /// kinks that no driver follows.
@@ -54,8 +54,7 @@ class ReferencePath {
   /// Returns the arc length (m) of the point of the path closest to `point`, to first order from
   /// the closest control point; may be beyond either end.
   double project(const Vector2& point) const;
-  /// Returns the Frenet coordinates of a pose (map frame) near the path, at project() of its
-  /// position.
+  /// Returns the Frenet coordinates of a pose near the path.
   PathPose seen(const Pose2& pose) const;
 
  private:

@@ -10,7 +10,7 @@
 
 namespace forge {
 
-/// A recording and the spatial index of its map; `lanes` is not null.
+/// A recording and the spatial index of its map.
 struct IndexedScene {
   Scene scene;
   std::shared_ptr<const LaneIndex> lanes;

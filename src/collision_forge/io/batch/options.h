@@ -11,7 +11,6 @@ struct RankOptions {
   double max_meeting = 0.0;  ///< s that ranks wait for each other at the start and the end of MPI
 };
 
-/// Throws ConfigError for a missing key or a value out of range.
 void readOptions(Section& section, RankOptions& options);
 
 /// Reads ranks.yaml. Throws ConfigError.

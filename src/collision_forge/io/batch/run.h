@@ -35,9 +35,9 @@ struct Run {
 /// the master only.
 void carryOut(const Run& run);
 
-/// Runs `decide` on every rank (it may call carryOut()) and returns the master's result, for
-/// example the index of a choice, on all of them. If `decide` throws on a rank, the exception
-/// propagates there and the other ranks return nullopt. Every rank must call it.
+/// Runs `decide` on every rank (it may call carryOut()) and returns the master's result on all of
+/// them. If `decide` throws on the master, the exception propagates there and the other ranks
+/// return nullopt.
 std::optional<std::size_t> agree(const std::function<std::size_t()>& decide);
 
 }  // namespace forge

@@ -10,7 +10,7 @@ namespace forge {
 
 /// One picture of an animation.
 struct AnimationFrame {
-  double time = 0.0;  ///< s, argument of `paint`
+  double time = 0.0;  ///< s, on the clock of `paint`
   int delay = 0;      ///< display time, hundredths of a second
 };
 

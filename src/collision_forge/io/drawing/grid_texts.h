@@ -16,7 +16,7 @@ struct GridRowTexts {
   std::vector<OutcomeText> outcomes;  ///< one per cell; without an attack, the reason
 };
 
-/// Returns the texts of a row of cells, which must not be empty.
+/// `row` must not be empty.
 GridRowTexts gridRowTexts(const std::vector<GridCell>& row);
 
 /// Splits text at spaces into lines of at most `letters` characters; a longer word gets its own

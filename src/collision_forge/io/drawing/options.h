@@ -50,7 +50,6 @@ struct DrawingOptions {
   Color failed_color{0.78, 0.12, 0.12};   ///< Verdict::kUnwanted, conditions that fail
 };
 
-/// Throws ConfigError for a missing key or a value out of range.
 void readOptions(Section& section, DrawingOptions& options);
 
 }  // namespace forge

@@ -41,7 +41,6 @@ struct ExportOptions {
   std::map<std::string, GeoPoint> origins;  ///< by map location; default 0, 0
 };
 
-/// Throws ConfigError for a missing key or a value out of range.
 void readOptions(Section& section, ExportOptions& options);
 
 }  // namespace forge

@@ -90,7 +90,6 @@ class JsonLineWriter {
   void endObject();
   void beginArray(const char* key);
   void endArray();
-  // Write a field of the open object; texts must be UTF-8.
   void text(const char* key, const std::string& value);
   /// Throws std::invalid_argument naming the key if the number is not finite: JSON has none.
   void number(const char* key, double value);

@@ -28,7 +28,7 @@ class NuScenesMapDocument {
   /// Returns the elements of an array, for instance the arcs of an arcline; `name` is for messages.
   std::vector<MapRow> elements(const MapRow& array, const char* name) const;
 
-  // Return the field `name` of a row with the given type; numbers() needs exactly `count` of them.
+  // Return the field `name` of a row with the given type.
   const rapidjson::Value& field(const MapRow& row, const char* name) const;
   bool flag(const MapRow& row, const char* name) const;
   double number(const MapRow& row, const char* name) const;

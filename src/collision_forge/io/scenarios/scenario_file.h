@@ -46,10 +46,9 @@ void writePose(JsonLineWriter& writer, const char* key, const Pose2& pose);
 void writeCollisionReport(JsonLineWriter& writer, const char* key, const CollisionReport& report,
                           double now);
 
-/// Writes the field "trajectory" of a plan into the open object.
+/// Writes the array "plans". `write_points` adds the field "trajectory" to each plan.
 using WritePoints = std::function<void(JsonLineWriter& writer,
                                        const std::vector<TrajectoryPoint>& points, double now)>;
-/// Writes the array "plans", each with `write_points`.
 void writePlans(JsonLineWriter& writer, const std::vector<AttackerPlan>& plans, double now,
                 const WritePoints& write_points);
 

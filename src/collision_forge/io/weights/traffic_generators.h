@@ -21,8 +21,7 @@ class TrafficMethods {
   virtual ~TrafficMethods() = default;
 
   /// Makes the method `name`, with weights trained without `unseen_scene`; with the first weights
-  /// if all were trained with it. Called by MethodRegistry::Entry::make, on any thread; must not
-  /// keep references to `options`.
+  /// if all were trained with it.
   virtual std::unique_ptr<const AttackMethod> method(const std::string& name,
                                                      const AttackOptions& options,
                                                      const std::string& unseen_scene) const = 0;

@@ -9,17 +9,15 @@
 
 namespace forge {
 
-/// The lead of a proposal, on its path: an agent, or the path's end. The gap is `progress` - `rear`
-/// - the progress of the ego's rear axle.
+/// The lead of a proposal, on its path.
 struct PathLead {
-  double progress = 0.0;  ///< m along the path: the ego's progress plus the gap to the agent's box,
-                          ///< or the length of the path
-  double speed = 0.0;     ///< m/s along the path
-  double rear = 0.0;      ///< m; 0 for an agent, half the ego's length for the path's end
+  double progress = 0.0;  ///< m along the path, of the lead's middle
+  double speed = 0.0;     ///< m/s
+  double rear = 0.0;      ///< m from its middle to its rear end
 };
 
-/// A path with a speed profile along it, before vehicle dynamics: a state at t0 and one after each
-/// step. Positions refer to the rear axle.
+/// A path with a speed profile along it, before vehicle dynamics: one state per step, the first at
+/// t0. Positions refer to the rear axle.
 struct PdmProposal {
   std::size_t lateral = 0;     ///< index into options.lateral_offsets
   double desired_speed = 0.0;  ///< m/s
@@ -41,9 +39,9 @@ class PdmProposer {
   /// Returns one proposal of `options.proposal_steps` steps for every offset (outer loop) and share
   /// of `speed_limit` (m/s; inner loop).
   std::vector<PdmProposal> propose(double speed_limit);
-  /// Continues a proposal until it has `steps` steps after t0.
+  /// Continues a proposal until it has `steps` steps.
   void extend(PdmProposal& proposal, int steps);
-  /// Returns the poses of the rear axle, one per state (map frame).
+  /// Returns the poses of the rear axle, one per step.
   std::vector<Pose2> poses(const PdmProposal& proposal) const;
 
  private:

@@ -11,13 +11,13 @@ namespace forge {
 /// demand, and an index that it reads first.
 class PageFile {
  public:
-  /// Starts the page at `path`. Throws as AsideFile.
+  /// Starts the page. Throws as AsideFile.
   explicit PageFile(const std::string& path);
 
-  /// Adds a record (JSON text) and returns its index, from 0 on. Throws as deflatedText().
+  /// Adds a record and returns its index, from 0 on.
   std::size_t add(const std::string& record);
 
-  /// Writes the index (JSON text) and the end of the page. Throws as AsideFile::commit().
+  /// Writes the index and the end of the page. Throws as AsideFile::commit().
   void commit(const std::string& index);
 
  private:

@@ -13,12 +13,11 @@ struct WitnessedHit {
   std::string row;   ///< rowName() of the planner
 };
 
-/// Reads witnesses.jsonl of the folder of a run, in order; empty if the file does not exist. Throws
-/// JsonLineError naming file and line for a malformed line, InputError for one that is too long.
+/// Reads witnesses.jsonl of a folder in order; empty if the file does not exist. Throws
+/// JsonLineError naming file and line, InputError as readInputLine().
 std::vector<WitnessedHit> readWitnessedHits(const std::string& folder, const InputLimits& limits);
 
-/// Returns the case name of each line of weaknesses.jsonl in that folder, in order: the distinct
-/// names in witnesses.jsonl. Throws as readWitnessedHits().
+/// Returns the case names of the lines of weaknesses.jsonl in that folder, in order.
 std::vector<std::string> weaknessCases(const std::string& folder, const InputLimits& limits);
 
 }  // namespace forge

@@ -15,7 +15,7 @@ namespace forge {
 /// std::runtime_error if a file cannot be read.
 std::map<std::string, std::string> fingerprintsOf(const Config& config, const ConfigFolder& folder);
 
-/// Returns only the fingerprints of the same files, without the models, for training.
+/// Returns only the fingerprints of files in config/, for training, which needs no model.
 std::map<std::string, std::string> configFingerprints(const ConfigFolder& folder);
 
 /// Returns one fingerprint() of all fingerprintsOf().

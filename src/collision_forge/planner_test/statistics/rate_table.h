@@ -27,11 +27,10 @@ struct RateTable {
   std::vector<std::vector<Rate>> rates;  ///< by method, then by group
 };
 
-/// Method names with their trials; one element per row of a table.
+/// Trials of a table: one element per row, in order, with its method.
 using MethodTrials = std::vector<std::pair<std::string, std::vector<Trial>>>;
 
-/// Returns the pooledRate() of each method and group (groupTrials()). `measure` is copied to the
-/// table; the trials already have its values.
+/// Computes the rates with intervals (pooledRate()) for each method and group.
 RateTable tabulateTrials(const Measure& measure, const MethodTrials& trials);
 
 /// Unit in which a table shows its values.

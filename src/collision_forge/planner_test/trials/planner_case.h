@@ -13,8 +13,7 @@
 namespace forge {
 
 /// The protocol of arXiv 2510.12206 on a clip of COLLIDE: decides whether the case's attacker hits
-/// an ego that a planner drives. testPlanner() calls it once per rollout, from several threads at
-/// once; must be thread-safe and deterministic.
+/// an ego that a planner drives. Several threads may call the same object.
 class PublishedProtocol {
  public:
   virtual ~PublishedProtocol() = default;

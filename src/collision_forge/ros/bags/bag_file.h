@@ -16,8 +16,7 @@ inline std::string bagTopic(const char* name) { return std::string("/") + name; 
 /// A bag opened for reading. Threads may read different bags at the same time.
 class OpenedBag {
  public:
-  /// Throws like rosbag::Bag::open(), and BagError for a missing file and a damaged bag
-  /// (checkBag()).
+  /// Throws like rosbag::Bag::open(), and BagError for a damaged bag (checkBag()).
   explicit OpenedBag(const std::string& path);
   ~OpenedBag();
   OpenedBag(const OpenedBag&) = delete;
@@ -33,14 +32,13 @@ class OpenedBag {
 /// different bags at the same time.
 class NewBag {
  public:
-  /// Throws as AsideFile, and BagError if rosbag cannot open the file.
+  /// Throws BagError, and std::runtime_error if `path` exists and is no file.
   explicit NewBag(const std::string& path);
   ~NewBag();
   NewBag(const NewBag&) = delete;
   NewBag& operator=(const NewBag&) = delete;
 
-  /// `time`: time in the bag, not 0. `header`: header of the connection; null: default. Throws
-  /// BagError.
+  /// `header`: header of the connection; null: default. Throws BagError.
   template <typename Message>
   void write(const std::string& topic, const ros::Time& time, const Message& message,
              const boost::shared_ptr<ros::M_string>& header = {}) {

@@ -12,7 +12,7 @@ constexpr char kChunkInfo = 0x06;              // value of the field `op` of its
 
 using Fields = std::map<std::string, std::string>;
 
-/// Returns the little-endian number at the start of `bytes`; 0 if there are too few bytes.
+/// Little-endian, as all numbers of a bag; 0 where there are too few bytes.
 template <typename Integer>
 Integer numberIn(const std::string& bytes) {
   Integer number = 0;
@@ -32,7 +32,7 @@ std::string takeBlock(std::istream& stream) {
   return take(stream, numberIn<std::uint32_t>(take(stream, sizeof(std::uint32_t))));
 }
 
-/// Reads the header of a record: blocks of NAME=VALUE.
+/// The header of a record: blocks of NAME=VALUE.
 Fields takeHeader(std::istream& stream) {
   const std::string header = takeBlock(stream);
   Fields fields;

@@ -5,7 +5,7 @@
 namespace forge {
 
 /// Returns true if the index of the bag has messages at time 0, which means "no time" and which
-/// rosbag skips. Precondition: rosbag can open the bag. Returns false for a version other than 2.0.
+/// rosbag skips. rosbag must be able to open the bag.
 bool hasMessageAtZero(const std::string& path);
 
 }  // namespace forge

@@ -8,9 +8,8 @@
 namespace forge {
 
 /// Writes one scene as an LZ4 bag with the recorded timestamps: /tf (map -> base_link) and /odom at
-/// every ego pose; /agents, /annotation_markers and /agent_objects at every frame; /lane_map and,
-/// if the ego's size is known, /ego_vehicle once, latched. Writes a temporary file and renames it.
-/// Throws as NewBag, and BagError for a recording without ego poses or frames.
+/// every ego pose, /agents and /annotation_markers at every frame, /lane_map once, latched. Writes
+/// a temporary file and renames it. Throws std::runtime_error with the path.
 void writeBag(const std::string& path, const NuScenesRecording& recording, const LaneMap& map);
 
 }  // namespace forge

@@ -16,10 +16,10 @@ struct ForeignBags {
   std::string map;
 };
 
-/// Opens the bag or the folder of bags at `bags`, one scene per bag, read by readForeignBag() and
-/// named after its file. Throws BagError if there is no bag, std::runtime_error if a wanted scene
-/// is missing. recording() throws like readForeignBag(), readLaneMap() and readNuScenesMapFile(),
-/// BagError for a bag without lanes, and ConfigError for a location without a driving side.
+/// Opens a bag or a folder of bags, one scene per bag, read by readForeignBag(). Throws BagError if
+/// there is no bag, std::runtime_error if a wanted scene is missing. recording() throws like
+/// readForeignBag(), readLaneMap() and readNuScenesMapFile(), BagError for a bag without lanes, and
+/// ConfigError for a location without a driving side.
 std::unique_ptr<SceneReader> openForeignBags(const std::string& bags, ForeignBags how,
                                              SceneReading reading);
 

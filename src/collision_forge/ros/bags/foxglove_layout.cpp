@@ -6,8 +6,7 @@
 namespace forge {
 namespace {
 
-/// Returns the 3D view: the ego from above and slightly from the south, on a white background, for
-/// which the colours were chosen.
+/// The ego from above, a little from the south, on white as the colours are meant.
 std::string scenePanel() {
   return R"({
       "cameraState": {

@@ -6,9 +6,8 @@
 
 namespace forge {
 
-/// Returns the format of bags of `forge convert`: one bag or a folder; each bag is a scene named
-/// after its file, read by readBagAsWritten(). SceneReader::recording() always throws: the scenes
-/// are flat.
+/// Returns the format of bags of `forge convert`: one bag or a folder; each is a scene named after
+/// its file.
 const LogFormat& bagFormat();
 
 /// Returns the log source at `path` and detects its format: a bag or a folder of bags, a

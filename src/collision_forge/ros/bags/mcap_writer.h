@@ -15,19 +15,17 @@ namespace forge {
 inline constexpr char kRos1Encoding[] = "ros1";
 inline constexpr char kRos1Definition[] = "ros1msg";
 
-/// A message type of an MCAP file.
 struct McapSchema {
-  std::string name;      ///< as "nav_msgs/Odometry"
-  std::string encoding;  ///< of `text`, as kRos1Definition
-  std::string text;      ///< definition of the type
+  std::string name;
+  std::string encoding;
+  std::string text;
 };
 
-/// A source of messages of one topic and type.
 struct McapChannel {
   std::uint16_t schema = 0;  ///< number returned by addSchema()
   std::string topic;
-  std::string message_encoding;                 ///< as kRos1Encoding
-  std::map<std::string, std::string> metadata;  ///< for kRos1Encoding: header of the connection
+  std::string message_encoding;
+  std::map<std::string, std::string> metadata;
 };
 
 /// Writes an MCAP file (mcap.dev/spec): messages in chunks, each an LZ4 frame, with their indexes,
@@ -44,8 +42,7 @@ class McapWriter {
   /// Returns the channel's number, from 0. Throws like addSchema().
   std::uint16_t addChannel(McapChannel channel);
 
-  /// Writes a message to `channel`, a number of addChannel(). `time`: ns, both publish and log
-  /// time; may decrease.
+  /// Writes a message. `time`: ns, both publish and log time; may decrease.
   void write(std::uint16_t channel, std::uint64_t time, std::string_view message);
 
   /// Ends the file. Must be called once, as the last call.

@@ -27,7 +27,6 @@ enum class BuiltinType {
 
 struct MessageType;
 
-/// A field of a message type: a value, or an array of them.
 struct MessageField {
   enum class Shape { kSingle, kFixedArray, kArray };
 
@@ -43,13 +42,12 @@ struct MessageField {
   bool is_fixed_size = false;  ///< every element has min_size bytes
 };
 
-/// A message type with its fields in the order of serialisation.
 struct MessageType {
   std::string name;  ///< package/Type
   std::vector<MessageField> fields;
-  std::size_t min_size = 0;    ///< bytes of a serialised message, at least
-  bool is_fixed_size = false;  ///< every message has min_size bytes
-  int height = 0;              ///< depth of nesting, itself included
+  std::size_t min_size = 0;
+  bool is_fixed_size = false;
+  int height = 0;  ///< depth of nesting, itself included
 };
 
 /// A ROS 1 message type and its nested types, parsed from the definition text of a bag's
@@ -63,7 +61,6 @@ class MessageDefinition {
   MessageDefinition(const MessageDefinition&) = delete;
   MessageDefinition& operator=(const MessageDefinition&) = delete;
 
-  /// Returns the parsed type; valid as long as this object.
   const MessageType& message() const { return *message_; }
 
  private:

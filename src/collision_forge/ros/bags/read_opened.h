@@ -10,8 +10,8 @@
 
 namespace forge {
 
-/// Opens the bag at `path` and returns read(bag). Throws BagError naming `path` instead of errors
-/// of rosbag, of deserialisation and MessageError; other exceptions of `read` propagate.
+/// Opens the bag at `path` and returns read(bag). Converts errors of rosbag and of messages to
+/// BagError.
 template <typename Read>
 auto readOpened(const std::string& path, const Read& read) {
   try {

@@ -13,12 +13,10 @@ struct RecordedAttack {
   std::string source;                              ///< file name of the bag without the attack
 };
 
-/// Returns nullopt for a bag without an attack, that is, without a message on /tested_report.
-/// Throws BagError.
+/// Returns nullopt for a bag without an attack. Throws BagError.
 std::optional<RecordedAttack> readRecordedAttack(const std::string& path);
 
-/// Returns the message that rejects a second attack in the bag at `path`; it names the bag to
-/// replay instead.
+/// Returns the error text for a second attack in the bag at `path`, with the bag to play instead.
 std::string refusalOf(const RecordedAttack& attack, const std::string& path);
 
 }  // namespace forge

@@ -15,7 +15,6 @@ namespace forge {
 /// Source of a number: the path of a field (FieldPath), or a constant for all messages.
 using NumberSource = std::variant<std::string, double>;
 
-/// Sources of a pose in the frame of the message.
 struct PoseFields {
   std::array<NumberSource, 3> position;  ///< x, y, z, m
   /// x, y, z, w of a quaternion, or the yaw, rad.
@@ -31,30 +30,25 @@ struct TopicFields {
   std::string frame_id_path;  ///< path of the field with the frame of the poses
 };
 
-/// Point of the ego that its pose describes.
 enum class EgoReference { kBaseLink, kBoxMiddle };
 
-/// Section `ego`: the ego's poses.
 struct EgoMapping {
   TopicFields fields;
   PoseFields pose;
-  EgoReference reference = EgoReference::kBaseLink;
+  EgoReference reference = EgoReference::kBaseLink;  ///< point that the pose describes
   /// For tf2_msgs/TFMessage: the ego's frame, and the path of the child frame in a transform.
   /// Transforms of other frames are ignored. Empty for other types.
   std::string child_frame_id;
   std::string child_frame_id_path;
 };
 
-/// Frame of an agent's velocity: the frame of its pose, or the agent's own box.
 enum class VelocityFrame { kMap, kObject };
 
-/// Sources of an agent's velocity.
 struct VelocityFields {
   VelocityFrame frame = VelocityFrame::kMap;
   std::array<NumberSource, 3> velocity;  ///< x, y, z, m/s
 };
 
-/// Section `agents`: the frames of agents. Paths of agents contain the array, as "objects[].id".
 struct AgentsMapping {
   TopicFields fields;
   std::string id;              ///< path of a number, a text or an array of uint8
@@ -67,7 +61,6 @@ struct AgentsMapping {
   std::optional<VelocityFields> velocity;  ///< empty: derived from the positions
 };
 
-/// A mapping file.
 struct TopicMapping {
   EgoMapping ego;
   AgentsMapping agents;

@@ -39,9 +39,8 @@ class LiveAttacker {
   /// back, but not to before the attack's t0, the attacker stops replanning.
   void see(const Frame& frame, double clock);
 
-  /// Call periodically, with the time of the clock (s). If no frame arrived since the last call and
-  /// for AdaptiveOptions::lost_after seconds of the clock, the attacker gets an update step without
-  /// observations.
+  /// Call periodically. If no frame arrived since the last call and for `lost_after` seconds of the
+  /// clock, the attacker gets an update step without observations.
   void watch(double clock);
 
  private:

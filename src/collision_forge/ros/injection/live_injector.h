@@ -41,7 +41,6 @@ class LiveInjector {
   /// contact. An empty attack ends the injection. On MessageError and InputError nothing changes.
   void setAttack(const collision_forge::Attack& attack);
 
-  /// Adds a recorded frame.
   void addFrame(const collision_forge::AgentArray::ConstPtr& recorded);
 
   /// Sets the size of the ego's box for all later poses, m.

@@ -15,7 +15,7 @@ namespace forge {
 namespace {
 
 constexpr double kLineWidth = 0.15;         // m
-constexpr double kLineHeight = 0.03;        // m above ground, of lanes and edges
+constexpr double kLineHeight = 0.03;        // m above ground, of what is painted on it
 constexpr double kWayHeight = 0.1;          // m
 constexpr double kTouchHeight = 0.8;        // m
 constexpr double kLabelLetterHeight = 0.7;  // m
@@ -32,7 +32,7 @@ geometry_msgs::Point pointAt(const Vector2& place, double height) {
   return point;
 }
 
-/// Adds lines, two points each.
+/// Two points a line.
 void addLines(const std::vector<Vector2>& ends, double thickness, double height,
               const colors::MarkerColor& color, SceneEntity& entity) {
   LinePrimitive lines{thickness, {}, color};
@@ -118,7 +118,7 @@ std::string className(std::uint8_t agent_class) {
       std::min(agent_class, std::uint8_t{collision_forge::Agent::STATIC_OBJECT})));
 }
 
-/// Returns the look of an agent. Static objects have no label: there are many cones and barriers.
+/// Cones and barriers, which are many, have no labels.
 BoxLook lookOf(const collision_forge::Agent& agent, bool attacks) {
   BoxLook look{kVehicleHeight, colors::agentColor(agent.agent_class), "", kLabelLetterHeight};
   if (agent.size.z > 0.0 && std::isfinite(agent.size.z)) look.height = agent.size.z;

@@ -8,9 +8,7 @@
 /// Texts about an attack for people: countdown before the contact, outcome after it.
 namespace forge {
 
-/// Returns `tested` if it belongs to `attack` (same attacker and stamp) and its outcome is known at
-/// `now`: the contact or, without one, the end of the trajectory has passed. Returns null otherwise
-/// and for a null `tested`.
+/// Returns `tested` if it belongs to `attack` and its outcome is known at `now`, else null.
 const collision_forge::CollisionReport* verdictBy(const ros::Time& now,
                                                   const collision_forge::Attack& attack,
                                                   const collision_forge::CollisionReport* tested);
@@ -18,15 +16,14 @@ const collision_forge::CollisionReport* verdictBy(const ros::Time& now,
 /// Text for a contact that is not yet verified.
 inline constexpr const char* kContactWords = "contact; verification follows";
 
-/// Returns "contact in 4.4 s" before the predicted contact, later "contact predicted 0.2 s ago"
-/// (the ego may depart from the prediction), and "no contact predicted" for an attack without one.
+/// Returns "contact in 4.4 s" before the predicted contact, later "contact predicted 0.2 s ago": if
+/// the ego departs from the prediction, the contact comes later or never.
 std::string countdownWords(const collision_forge::Attack& attack, const ros::Time& now);
 
 /// Returns whether the contact is as requested, and otherwise why not, or that there is none.
 std::string outcomeWords(const collision_forge::CollisionReport& tested);
 
-/// Returns two or three lines: outcome; impact speed of a contact; "plausible" or the reason why
-/// not.
+/// Returns two or three lines: outcome; impact; plausible or the reason why not.
 std::string verdictWords(const collision_forge::CollisionReport& tested);
 
 /// Returns the verdict if `verdict` is set, else the countdown, for an adaptive attacker with its

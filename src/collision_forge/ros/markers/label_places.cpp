@@ -6,12 +6,12 @@
 namespace forge {
 namespace {
 
-constexpr double kLetterWidth = 0.55;   // width over height
-constexpr double kLineHeight = 1.25;    // line spacing over letter height
+constexpr double kLetterWidth = 0.55;   // of its height
+constexpr double kLineHeight = 1.25;    // of a letter's height
 constexpr double kMargin = 0.4;         // m between a text and a box
-constexpr double kSameDistance = 1e-6;  // m; of equally near places the first is taken
+constexpr double kSameDistance = 1e-6;  // m; of places that are as near the first one is taken
 
-/// Returns half the extent of a box along x and y.
+/// Half of what a box covers along x and y.
 Vector2 halfExtent(const OrientedBox& box) {
   Vector2 half(0.0, 0.0);
   for (const Vector2& corner : corners(box)) {

@@ -8,8 +8,7 @@
 /// Placement of texts beside boxes in a top view that looks along -z with y up. Metres.
 namespace forge {
 
-/// Returns the approximate size of a text of one or more lines: length along x, width along y, m.
-/// `letter_height`: m.
+/// Returns the approximate size of a text: length along x, width along y, m.
 BoxSize textSize(const std::string& text, double letter_height);
 
 // Numbers of rings of text places around a box.
@@ -30,11 +29,10 @@ struct LabelSide {
 LabelSide freestSide(const OrientedBox& box, const BoxSize& text,
                      const std::vector<OrientedBox>& obstacles, int rings = kNearRings);
 
-/// Returns the rectangle, along `velocity` (m/s), that a box covers in about `duration` seconds: it
-/// has the width of the box and the length of the box plus the distance.
+/// Returns the rectangle, along `velocity` (m/s), that a box covers in `duration` seconds.
 OrientedBox sweptBox(const OrientedBox& box, const Vector2& velocity, double duration);
 
-/// Returns the middle of a text of size `text` at the place `side` of `box`.
+/// Returns the middle of a text at the place `side` of `box`.
 Vector2 placeBeside(const OrientedBox& box, const BoxSize& text, const LabelSide& side);
 
 }  // namespace forge

@@ -16,7 +16,7 @@ using collision_forge::AgentTrack;
 
 constexpr double kTrailHeight = 0.1;    // m
 constexpr double kTrailWidth = 0.2;     // m
-constexpr double kShortestTrail = 1.0;  // m; the box hides a shorter one
+constexpr double kShortestTrail = 1.0;  // m; a shorter one is under its box
 constexpr double kLabelRange = 40.0;    // m from the ego
 constexpr float kTrailAlpha = 0.5F;
 constexpr float kRecordedAlpha = 0.35F;  // beside the scenario
@@ -29,19 +29,19 @@ OrientedBox shownBox(const AgentTrack& track, const LiveScene& live) {
   return {shownPose(track, live.now), sizeOf(track.size)};
 }
 
-/// Returns the box of the recorded ego.
+/// As recorded.
 OrientedBox egoBox(const LiveScene& live) {
   const AgentTrack& ego = live.scene->ego;
   return {live.ego ? *live.ego : shownPose(ego, live.now), sizeOf(ego.size)};
 }
 
-/// Returns true within kCrashView after a contact: the view stays there.
+/// For kCrashView after a contact the picture stays there.
 bool isCrashWatched(const LiveScene& live) {
   return live.crash && live.now.toSec() - live.crash->contactTime() < kCrashView;
 }
 
-/// Returns the ego pose that the view follows; within kCrashView after a contact, the pose of the
-/// crashed ego. Empty if the newest frame has no ego.
+/// The ego's pose in the picture; for kCrashView after a contact the pose of the crashed ego. Empty
+/// if no ego is in the scene.
 std::optional<Pose2> viewedEgo(const LiveScene& live) {
   if (isCrashWatched(live)) return live.crash->egoAt(live.now.toSec()).pose;
   if (!isHere(live.scene->ego, live)) return std::nullopt;
@@ -71,7 +71,7 @@ std::optional<OrientedBox> attackerBox(const LiveScene& live) {
   return OrientedBox{*pose, sizeOf(live.attack->trajectory.size)};
 }
 
-/// Adds the past positions of an agent up to its box.
+/// Up to the box.
 void addTrail(const AgentTrack& track, const OrientedBox& box, const colors::MarkerColor& color,
               MarkerList& markers) {
   std::vector<Vector2> trail;
@@ -90,8 +90,8 @@ void addTrack(const std::string& name_space, const AgentTrack& track, const Orie
   markers.addBox(name_space, box, kVehicleHeight, color);
 }
 
-/// Adds a pale slab on the road. The solid box of the same vehicle in the scenario hides it if both
-/// are at the same place.
+/// A pale slab on the road: the box of the scenario, where it stands on the slab, hides it and
+/// keeps its colour.
 void addRecorded(const AgentTrack& track, const OrientedBox& box, const colors::MarkerColor& color,
                  MarkerList& markers) {
   addTrail(track, box, color, markers);
@@ -144,8 +144,8 @@ void addEgo(const LiveScene& live, MarkerList& markers) {
   markers.addBox("ego", crashedAt(live.now.toSec(), live).ego, kVehicleHeight, colors::kEgo);
 }
 
-/// Returns the box beside which the text stands: after a contact, where the attacker stops; before
-/// it, the predicted contact, or the attacker if none is predicted.
+/// After a contact the place where the attacker comes to a stand; before it the predicted contact,
+/// or the attacker if no contact is predicted.
 OrientedBox placeOfWords(const LiveScene& live, const OrientedBox& attacker) {
   if (live.crash) return crashedAt(live.crash->standTime(), live).attacker;
   if (live.verdict || !live.attack->report.contact) return attacker;

@@ -18,7 +18,7 @@ inline constexpr double kCrashView = 5.0;  // s for which the view stays at a co
 
 /// Input of one picture.
 struct LiveScene {
-  const collision_forge::SceneSnapshot* scene = nullptr;      ///< the newest; must not be null
+  const collision_forge::SceneSnapshot* scene = nullptr;      ///< the newest
   ros::Time now;                                              ///< time of the picture
   const collision_forge::Attack* attack = nullptr;            ///< null without a running attack
   const collision_forge::CollisionReport* verdict = nullptr;  ///< outcome; null while unknown
@@ -28,20 +28,19 @@ struct LiveScene {
   std::vector<OrientedBox> words_obstacles = {};  ///< as in WordsPlace
 };
 
-/// Returns the areas that the other agents cover at constant velocity from `now` until the view
-/// leaves the contact. Texts of the attack should not cover them. `live.attack` must not be null.
+/// Returns the areas that the other agents cover from now until the view leaves the contact, at
+/// constant velocity. Texts of the attack should not cover them.
 std::vector<OrientedBox> coveredByOthers(const LiveScene& live);
 
-/// Returns ego and agents, extrapolated from the newest frame (shownPose()), with trails and,
-/// without an attack, the short ids of nearby vehicles ("ids"). During an attack also the attacker
-/// as driven (namespace "attacker") and as recorded ("recorded"), and the countdown or verdict
-/// ("words"). After the contact ego and attacker move by `crash`, with a mark at the contact point
-/// ("contact"), and the recorded ego continues ("recorded").
+/// Returns ego and agents, interpolated between frames, with trails. During an attack also the
+/// attacker as driven (namespace "attacker") and as recorded ("recorded"), and the countdown or
+/// verdict ("words"). After the contact ego and attacker move by `crash`, with a mark at the
+/// contact point ("contact"), and the recorded ego continues ("recorded").
 visualization_msgs::MarkerArray liveMarkers(const LiveScene& live);
 
-/// Returns the part of the map to show. During an attack it contains the ego, the attacker, the
-/// predicted contact and the text; for kCrashView seconds after a contact both vehicles up to
-/// standstill; else the ego with its surroundings. Returns nullopt if the newest frame has no ego.
+/// Returns the part of the map to show. During an attack it contains the ego, the attacker and the
+/// predicted contact; for kCrashView seconds after a contact both vehicles up to standstill; else
+/// the ego with its surroundings. Returns nullopt if the scene has no ego.
 std::optional<ShownArea> shownArea(const LiveScene& live);
 
 }  // namespace forge

@@ -23,7 +23,7 @@ inline constexpr MarkerColor kConnector{0.78F, 0.80F, 0.82F};
 
 inline constexpr MarkerColor kEgo{0.12F, 0.40F, 0.80F};
 inline constexpr MarkerColor kAttacker{0.84F, 0.15F, 0.16F};
-inline constexpr MarkerColor kAdded{0.93F, 0.45F, 0.45F};  ///< past of an added attacker
+inline constexpr MarkerColor kAdded{0.93F, 0.45F, 0.45F};  ///< added attacker
 inline constexpr MarkerColor kPatternEgo{0.52F, 0.20F, 0.68F};
 inline constexpr MarkerColor kPatternAttacker{0.98F, 0.58F, 0.10F};
 inline constexpr MarkerColor kContact{1.00F, 0.87F, 0.12F};

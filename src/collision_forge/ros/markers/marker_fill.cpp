@@ -30,7 +30,7 @@ bool isFinite(const std::vector<Edge>& edges) {
   });
 }
 
-/// Returns the parts of the edges between two y values, from left to right.
+/// The edges' parts between two heights, each as bottom and top, from left to right.
 std::vector<Edge> crossings(const std::vector<Edge>& edges, double bottom, double top) {
   std::vector<Edge> parts;
   parts.reserve(edges.size());

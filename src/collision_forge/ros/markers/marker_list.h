@@ -14,8 +14,7 @@
 namespace forge {
 
 /// Builds a MarkerArray. It starts with DELETEALL, so that it replaces all earlier markers. Skips
-/// non-finite markers and markers without extent, which RViz rejects. All lengths are in m; `z` and
-/// `height` are above ground.
+/// non-finite markers and markers without extent, which RViz rejects. Heights are m above ground.
 class MarkerList {
  public:
   explicit MarkerList(const std_msgs::Header& header);
@@ -23,7 +22,7 @@ class MarkerList {
   /// Adds a solid box that stands on the ground, with an arrow head on top for its heading.
   void addBox(const std::string& name_space, const OrientedBox& box, double height,
               const colors::MarkerColor& color);
-  /// Adds a flat box whose lower face is at `z`.
+  /// Adds a flat box.
   void addSlab(const std::string& name_space, const OrientedBox& box, double z,
                const colors::MarkerColor& color);
   void addDisc(const std::string& name_space, const Vector2& center, double diameter, double z,
@@ -37,7 +36,6 @@ class MarkerList {
   void addTriangles(const std::string& name_space, const std::vector<Vector2>& points, double z,
                     const colors::MarkerColor& color);
 
-  /// Returns the markers; the list must not be used afterwards.
   visualization_msgs::MarkerArray take() { return std::move(markers_); }
 
  private:

@@ -31,7 +31,6 @@ inline constexpr double kPathWidth = 0.3;        // m, of lines
 inline constexpr double kContactDiameter = 1.0;  // m
 inline constexpr float kContactAlpha = 0.45F;    // of the vehicles at contact
 
-/// Returns x as length and y as width (m).
 BoxSize sizeOf(const geometry_msgs::Vector3& size);
 
 /// Returns true if agents of this class (Agent constants) can attack.
@@ -55,8 +54,7 @@ struct WordsPlace {
   std::vector<OrientedBox> obstacles;
 };
 
-/// Returns the box (map frame) that is kept free for the text of an attack, whatever its words.
-/// `scale`: letterScale().
+/// Returns the box around the text of an attack.
 OrientedBox wordsBox(const collision_forge::Attack& attack, const WordsPlace& place, double scale);
 
 /// Adds the text of an attack, its countdown or verdict (namespace "words"), and on the opposite

@@ -17,7 +17,7 @@ namespace {
 
 using visualization_msgs::MarkerArray;
 
-// Heights above ground, m; higher markers hide lower ones in a top view.
+// Heights above ground, m: what should be seen from above lies higher.
 constexpr double kWalkwayHeight = -0.02;
 constexpr double kAreaHeight = 0.0;
 constexpr double kConnectorHeight = 0.02;
@@ -30,9 +30,9 @@ constexpr double kTrailWidth = 0.25;    // m
 constexpr double kPatternWidth = 0.22;  // m
 constexpr double kDrivenWidth = 0.8;    // m
 constexpr std::size_t kShownPatterns = 5;
-constexpr float kPatternAlpha = 0.5F;  // of the first pattern; each next one has half of it
+constexpr float kPatternAlpha = 0.5F;  // of the first; each next one has half of it
 
-constexpr double kLineTolerance = 0.03;  // m; a quarter of kLaneWidth, invisible
+constexpr double kLineTolerance = 0.03;  // m; a quarter of kLaneWidth: nobody sees it
 constexpr double kArrowSpacing = 15.0;   // m along a centreline
 constexpr double kArrowLength = 1.2;     // m
 constexpr double kArrowWidth = 1.0;      // m
@@ -63,7 +63,7 @@ void appendArrowHead(const Pose2& pose, std::vector<Vector2>& lines) {
                  lines);
 }
 
-/// Adds an arrow head every kArrowSpacing metres, the first after half of it.
+/// An arrow head every kArrowSpacing metres, the first half a spacing in.
 void appendArrowHeads(const std::vector<Vector2>& centerline, std::vector<Vector2>& lines) {
   double ahead = kArrowSpacing / 2;  // to the next arrow head
   for (std::size_t i = 1; i < centerline.size(); ++i) {
@@ -99,13 +99,13 @@ std::vector<Vector2> trailOf(const std::vector<collision_forge::TrackState>& sta
   return lines;
 }
 
-/// Adds the past of an added attacker.
+/// The way that an attacker came that nobody recorded.
 void addPast(const collision_forge::AttackerTrajectory& trajectory, MarkerList& markers) {
   markers.addLines("added_past", trailOf(trajectory.past), kTrailWidth, kTrailHeight,
                    colors::withAlpha(colors::kAdded, kTrailAlpha));
 }
 
-/// Returns times and poses of the points.
+/// Where and when it is.
 std::vector<TrajectoryPoint> pointsOf(const collision_forge::AttackerTrajectory& trajectory) {
   std::vector<TrajectoryPoint> points;
   for (const auto& point : trajectory.points) {
@@ -174,7 +174,7 @@ double heightOf(const collision_forge::Agent& agent) {
   return agent.size.z > 0 ? agent.size.z : kVehicleHeight;
 }
 
-/// Adds the text beside the contact, or without a contact beside the trajectory's end.
+/// Beside the contact; without a contact beside the trajectory's end.
 void addWords(const CrashView& view, MarkerList& markers) {
   const collision_forge::Attack& attack = *view.attack;
   const auto& points = attack.trajectory.points;

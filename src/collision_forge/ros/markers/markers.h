@@ -17,13 +17,12 @@
 /// and so replaces the one before. Colours: ros/markers/marker_colors.h.
 namespace forge {
 
-/// Returns the drivable area, the walkways, and the centrelines of lanes and connectors with arrow
-/// heads.
+/// Returns the drivable area, and the centrelines of lanes and connectors with arrow heads.
 visualization_msgs::MarkerArray mapMarkers(const collision_forge::LaneMap& map);
 
-/// Returns the outlines of ego and attacker at impact for the first five patterns, each half as
-/// opaque as the one before. The outlines lie below the boxes of vehicles. The attacker's size
-/// comes from `scene`; patterns of an attacker that is not in `scene` are skipped.
+/// Returns the outlines of ego and attacker at impact for the first patterns; later ones are
+/// fainter. The outlines lie below the boxes of vehicles. The attacker's size comes from `scene`;
+/// patterns of an attacker that is not in `scene` are skipped.
 visualization_msgs::MarkerArray patternMarkers(const collision_forge::PredictedPatterns& predicted,
                                                const collision_forge::SceneSnapshot& scene);
 
@@ -52,7 +51,7 @@ struct CrashView {
 visualization_msgs::MarkerArray crashMarkers(const CrashView& view);
 
 /// Returns a box for each agent, red for the attacker, and the short id beside each agent that can
-/// attack and has a free place there.
+/// attack.
 visualization_msgs::MarkerArray annotationMarkers(const collision_forge::AgentArray& agents,
                                                   const std::string& attacker_id = "");
 

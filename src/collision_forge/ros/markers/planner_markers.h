@@ -12,8 +12,8 @@
 namespace forge {
 
 /// Returns the static markers of a planner test: the paths of the planner's ego, the recorded ego
-/// and the attacker (scenario.attacker) up to the end of the test, and the proposals of the
-/// planner's last call. Starts with DELETEALL. Colours: ros/markers/marker_colors.h.
+/// and the attacker up to the end of the test, and the proposals of the planner's last call. Starts
+/// with DELETEALL. Colours: ros/markers/marker_colors.h.
 visualization_msgs::MarkerArray plannerMarkers(const PlannerTrial& trial,
                                                const CrashScenario& scenario);
 
@@ -32,8 +32,7 @@ struct ShownRollout {
   double standTime() const { return crash ? crash->motion.standTime() : end(); }
 };
 
-/// Returns the data for the animation of a trial. `planner`: its name in texts. `limits` bound the
-/// post-crash deceleration. The text is placed beside the paths of all vehicles.
+/// `limits` bound the post-crash deceleration. The text is placed beside the paths of all vehicles.
 ShownRollout shownRollout(const PlannerTrial& trial, const CrashScenario& scenario,
                           const std::string& planner, const DriveLimitOptions& limits);
 
@@ -43,8 +42,8 @@ ShownRollout shownRollout(const PlannerTrial& trial, const CrashScenario& scenar
 /// agents as recorded; reactive agents stand. From standTime() on all stand. Starts with DELETEALL.
 visualization_msgs::MarkerArray rolloutMarkers(const ShownRollout& shown, double time);
 
-/// Returns the part of the map that contains the ego and the attacker at `time` (s), the ego at
-/// standstill, and the text.
+/// Returns the part of the map that contains the ego and the attacker at `time`, and the ego at
+/// standstill.
 ShownArea rolloutArea(const ShownRollout& shown, double time);
 
 }  // namespace forge

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint8_t kDeleteAll = 1;
 constexpr std::uint8_t kLineList = 2;
 
-/// The nested types of SceneUpdate: name and fields.
+/// Types after SceneUpdate itself, each a name and its fields.
 constexpr const char* kTypes[][2] = {
     {"foxglove_msgs/SceneEntityDeletion",
      "time timestamp\nuint8 MATCHING_ID=0\nuint8 ALL=1\nuint8 type\nstring id\n"},
@@ -55,7 +55,7 @@ constexpr const char* kTypes[][2] = {
 };
 
 std::string makeDefinition() {
-  constexpr std::size_t kRule = 80;  // characters of the line between two types
+  constexpr std::size_t kRule = 80;  // signs in the line between two types
   std::string text =
       "foxglove_msgs/SceneEntityDeletion[] deletions\nfoxglove_msgs/SceneEntity[] entities\n";
   for (const auto& [name, fields] : kTypes) {
@@ -101,7 +101,7 @@ void appendLines(std::string& bytes, const std::vector<LinePrimitive>& lines) {
     const bool scale_invariant = false;
     append(bytes, kLineList, unturned(), line.thickness, scale_invariant, line.points);
     appendColor(bytes, line.color);
-    appendNone(bytes);  // colors, one per point
+    appendNone(bytes);  // colors, a point
     appendNone(bytes);  // indices
   }
 }

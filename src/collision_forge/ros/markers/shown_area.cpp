@@ -5,8 +5,8 @@
 namespace forge {
 namespace {
 
-constexpr double kMargin = 9.0;         // m between a box and the edge, for texts beside the box
-constexpr double kWidthToHeight = 1.4;  // least width over height of an area
+constexpr double kMargin = 9.0;         // m between a box and the edge, for words beside the box
+constexpr double kWidthToHeight = 1.4;  // of an area around one place
 constexpr double kLeastScale = 0.6;     // of letters
 constexpr double kMostScale = 3.0;
 

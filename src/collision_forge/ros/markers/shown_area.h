@@ -19,12 +19,12 @@ struct ShownArea {
   Vector2 size() const { return highest - lowest; }
 };
 
-/// Returns the rectangle that contains all boxes with a margin, and is at least `shortest_width`
-/// metres wide (along x) and 1/1.4 of that high (along y). `boxes` must not be empty.
+/// Returns the rectangle that contains all boxes with a margin, and is at least
+/// `shortest_width` metres wide (along x) and in proportion high. `boxes` must not be empty.
 ShownArea areaAround(const std::vector<OrientedBox>& boxes, double shortest_width);
 
-/// Returns the factor for letter heights that keeps texts at the same size on the screen: 1 for an
-/// area of width kUsualWidth, clamped to 0.6 to 3.
+/// Returns the factor for letter heights that keeps texts at the same size on the screen. It is 1
+/// for an area of width kUsualWidth.
 double letterScale(const ShownArea& area);
 
 /// Returns the four corners, counterclockwise from `lowest`.

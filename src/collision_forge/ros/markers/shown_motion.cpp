@@ -9,8 +9,8 @@
 namespace forge {
 namespace {
 
-constexpr double kStraight = 1e-4;    // rad/s; slower turns count as straight
-constexpr double kSlowest = 0.5;      // m/s; at lower speeds the change of yaw is noise
+constexpr double kStraight = 1e-4;    // rad/s; slower turns are none
+constexpr double kSlowest = 0.5;      // m/s; slower, a yaw's change is noise
 constexpr double kFastestTurn = 1.0;  // rad/s
 
 double turnRateBetween(const AgentState& before, const AgentState& last) {
@@ -25,7 +25,7 @@ double turnRateBetween(const AgentState& before, const AgentState& last) {
 Pose2 movedOn(const AgentState& state, double turn_rate, double duration) {
   const Vector2& velocity = state.velocity;
   const double turn = turn_rate * duration;
-  double along = duration;  // integrals of cos and sin of the turn
+  double along = duration;  // the integrals of cos and sin of the turn
   double across = 0.0;
   if (std::abs(turn_rate) > kStraight) {
     along = std::sin(turn) / turn_rate;

@@ -18,8 +18,7 @@ inline constexpr double kLongestGuess = 0.6;  // s; maximum extrapolation after 
 /// the left).
 Pose2 movedOn(const AgentState& state, double turn_rate, double duration);
 
-/// Returns the turn rate (rad/s, at most 1) between the last two states; 0 for a single state, a
-/// gap above kMaxGap, or a speed below 0.5 m/s.
+/// Returns the latest turn rate, rad/s; 0 if unknown or the agent hardly moves.
 double lastTurnRate(const collision_forge::AgentTrack& track);
 
 /// Extrapolates the newest state to `now`, by kLongestGuess at most and never backwards. `track`
@@ -31,8 +30,7 @@ Pose2 shownPose(const collision_forge::AgentTrack& track, const ros::Time& now);
 /// gaps, and if the newest state is too old. States must be in the order of time.
 std::optional<AgentState> shownState(const Track& track, double now);
 
-/// Returns the attacker's pose at `now`, interpolated between points; the last pose after the end,
-/// nullopt before the first point and without points.
+/// Returns the attacker's pose at `now`; its last pose after the end, nullopt before the begin.
 std::optional<Pose2> drivenPose(const collision_forge::AttackerTrajectory& trajectory,
                                 const ros::Time& now);
 

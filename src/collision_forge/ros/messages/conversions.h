@@ -33,9 +33,6 @@
 #include "collision_forge/base/scene/scene_history.h"
 
 /// Converts between the core's types and messages. Poses are planar: z, roll and pitch are dropped.
-/// Positions are in the map frame; stamps become s. A conversion without its own comment copies
-/// field by field, throws MessageError only for an unknown agent class or collision type, and does
-/// not check the input limits (input_limits.h).
 namespace forge {
 
 /// Thrown for an invalid message; the text has field and value.

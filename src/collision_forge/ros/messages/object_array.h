@@ -27,7 +27,6 @@ struct DerivedObject {
   std::uint8_t classification = 0;  ///< constant of the message, 0: unknown
 };
 
-/// derived_object_msgs/ObjectArray: a frame of objects.
 struct ObjectArray {
   std_msgs::Header header;  ///< also written as header of each object
   std::vector<DerivedObject> objects;

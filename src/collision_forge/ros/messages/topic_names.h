@@ -3,7 +3,7 @@
 /// Names of topics, services and frames, in one place. Relative: they follow a node's namespace.
 namespace forge::names {
 
-// Recorded data.
+// As recorded.
 inline constexpr char kAgents[] = "agents";     // AgentArray
 inline constexpr char kLaneMap[] = "lane_map";  // LaneMap, latched
 inline constexpr char kEgoVehicle[] =
@@ -16,7 +16,7 @@ inline constexpr char kAgentObjects[] =
 inline constexpr char kTf[] = "/tf";
 inline constexpr char kStaticTf[] = "/tf_static";
 
-// Published by the suite.
+// Made by the suite.
 inline constexpr char kEncodedScene[] = "encoded_scene";            // EncodedScene
 inline constexpr char kPredictedPatterns[] = "predicted_patterns";  // PredictedPatterns, latched
 inline constexpr char kAttack[] = "attack";                         // Attack, latched
@@ -42,7 +42,7 @@ inline constexpr char kPlannerPath[] = "planner_path";                   // nav_
 inline constexpr char kTestedMap[] = "tested_map";                       // LaneMap, latched
 inline constexpr char kPlanningState[] = "planning_state";               // PlanningState
 
-// Only in MCAP files, in addition to the topics of their bags.
+// In MCAP files, beside what is in their bags.
 inline constexpr char kCrashScene[] = "collision_forge/scene";    // foxglove_msgs/SceneUpdate
 inline constexpr char kCrashMap[] = "collision_forge/map";        // the same, latched
 inline constexpr char kEgoSpeed[] = "collision_forge/ego_speed";  // std_msgs/Float64, m/s
@@ -57,25 +57,24 @@ inline constexpr char kPlayerStep[] = "player/step";              // service, st
 inline constexpr char kPlayerBackToNow[] = "player/back_to_now";  // as step
 inline constexpr char kPlayerSeek[] = "player/seek";              // service, Seek
 
-// Published by an external planner.
+// Made by an external planner.
 inline constexpr char kPlannedTrajectory[] = "planned_trajectory";  // PlannedTrajectory
 
 // Services.
-inline constexpr char kGenerateCollision[] = "generate_collision";    // GenerateCollision
-inline constexpr char kGenerateCollisions[] = "generate_collisions";  // GenerateCollisions
-inline constexpr char kListCollisions[] = "list_collisions";          // ListCollisions
-inline constexpr char kReset[] = "reset";                             // std_srvs/Trigger
-inline constexpr char kPredictPattern[] = "predict_pattern";          // PredictPattern
-inline constexpr char kRealizeTrajectory[] = "realize_trajectory";    // RealizeTrajectory
-inline constexpr char kTestPlanner[] = "test_planner";                // TestPlanner
+inline constexpr char kGenerateCollision[] = "generate_collision";
+inline constexpr char kGenerateCollisions[] = "generate_collisions";
+inline constexpr char kListCollisions[] = "list_collisions";
+inline constexpr char kReset[] = "reset";  // std_srvs/Trigger
+inline constexpr char kPredictPattern[] = "predict_pattern";
+inline constexpr char kRealizeTrajectory[] = "realize_trajectory";
+inline constexpr char kTestPlanner[] = "test_planner";
 
 // Frames (REP-105).
 inline constexpr char kMapFrame[] = "map";
 inline constexpr char kBaseFrame[] = "base_link";
 inline constexpr char kTestedEgoFrame[] = "tested_ego";  // the ego's box where its test begins
 
-// Caller id, in a bag with an attack, of the frames of agents that were interpolated between
-// recorded frames.
+// Caller id of the frames between recorded ones in a bag with an attack.
 inline constexpr char kInBetween[] = "/collision_forge_in_between";
 
 }  // namespace forge::names

@@ -106,8 +106,6 @@ bool answerWith(Response& response, Work work) {
 /// services without delaying the topics of the node.
 class OwnThreadService {
  public:
-  /// Advertises the service `name`; each call runs `callback` of `owner`, which must outlive this
-  /// object.
   template <typename Owner, typename Request, typename Response>
   OwnThreadService(ros::NodeHandle node, const std::string& name,
                    bool (Owner::*callback)(Request&, Response&), Owner* owner)

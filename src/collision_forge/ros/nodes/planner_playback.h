@@ -22,7 +22,6 @@ class PlannerPlayback {
 
   /// Replaces the shown test.
   void play(const PlannerTrial& trial, const CrashScenario& scenario, const std::string& planner);
-  /// Ends the animation and clears its markers.
   void stop();
 
  private:

@@ -9,7 +9,6 @@
 
 namespace forge {
 
-/// A question with its result.
 using AnsweredQuestion = std::pair<ControlQuestion, ControlAnswer>;
 
 /// The success rates of one value of a control.

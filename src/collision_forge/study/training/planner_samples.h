@@ -21,17 +21,15 @@ struct PlannerSample {
 };
 
 /// Returns one sample per frame of a recording, with the same inputs as in a planner test: motion
-/// estimated from past frames only, the recorded route continued along lanes. Omits frames with
-/// fewer than kMinHistoryFrames frames of history, or a recorded future shorter than
-/// PlannerTrainingOptions::min_future. Throws as routeOf() and PlannerInputs.
+/// estimated from past frames only, the recorded route continued along lanes. Omits frames with a
+/// recorded future shorter than `min_future`.
 std::vector<PlannerSample> plannerSamples(const Scene& scene,
                                           std::shared_ptr<const LaneIndex> lanes,
                                           const LearningOptions& options,
                                           const PlannerOptions& planners);
 
 /// Returns the samples of all scenes of `sources.logs`, in the order of SceneSource::names(). Calls
-/// `on_item`, if set, after each scene with the numbers of scenes done and in total. Throws as
-/// SceneSource::at() and plannerSamples().
+/// `on_item` after each scene with the numbers of scenes done and in total.
 std::vector<PlannerSample> collectPlannerSamples(
     const TrainingSources& sources, const LearningOptions& options, const PlannerOptions& planners,
     const std::function<void(std::size_t, std::size_t)>& on_item);
