@@ -29,7 +29,7 @@ def planner(forge_suite, tmp_path_factory):
 
 @pytest.mark.parametrize('now', [4.0, 8.0, 12.0])
 @pytest.mark.parametrize('collision_type', TYPES)
-def test_is_not_hit_where_it_can_escape(forge, planner, collision_type, now):
+def test_is_not_hit_if_avoidable(forge, planner, collision_type, now):
     forge.player.until(now)
     try:
         attack = forge.generate(collision_type, tta=4.0, mode='replay')

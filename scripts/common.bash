@@ -1,10 +1,10 @@
-# Shared by the scripts of this folder: packages, configuration, build, ROS environment.
-# Sourced by setup, demo and test (bash, with `set -euo pipefail`); does nothing by itself.
+# Functions shared by the scripts of this folder: packages, configuration, build, ROS environment.
+# To be sourced by bash scripts with `set -euo pipefail`; defines functions and variables only.
 # shellcheck shell=bash
 
 REPO_ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 BUILD_DIR=$REPO_ROOT/build
-DEVEL_DIR=$REPO_ROOT/devel # not inside build/, where rosrun does not look for programs
+DEVEL_DIR=$REPO_ROOT/devel # not inside build/, where rosrun does not search for programs
 MEMORY_PER_JOB_KIB=$((3 * 512 * 1024)) # 1.5 GiB: a file that includes torch needs 1.1 GB
 
 say() { printf '%s\n' "-- $*" >&2; }
@@ -14,13 +14,13 @@ die() {
   exit 1
 }
 
-# Prints the message and exits 2: wrong command line.
+# Prints the error and exits 2, the exit code of a wrong command line.
 die_usage() {
   printf '%s\n' "error: $*" "try: $0 --help" >&2
   exit 2
 }
 
-# Prints the comment at the top of the calling script, which is its manual.
+# Prints the comment at the top of the calling script: its help text.
 print_usage() { sed -n '2,/^$/s/^# \{0,1\}//p' "$0"; }
 
 refuse_arguments() {
@@ -30,8 +30,8 @@ refuse_arguments() {
 
 # ---- packages ----
 
-# listed_packages forge|all|interop|pictures|sanitize: prints the packages of the first part of the list, of the first two, or
-# of these and the part of that name.
+# listed_packages forge|all|interop|pictures|sanitize: prints packages of packages.txt: its first part for forge, its
+# first two parts for all, and for other names these two and the part of that name.
 listed_packages() {
   local parts=forge
   [[ $1 == forge ]] || parts="forge|rest|$1"
@@ -48,7 +48,7 @@ missing_packages() {
 # install_packages forge|all|interop|pictures|sanitize
 install_packages() {
   { command -v dpkg-query && command -v apt-get; } > /dev/null ||
-    die "this system is not Debian: install the packages in scripts/packages.txt with its package manager"
+    die "this is not a Debian system: install the packages of scripts/packages.txt with your package manager"
   local missing as_root=()
   mapfile -t missing < <(missing_packages "$1")
   [[ ${#missing[@]} -gt 0 ]] || return 0
@@ -64,16 +64,16 @@ install_packages() {
 
 # ---- build ----
 
-# ccache answers for files with precompiled headers only if it may overlook these.
+# With precompiled headers, ccache has hits only if it ignores these differences.
 export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros,include_file_mtime,include_file_ctime}
 
-# ROS and catkin run on the system's python3, whichever python the caller has first in PATH.
+# ROS and catkin need the system's python3, even if another python is first in PATH.
 use_system_python() {
   export PATH=/usr/bin:$PATH
   unset PYTHONHOME
 }
 
-# As many compilers as there are cores, unless memory is short. CMAKE_BUILD_PARALLEL_LEVEL overrides.
+# Prints the number of parallel compilers: one per core, fewer if memory is short. CMAKE_BUILD_PARALLEL_LEVEL overrides.
 parallel_jobs() {
   local available_kib by_memory cores
   available_kib=$(awk '/^MemAvailable:/ {print $2}' /proc/meminfo)
@@ -84,7 +84,7 @@ parallel_jobs() {
 
 cached() { sed -n "s/^$1:[A-Z]*=//p" "$BUILD_DIR/CMakeCache.txt" 2> /dev/null || true; }
 
-# True for a folder that was configured elsewhere, in another way, or without success.
+# True if the build folder was configured for another path, with other basic settings, or without success.
 build_folder_is_stale() {
   [[ -e $BUILD_DIR/CMakeCache.txt ]] || return 1
   [[ $(cached CMAKE_HOME_DIRECTORY) != "$REPO_ROOT" || $(cached CMAKE_CACHEFILE_DIR) != "$BUILD_DIR" ||
@@ -92,10 +92,10 @@ build_folder_is_stale() {
     $(cached CATKIN_DEVEL_PREFIX) != "$DEVEL_DIR" || ! -e $BUILD_DIR/build.ninja ]]
 }
 
-# configure OPTION...: runs CMake with these options besides the options of every build.
+# configure OPTION...: runs CMake with these options and the common ones.
 configure() {
   if build_folder_is_stale; then
-    say "removing $BUILD_DIR and $DEVEL_DIR: configured for another folder, in another way, or not to the end"
+    say "removing $BUILD_DIR and $DEVEL_DIR: configured for another folder, with other settings, or incompletely"
     rm -rf "$BUILD_DIR" "$DEVEL_DIR"
   fi
   local log=$BUILD_DIR/configure.log
@@ -116,7 +116,7 @@ build() {
   cmake --build "$BUILD_DIR" -j "$jobs" --target "$@" >&2 || die "the build failed"
 }
 
-# prepare_forge: from a bare machine to the program forge. A folder that everything is built in stays that.
+# prepare_forge: installs packages and builds the program forge. A folder configured for all targets stays so.
 prepare_forge() {
   local only=ON
   if ! build_folder_is_stale && [[ $(cached COLLISION_FORGE_PROGRAM_ONLY) == OFF ]]; then only=OFF; fi
@@ -126,7 +126,7 @@ prepare_forge() {
   build forge
 }
 
-# prepare_all [OPTION_OF_CMAKE...] -- TARGET...: from a bare machine to these targets, with everything configured.
+# prepare_all [OPTION_OF_CMAKE...] -- TARGET...: installs packages, configures all targets and builds TARGET...
 prepare_all() {
   local options=()
   while [[ ${1?prepare_all: no -- before the targets} != -- ]]; do options+=("$1") && shift; done
@@ -137,8 +137,8 @@ prepare_all() {
   build "$@"
 }
 
-# use_sanitizer_build KIND: what follows is of that build. It is inside build/, where rosrun does not look for programs:
-# it would find two of each name.
+# use_sanitizer_build KIND: selects the build folder of a sanitizer for the following calls. It is inside build/, where
+# rosrun does not search: otherwise rosrun would find two programs of each name.
 use_sanitizer_build() {
   BUILD_DIR=$REPO_ROOT/build/sanitize/$1
   DEVEL_DIR=$BUILD_DIR/devel
@@ -146,7 +146,7 @@ use_sanitizer_build() {
 
 # ---- ROS ----
 
-# env.bash for scripts, which have `set -eu` where catkin's own files do not expect it.
+# Sources env.bash without `set -eu`, which catkin's own files do not support.
 use_ros_environment() {
   set +eu
   # shellcheck source=scripts/env.bash
@@ -154,7 +154,7 @@ use_ros_environment() {
   set -eu
 }
 
-# isolate_ros HOME: tests start masters and nodes of their own; nothing of the caller's ROS may reach them.
+# isolate_ros HOME: removes the caller's ROS settings, because tests start their own masters and nodes.
 isolate_ros() {
   local home=$1
   unset ROS_IP ROS_LOG_DIR ROS_NAMESPACE ROSCONSOLE_CONFIG_FILE

@@ -3,12 +3,12 @@
 
 usage: count_tests.py BUILD_DIR CTEST_JUNIT_XML [PATTERN]
 
-PATTERN is what ctest was given with -R: other tests are not counted.
-Cases that were skipped are named, with the reason that they give, and counted.
+PATTERN is the value of ctest's option -R: other tests are not counted. Skipped cases are printed with their reason and
+counted.
 
-catkin's tests have the JUnit file that they write on their command line: its cases are counted. A file that is
-missing, unreadable or empty counts as one failure, and so does a test that ctest calls failed although no case of
-its file did (a crash at exit, say). Any other test counts as one case. Exits 1 unless some passed and none failed.
+catkin's tests name their JUnit file on their command line; the cases of that file are counted. A missing, unreadable or
+empty file counts as one failure, and so does a test that failed in ctest without a failed case in its file, for example
+by a crash at exit. Any other test counts as one case. Exits 1 unless at least one case passed and none failed.
 """
 import json
 import subprocess
@@ -19,7 +19,7 @@ from pathlib import Path
 
 
 def ctest_outcomes(junit_file):
-    """Return the outcome of each test by name, from ctest."""
+    """Return the outcome of each test in ctest, by name: passed, failed or skipped."""
     outcomes = {}
     for case in ElementTree.parse(junit_file).iter('testcase'):
         skipped = case.find('skipped')
@@ -38,7 +38,7 @@ def case_outcome(case):
 
 
 def describe_skips(junit_file):
-    """A line for each case of the file that was skipped."""
+    """Yield a line for each skipped case of the file."""
     for case in ElementTree.parse(junit_file).iter('testcase'):
         skipped = case.find('skipped')
         if skipped is not None:
@@ -47,8 +47,10 @@ def describe_skips(junit_file):
 
 
 def junit_outcomes(junit_file):
-    """The cases of one file. rostest writes one case for each program that it runs, named `test` and the program's
-    test name; the cases of that program are in a file beside it."""
+    """Return the outcomes of the cases in one file.
+
+    rostest writes one case for each program, named `test` plus the test name of the program. The cases of the program
+    itself are in another file beside it."""
     outcomes = []
     for case in ElementTree.parse(junit_file).iter('testcase'):
         program_file = junit_file.parent / 'rosunit-{}.xml'.format(case.get('name', '')[len('test'):])
@@ -63,7 +65,7 @@ def junit_outcomes(junit_file):
 
 
 def registered_tests(build_dir, pattern):
-    """(name, the JUnit file that it writes or None) of every test that ctest knows by such a name."""
+    """Yield (name, JUnit file or None) of every test in ctest whose name matches the pattern."""
     listing = subprocess.run(['ctest', '--test-dir', build_dir, '--show-only=json-v1', '-R', pattern], check=True,
                              stdout=subprocess.PIPE)
     results = str(Path(build_dir) / 'test_results')

@@ -1,4 +1,4 @@
-"""The drivable limits, by class, told at the rear axle as a kinematic single track has it; part of check_limits."""
+"""Checks of the drivable limits by class, at the rear axle of a kinematic single track; part of check_limits."""
 import math
 
 from scenario_files import steps_to_contact
@@ -10,18 +10,18 @@ ROUNDING = 1e-6   # of any unit
 # acceleration over its two steps and a third one a mean of the jerk, so neither exceeds a limit that is kept at every
 # instant, except for the error of an arc whose steering angle changes within the step.
 SPEED_ERROR = 1e-3           # m/s; rounding
-ACCELERATION_ERROR = 0.05    # m/s2; also: the decrease of the forward acceleration is evaluated at a mean speed
-JERK_ERROR = 0.2             # m/s3; fast swings of the steering
-SLIP = 0.1                   # m/s across the heading, 10 mm a step; more only where steering explains it, slip_limit()
-SLIP_SPREAD = 1.05           # what speed and steering angle differ from their means within such a step
-# A step gives the mean steering angle over its path, which is not at half its time if the speed changes.
-SHORT_STEP = 0.05            # m; a shorter step gives no steering angle
+ACCELERATION_ERROR = 0.05    # m/s2; includes the error of the forward limit, taken at a mean speed
+JERK_ERROR = 0.2             # m/s3; for fast changes of the steering
+SLIP = 0.1                   # m/s across the heading, 10 mm per step; slip_limit() allows more if steering explains it
+SLIP_SPREAD = 1.05           # factor by which speed and steering angle exceed their means within such a step
+# A step gives the mean steering angle over its distance. If its speed changes, that is not the mean over its time.
+SHORT_STEP = 0.05            # m; shorter steps give no steering angle
 STEERING_ERROR = 1e-3        # rad; rounding
-STEERING_RATE_ERROR = 0.05   # times max_steering_rate
-SHORT_TURN = 2e-3            # rad that a short step may turn beyond what the greatest steering angle allows
-# What is written at a sample is held against means over the steps around it. They are off where the acceleration
-# changes there, by less than the means are apart themselves, or where the steering angle turns back there, by less than
-# half of the change allowed in a step. These tolerances allow it.
+STEERING_RATE_ERROR = 0.05   # share of max_steering_rate
+SHORT_TURN = 2e-3            # rad by which the turn in a short step may exceed the turn at max_steering_angle
+# Tolerances of values written at a sample against means over the steps around it. check_agreement() adds the difference
+# between these means, for an acceleration that changes at the sample, and half of the largest change of the steering
+# angle in a step, for a steering angle that reverses there.
 WRITTEN_SPEED = 0.05         # m/s
 WRITTEN_ACCELERATION = 0.2   # m/s2
 WRITTEN_STEERING = 1e-3      # rad
@@ -49,7 +49,7 @@ def turn(start, end):
 
 
 class Step:
-    """The rear axle from one sample to the next, on an arc."""
+    """The motion of the rear axle from one sample to the next, as an arc."""
 
     def __init__(self, a, b, wheelbase):
         self.a, self.b = a, b
@@ -57,7 +57,7 @@ class Step:
         self.turn = turn(a['yaw'], b['yaw'])
         half = 0.5 * self.turn
         heading = a['yaw'] + half
-        # The motion of the box centre without its rotation around the rear axle.
+        # Displacement of the middle of the box, less the part from its rotation around the rear axle.
         dx = b['x'] - a['x'] - 0.5 * wheelbase * (math.cos(b['yaw']) - math.cos(a['yaw']))
         dy = b['y'] - a['y'] - 0.5 * wheelbase * (math.sin(b['yaw']) - math.sin(a['yaw']))
         self.velocity = (dx / self.duration, dy / self.duration)
@@ -70,12 +70,12 @@ class Step:
 
 
 def between(before, after):
-    """Return the time (s) from the middle of one step to the middle of another."""
+    """Return the time from the middle of one step to the middle of another, s."""
     return after.middle - before.middle
 
 
 def accelerations_of(steps):
-    """Along the path, at the end of every step but the last."""
+    """Return the accelerations along the path at the end of every step but the last, m/s2."""
     return [(after.speed - before.speed) / between(before, after) for before, after in zip(steps, steps[1:])]
 
 
@@ -84,8 +84,10 @@ def forward_limit(limits, speed):
 
 
 def slip_limit(step, limits, wheelbase):
-    """m/s across the heading. A steering angle that changes throughout a step leads its middle aside, at 25 m/s by as
-    much as SLIP, but no more than turning from full left to full right at once would."""
+    """Return the largest allowed speed across the heading in a step, m/s.
+
+    A steering angle that changes throughout a step moves its middle sideways, at 25 m/s by as much as SLIP, but by no
+    more than an instantaneous change from full left to full right."""
     bend = limits['max_steering_rate'] / wheelbase * (1.0 + (wheelbase * step.turn / max(step.way, SHORT_STEP))**2)
     steered = bend * (step.speed * step.duration)**2 / 12.0 * SLIP_SPREAD
     return max(SLIP, min(steered, 0.25 * limits['max_lateral_acceleration'] * step.duration))
@@ -96,7 +98,7 @@ def total_limit(limits):
 
 
 class Attacker:
-    """The motion from t0 to contact: limits, steps and the values derived from them."""
+    """An attacker from t0 to contact: its limits, its steps and the worst violation of each limit."""
 
     def __init__(self, scenario, limits):
         attacker = scenario['attacker']
@@ -135,15 +137,15 @@ class Attacker:
             check('max_total_acceleration', total, total_limit(limits), time, ACCELERATION_ERROR)
 
     def steering_rates(self):
-        """Return (rate, s from t0) between successive steps with a steering angle."""
-        told = [step for step in self.steps if step.steering is not None]
+        """Return (rad/s, s from t0) between successive steps with a steering angle; skips steps without one."""
+        steered = [step for step in self.steps if step.steering is not None]
         return [((after.steering - before.steering) / between(before, after), before.b['t'])
-                for before, after in zip(told, told[1:])]
+                for before, after in zip(steered, steered[1:])]
 
     def jerks(self):
-        """(jerk, s from now) but of coming to a standstill, when braking ends at once."""
+        """Return (m/s3, s from t0) of the jerks, except of stops at a standstill, where braking ends abruptly."""
         accelerations = accelerations_of(self.steps)
-        last_speed = 0.5 * self.limits['max_braking']  # times the duration: the mean speed of a step that ends at 0
+        last_speed = 0.5 * self.limits['max_braking']  # times the duration: mean speed of a step that ends at 0
         found = []
         for step, last, a, b in zip(self.steps[1:], self.steps[2:], accelerations, accelerations[1:]):
             stops = a < 0.0 and a < b and last.speed <= last_speed * last.duration
@@ -176,7 +178,7 @@ class Attacker:
         along = accelerations_of(self.all_steps)
         for i, (before, after) in enumerate(zip(self.all_steps[:self.count], self.all_steps[1:])):
             point, near = after.a, along[max(i - 1, 0):i + 2]
-            # Before the first there was one more, and a stop within a short step is not told in full.
+            # Doubled at the first sample, whose preceding step is missing, and for short steps, which may hide a stop.
             apart = (max(near) - min(near)) * (1.0 if i > 0 and after.way >= SHORT_STEP else 2.0)
             self.worst.check('v', abs(point['v'] - 0.5 * (before.speed + after.speed)), 0.25 * apart * after.duration,
                              point['t'], WRITTEN_SPEED)
@@ -188,14 +190,14 @@ class Attacker:
                 self.worst.check('kappa', off, turned, point['t'], WRITTEN_STEERING)
 
     def extremes(self):
-        """The fastest steering, rad/s, the greatest jerk, m/s3, and the greatest lateral acceleration, m/s2."""
+        """Return the fastest steering, rad/s, the greatest jerk, m/s3, and the greatest lateral acceleration, m/s2."""
         return (max((abs(rate) for rate, _ in self.steering_rates()), default=0.0),
                 max((abs(jerk) for jerk, _ in self.jerks()), default=0.0),
                 max((abs(step.speed * step.yaw_rate) for step in self.steps), default=0.0))
 
 
 def judge(scenario, limits):
-    """(violations, extremes) of the attacker from now to contact."""
+    """Return (violations, extremes) of the attacker from t0 to contact."""
     attacker = Attacker(scenario, limits)
     attacker.check_steps()
     attacker.check_accelerations()

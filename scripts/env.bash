@@ -1,9 +1,8 @@
 # usage: source scripts/env.bash      (bash, after scripts/setup, or after scripts/demo for forge alone)
 #
-# Makes the built package known to this shell: rosrun, roslaunch, rosservice, rviz and forge, whose
-# words are completed.
-# /usr/bin goes first in PATH, because ROS needs the system's python3. ROS_MASTER_URI is left alone;
-# ROS_HOSTNAME is set to localhost unless ROS_HOSTNAME or ROS_IP is set, ROS_HOME to build/ros_home unless set.
+# Sets up this shell for the built package: rosrun, roslaunch, rosservice, rviz and forge, with completion of forge's
+# arguments. Puts /usr/bin first in PATH, because ROS needs the system's python3. Does not change ROS_MASTER_URI.
+# Sets ROS_HOSTNAME to localhost unless ROS_HOSTNAME or ROS_IP is set, and ROS_HOME to build/ros_home unless set.
 # shellcheck shell=bash
 
 if [[ ${BASH_SOURCE[0]} == "$0" ]]; then
@@ -37,7 +36,7 @@ _collision_forge_environment() {
   mkdir -p "$ROS_HOME"
 }
 
-# The words of forge, asked for when they are first needed; status 124 makes bash try again with them.
+# Loads the completion of forge on first use. Exit status 124 makes bash retry with the loaded completion.
 _collision_forge_completion() {
   # shellcheck disable=SC1090
   source <(forge completion bash) && return 124

@@ -1,4 +1,4 @@
-"""Commands that scripts/faults disturbs: commands of forge over data/embedded, each of them a few seconds long."""
+"""Commands of forge over data/embedded for scripts/faults, each a few seconds long."""
 import re
 from pathlib import Path
 
@@ -13,7 +13,7 @@ GRID = 'idm:\n  idm.standard.min_gap: [1.0, 4.0]\n'
 
 
 def inputs(folder):
-    """The words that make what commands read, by its path."""
+    """Return the arguments of forge that create each input of the commands, by the path of the input."""
     made = {folder / 'clips': ['study', 'dataset', *LOGS, '--scene', *SCENES],
             folder / 'bags': ['convert', *LOGS, '--scene', SCENES[0]]}
     asked = [('both', SCENES, '4'), *((scene, [scene], '8') for scene in SCENES)]
@@ -25,27 +25,27 @@ def inputs(folder):
 
 
 def commands(folder):
-    """The words of every command but --out and --config, by its name; their input is in `folder`."""
-    asked, answered = ['--requests', folder / 'both_requests.jsonl'], folder / 'both.jsonl'
+    """Return the arguments of every command but --out and --config, by name; the inputs are in `folder`."""
+    requests, attacks = ['--requests', folder / 'both_requests.jsonl'], folder / 'both.jsonl'
     clips = ['--dataroot', DATA, '--collide', folder / 'clips', '--split', 'train']
     return {
         'convert': ['convert', *LOGS],
         'convert-scenarionet': ['convert', *LOGS, '--to', 'scenarionet'],
         'dataset': inputs(folder)[folder / 'clips'],
-        'evaluate': ['study', 'evaluate', *LOGS, *asked],
+        'evaluate': ['study', 'evaluate', *LOGS, *requests],
         'evaluate-clips': ['study', 'evaluate', *clips, '--limit', '4'],
-        'export': ['export', '--to', 'openscenario', *LOGS, '--scenarios', answered],
-        'export-commonroad': ['export', '--to', 'commonroad', *LOGS, '--scenarios', answered],
+        'export': ['export', '--to', 'openscenario', *LOGS, '--scenarios', attacks],
+        'export-commonroad': ['export', '--to', 'commonroad', *LOGS, '--scenarios', attacks],
         'export-mcap': ['export', '--to', 'mcap', '--bag', folder / 'bags' / (SCENES[0] + '.bag')],
-        'export-scenarionet': ['export', '--to', 'scenarionet', *LOGS, '--scenarios', answered],
-        'generate': ['generate', *LOGS, *asked],
-        'generate-clips': ['generate', *LOGS, *asked, '--format', 'csv-collide'],
+        'export-scenarionet': ['export', '--to', 'scenarionet', *LOGS, '--scenarios', attacks],
+        'generate': ['generate', *LOGS, *requests],
+        'generate-clips': ['generate', *LOGS, *requests, '--format', 'csv-collide'],
         'inject': ['inject', '--bag', folder / 'bags' / (SCENES[0] + '.bag'), '--type', 'lane_change', '--tta', '3',
                    '--now', '5'],
-        'report': ['report', answered, *LOGS],
+        'report': ['report', attacks, *LOGS],
         'requests': inputs(folder)[folder / 'both_requests.jsonl'],
         'speeds': ['study', 'speeds', 'fit', *LOGS],
-        'test': ['test', *LOGS, '--scenarios', answered, '--planners', 'idm'],
+        'test': ['test', *LOGS, '--scenarios', attacks, '--planners', 'idm'],
         'test-clips': ['study', 'test', *clips, '--planners', 'idm'],
         'test-until-hit': ['test', *LOGS, '--until-hit', '--tries', '2', '--scene', *SCENES, '--planners', 'idm'],
         'train': ['study', 'train', *LOGS],
@@ -55,7 +55,7 @@ def commands(folder):
 
 
 def write_settings(folder):
-    """The files of the configuration with SETTINGS, and the grid of `tune`."""
+    """Write the configuration files with SETTINGS, and the grid of `tune`."""
     (folder / 'config' / 'study').mkdir(parents=True)
     (folder / 'grid.yaml').write_text(GRID)
     for name, values in SETTINGS.items():

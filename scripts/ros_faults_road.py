@@ -1,4 +1,4 @@
-"""A master, the suite and a player for scripts/ros_faults, and their responses without faults."""
+"""A master, the suite and a player for scripts/ros_faults, and the results of their services without disturbance."""
 import math
 import os
 import signal
@@ -15,18 +15,18 @@ import rospy
 from collision_forge import srv
 from collision_forge.msg import CollisionRequest
 
-RATE = 2              # times as fast as recorded
+RATE = 2              # speed of the replay
 OK, LAST_CODE = 0, 16  # codes
-RECOVERS_IN = 30.0    # s, until the answers are as before
-ANSWERS_IN = 30.0     # s of a call, however disturbed
-ENDS_IN = 30.0        # s of a launch that is to end
+RECOVERS_IN = 30.0    # s until the results are as before
+ANSWERS_IN = 30.0     # s; longest duration of a call under any disturbance
+ENDS_IN = 30.0        # s until a launch has ended
 STARTS_IN = 60.0      # s
-STAYS_FOR = 3.0       # s
-STANDS_AFTER = 2.0    # s of the same frame
+STAYS_FOR = 3.0       # s without a difference until the suite counts as recovered
+STANDS_AFTER = 2.0    # s with the same frame, after which time counts as stopped
 
 
 class Failure(Exception):
-    """Raised if a check fails."""
+    """The suite did not behave as expected."""
 
 
 def until(condition, seconds, what):
@@ -38,7 +38,7 @@ def until(condition, seconds, what):
 
 
 def children(parent):
-    """The processes that it started, each with its command line."""
+    """Return (pid, command line) of the child processes of `parent`."""
     found = []
     for folder in Path('/proc').glob('[0-9]*'):
         try:
@@ -50,18 +50,18 @@ def children(parent):
 
 
 def in_time(what, work):
-    """Return the result of `work`, which may take ANSWERS_IN."""
+    """Return the result of `work`; raise Failure if it takes longer than ANSWERS_IN."""
     results = []
     thread = threading.Thread(target=lambda: results.append(work()), daemon=True)
     thread.start()
     thread.join(ANSWERS_IN)
     if not results:
-        raise Failure('{} neither answers nor fails within {:g} s'.format(what, ANSWERS_IN))
+        raise Failure('{} neither responds nor fails within {:g} s'.format(what, ANSWERS_IN))
     return results[0]
 
 
 def call(name, service, request):
-    """The answer, or None where the call fails; neither takes longer than ANSWERS_IN."""
+    """Return the response of a service, None if the call fails; raise Failure after ANSWERS_IN."""
     def ask():
         try:
             return rospy.ServiceProxy(name, service)(request)
@@ -71,24 +71,24 @@ def call(name, service, request):
 
 
 def check(answer):
-    """An answer says OK or why not, and an attack is one at the scene's now that was verified."""
+    """Raise Failure unless a response is OK or has a reason, and each attack is verified and begins at t0."""
     if answer.code > LAST_CODE or (answer.code != OK and not answer.message):
-        raise Failure('code {} and message "{}" say nothing'.format(answer.code, answer.message))
+        raise Failure('code {} is unknown or message "{}" is empty'.format(answer.code, answer.message))
     for one in answer.answers:
         points = [number for point in one.attack.trajectory.points
                   for number in (point.pose.position.x, point.pose.position.y, point.speed)]
         good = one.attack.header.stamp == answer.now and one.attack.report.verified and len(points) > 0
         if one.code > LAST_CODE or not all(map(math.isfinite, points)) or (one.code == OK) != good:
-            raise Failure('nonsense: {}'.format(one))
+            raise Failure('invalid result: {}'.format(one))
 
 
 class Road:
-    """A master, the suite, and a player: what runs of them."""
+    """The running processes: a master, the suite and a player."""
 
     def __init__(self, bag, port):
         self.bag, self.log, self.port = bag, bag.parent / 'log', port
         self.running, self.nodelets, self.suite_is = {}, 'true', None
-        self.expected, self.graph = {}, set()  # answers by stamp, and what the nodes are registered for
+        self.expected, self.graph = {}, set()  # responses by stamp; registrations of the nodes
         with rosbag.Bag(str(self.bag)) as bag:
             self.stamps = [message.header.stamp for _, message, _ in bag.read_messages('/agents')]
 
@@ -117,7 +117,7 @@ class Road:
         until(rosgraph.is_master_online, STARTS_IN, 'master')
 
     def start_player(self, bag=None, words=()):
-        """The suite's own, which gives the time; where that is of the wall, rosbag's."""
+        """Start the suite's player, which publishes /clock; with wall time, start rosbag play."""
         bag = bag or self.bag
         if rospy.get_param('/use_sim_time') is False:
             self.start('player', 'rosbag', 'play', '--quiet', '--loop', '--delay', 3, '--rate', RATE, bag)
@@ -126,7 +126,7 @@ class Road:
                        '_rate:={}'.format(RATE), '_wait_for_suite:=true', *words)
 
     def start_suite(self, sim_time='true'):
-        """With a player; nothing if it runs already."""
+        """Start the suite and a player, unless they run already."""
         if self.suite_is == (self.nodelets, sim_time) and self.running['suite'].poll() is None:
             return
         self.stop_all()
@@ -141,10 +141,10 @@ class Road:
         if not self.expected:
             self.learn()
         self.recover()
-        self.graph = in_time('a node', self.look)[1]
+        self.graph = in_time('a node', self.registrations)[1]
 
     def processes(self):
-        """Return the processes of the launch by node, except the one that ends the launch."""
+        """Return the pids of the launch's processes by node name, without master_watch, whose end ends the launch."""
         named = [(word[len('__name:='):], pid) for pid, words in children(self.running['suite'].pid)
                  for word in words if word.startswith('__name:=')]
         return {name: pid for name, pid in named if name != 'master_watch'}
@@ -159,7 +159,7 @@ class Road:
         return answer
 
     def learn(self):
-        """The answer at every frame of the bag."""
+        """Store the response at every frame of the bag, and of a planner test."""
         def is_known(stamp):
             answer = self.ask(stamp)
             if answer is not None and answer.code == OK:
@@ -170,10 +170,10 @@ class Road:
         self.attack = next(one.attack for answer in self.expected.values() for one in answer.answers if one.code == OK)
         self.drive = self.test()
         if self.drive is None or self.drive.code != OK:
-            raise Failure('undisturbed: {}'.format(self.drive))
+            raise Failure('the planner test failed without disturbance: {}'.format(self.drive))
 
     def test(self):
-        """A planner in the first attack."""
+        """Return the response of test_planner for the first attack, without its run times; None if the call fails."""
         request = srv.TestPlannerRequest(planner='idm', trajectory=self.attack.trajectory,
                                          collision_type=self.attack.pattern.collision_type)
         answer = call('test_planner', srv.TestPlanner, request)
@@ -185,7 +185,7 @@ class Road:
         return answer is not None and answer.code == OK and str(answer) == str(self.expected[answer.now])
 
     def recover(self):
-        """The seconds until all is as before, and stays so while time goes on."""
+        """Return the seconds until all results are as before, and stay so for STAYS_FOR while time advances."""
         begin = last_bad = moved = time.monotonic()
         now, attacks = None, 0
         while time.monotonic() - last_bad < STAYS_FOR or attacks == 0:
@@ -198,12 +198,12 @@ class Road:
             else:
                 last_bad, attacks = time.monotonic(), 0
             if last_bad - begin > RECOVERS_IN:
-                raise Failure('not as before within {:g} s: {}'.format(RECOVERS_IN, answer and answer.message))
+                raise Failure('not recovered within {:g} s: {}'.format(RECOVERS_IN, answer and answer.message))
             time.sleep(0.1)
         return last_bad - begin
 
-    def look(self):
-        """Return processes by node, with their topics and services from the master; nothing while a node is missing."""
+    def registrations(self):
+        """Return pids by node, and the nodes' registrations at the master; both are empty if a node is gone."""
         master = rosgraph.Master('/ros_faults')
         try:
             pids = {name: ServerProxy(master.lookupNode('/' + name)).getPid('/ros_faults')[2]
@@ -214,6 +214,6 @@ class Road:
             return {}, set()
 
     def is_registered(self):
-        """Return True if every node is alive and has its first topics and services."""
-        pids, graph = in_time('a node', self.look)
+        """Return True if every node is a live process with all its first publishers, subscribers and services."""
+        pids, graph = in_time('a node', self.registrations)
         return pids == self.processes() and graph >= self.graph

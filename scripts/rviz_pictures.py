@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""usage: rviz_pictures.py FOLDER: takes the pictures of scripts/rviz_pictures, in the display of DISPLAY."""
+"""usage: rviz_pictures.py FOLDER: takes the pictures of scripts/rviz_pictures in the display of DISPLAY."""
 import os
 import subprocess
 import sys
@@ -18,15 +18,15 @@ from collision_forge.waiting import Graph, wait_until
 ROOT = Path(__file__).resolve().parent.parent
 SCENE, TYPE, NOW, TTA = 'scene-0005', 'opposite_direction', 5.0, 4.0
 AFTER = 2.0       # s after the contact
-SETTLED = 5.0     # s of the wall clock in which RViz draws what has come, and its view comes to rest
+SETTLED = 5.0     # s of the wall clock until RViz has drawn all messages and its view has settled
 TIMEOUT = 120.0   # s of the wall clock
 COLORS = 256      # of a picture
-LEAST_BYTES = 10000  # of a picture that is not empty
+LEAST_BYTES = 10000  # size of a picture that is not empty
 SHOWN = ('/map_markers', '/scene_markers', '/attack_markers', '/shown_area')
 
 
 def call(name, kind, **fields):
-    """Returns the answer of a service; raises SystemExit where the service says that it failed."""
+    """Return the response of a service; raise SystemExit if the service reports a failure."""
     answer = rospy.ServiceProxy(name, kind)(**fields)
     if not getattr(answer, 'success', True) or getattr(answer, 'code', 0) != 0:
         raise SystemExit('{}: {}'.format(name, answer.message))
@@ -34,12 +34,12 @@ def call(name, kind, **fields):
 
 
 def take_picture(path):
-    """Takes the picture once RViz has drawn something: on a busy machine its window comes late."""
+    """Take pictures until RViz has drawn something: on a busy machine its window appears late."""
     def missing():
         time.sleep(SETTLED)
         subprocess.run(['import', '-window', 'root', '+dither', '-colors', str(COLORS), 'png8:{}'.format(path)],
                        check=True)
-        return ['a picture in {}: RViz shows nothing'.format(path)] if path.stat().st_size < LEAST_BYTES else []
+        return ['a picture in {}: RViz shows no scene'.format(path)] if path.stat().st_size < LEAST_BYTES else []
     wait_until(missing, TIMEOUT)
     print(path)
 
@@ -54,7 +54,7 @@ def wait_for_rviz():
 
 
 def step_to_verdict():
-    """The verdict comes with the first frame of agents after the contact."""
+    """Step until the verdict is published, with the first frame of agents after the contact."""
     reports = []
     rospy.Subscriber('/tested_report', CollisionReport, reports.append)
     while not reports:

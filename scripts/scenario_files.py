@@ -1,5 +1,4 @@
-"""Scenario files and vehicle limits, read for the scripts that judge attackers. Only what the files say counts: nothing
-of the package's own code is used."""
+"""Reads scenario files and vehicle limits for the scripts that check attackers, without code of the package itself."""
 import json
 import math
 from pathlib import Path
@@ -12,13 +11,13 @@ VERSIONS = (5, 6)
 DRIVABLE = ('wheelbase_share', 'max_steering_angle', 'max_steering_rate', 'max_lateral_acceleration',
             'max_forward_acceleration', 'switching_speed', 'max_braking', 'max_jerk', 'max_speed')
 LENGTHS = ('car', 'van', 'truck')
-# The row of limits for each class that has one; some are divided further by length.
+# The row of limits of each class; for cars and trucks, row_of() also uses the length.
 ROWS = {'car': 'car', 'truck': 'truck', 'bus': 'bus', 'construction_vehicle': 'construction',
         'emergency_vehicle': 'van', 'motorcycle': 'motorcycle'}
 
 
 class BadInput(Exception):
-    """Names file, line or field, and value."""
+    """The input is invalid; the message names file, line or field, and value."""
 
 
 def read_yaml(path):
@@ -29,7 +28,7 @@ def read_yaml(path):
 
 
 def merged(below, above):
-    """A configuration file with the keys of an overlay's laid over it."""
+    """Return the configuration `below` with the keys of the overlay `above` replaced."""
     both = dict(below)
     for key, value in above.items():
         both[key] = merged(below[key], value) if isinstance(value, dict) and isinstance(below.get(key), dict) else value
@@ -37,7 +36,7 @@ def merged(below, above):
 
 
 def section_of(path, parent, name, keys):
-    """The section of that name, which has a positive number of each key."""
+    """Return a section; raise BadInput unless each of its `keys` is a positive finite number."""
     section = parent.get(name) if isinstance(parent, dict) else None
     if not isinstance(section, dict):
         raise BadInput('{}: {} is missing'.format(path, name))
@@ -61,10 +60,10 @@ class VehicleLimits:
         self.drivable = {row: section_of(path, drivable, row, DRIVABLE) for row in rows}
 
     def row_of(self, attacker):
-        """The name of an attacker's row of limits, by class and length."""
+        """Return the name of an attacker's row of limits, by class and length."""
         name, length = attacker.get('class'), attacker['length']
         if name is None:
-            raise BadInput('the attacker has no class, by which its limits are chosen')
+            raise BadInput('the attacker has no class, so its limits are unknown')
         if name not in ROWS:
             raise BadInput('there are no limits for the class "{}"'.format(name))
         if name == 'car' and length > self.lengths['car'] or name == 'truck' and length < self.lengths['van']:
@@ -75,32 +74,32 @@ class VehicleLimits:
 
 
 def refuse_constant(name):
-    raise ValueError('{} is no number'.format(name))
+    raise ValueError('{} is not a number'.format(name))
 
 
 def read_scenarios(path):
-    """(where, scenario) of every line."""
+    """Yield (place, scenario) of every line; the place names file and line."""
     with open(path, encoding='utf-8') as file:
         for number, line in enumerate(file, 1):
             where = '{}: line {}'.format(path, number)
             try:
                 scenario = json.loads(line, parse_constant=refuse_constant)
                 if scenario['format'] != 'collision_forge/scenario' or scenario['version'] not in VERSIONS:
-                    raise ValueError('another format or version')
+                    raise ValueError('the format or version is not supported')
             except (ValueError, KeyError, TypeError) as error:
                 raise BadInput('{}: no scenario: {}'.format(where, error)) from None
             yield where, scenario
 
 
 def steps_to_contact(scenario):
-    """Number of steps from now to the first sample at or after contact."""
+    """Return the number of steps from t0 to the first sample at or after contact."""
     contact = scenario['report']['contact_t']
     points = scenario['attacker']['trajectory']
     return min(sum(point['t'] < contact for point in points), len(points) - 1)
 
 
 def describe(scenario):
-    """The request, for people."""
+    """Return a description of the request for messages."""
     request = scenario['request']
     return '{} now {:.6f} {} tta {:g} {} seed {}'.format(scenario['scene'], scenario['now'], request['type'],
                                                          request['tta'], request['mode'], request['seed'])

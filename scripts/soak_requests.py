@@ -1,4 +1,4 @@
-"""Requests of all services for scripts/soak, good and bad ones, drawn by a generator with a seed."""
+"""Random valid and invalid requests of all services for scripts/soak, reproducible by a seed."""
 import copy
 import math
 import random
@@ -20,7 +20,7 @@ SCENARIOS = TEXTS[1:] + ['1', '{}', '{"format":', '[' * 5000, '{"format": 0.' + 
 
 
 class Requests:
-    """`scene` and `attack` give the newest of each, or None while none has come."""
+    """Draws requests. `scene` and `attack` are functions that return the newest snapshot and attack, or None before."""
 
     def __init__(self, seed, scene, attack):
         self.random = random.Random(seed)
@@ -29,12 +29,12 @@ class Requests:
         self.predicted = None
 
     def take(self, request, answer):
-        """Patterns that were predicted are realised later."""
+        """Keep predicted patterns for later requests of realize_trajectory."""
         if isinstance(answer, srv.PredictPatternResponse) and answer.patterns:
             self.predicted = request, answer
 
     def draw(self):
-        """The name of a service, and a request."""
+        """Return the name of a service and a request."""
         name, make = self.random.choices(
             [('generate_collision', self.generate), ('generate_collisions', self.generate_each),
              ('list_collisions', self.list_possible), ('predict_pattern', self.predict),
@@ -45,7 +45,7 @@ class Requests:
         return self.random.random() < 0.3
 
     def fill(self, request):
-        """Fill the fields of CollisionRequest in a request at random."""
+        """Fill a request that has the fields of CollisionRequest; some requests get an invalid value."""
         choose = self.random.choice
         request.collision_type, request.tta = choose(TYPES), choose([1.0, 2.0, 4.0, 6.0])
         request.seed = self.random.randrange(2 ** 32)
@@ -68,10 +68,10 @@ class Requests:
         return request
 
     def for_each(self, request):
-        asked = self.fill(CollisionRequest())
-        request.collision_types, request.ttas = [asked.collision_type], [asked.tta, 4.0]
-        asked.collision_type, asked.tta = '', 0.0
-        request.request = asked
+        single = self.fill(CollisionRequest())
+        request.collision_types, request.ttas = [single.collision_type], [single.tta, 4.0]
+        single.collision_type, single.tta = '', 0.0
+        request.request = single
         return request
 
     def generate_each(self):
@@ -81,7 +81,7 @@ class Requests:
         return self.for_each(srv.ListCollisionsRequest())
 
     def snapshot(self):
-        """The newest one; of bad requests with something that is not so."""
+        """Return the newest snapshot, for invalid requests with a wrong number; sometimes an empty one."""
         scene = copy.deepcopy(self.scene())
         if scene is None or self.random.random() < 0.05:
             return srv.PredictPatternRequest().scene
@@ -99,15 +99,15 @@ class Requests:
         return srv.PredictPatternRequest(scene=self.snapshot(), request=self.fill(CollisionRequest(mode='history')))
 
     def realize(self):
-        """Patterns that were predicted, some of them altered; before any are, none."""
+        """Return a request with predicted patterns, some altered; with none before the first prediction."""
         if self.predicted is None:
             return srv.RealizeTrajectoryRequest(scene=self.snapshot(), request=self.fill(CollisionRequest()))
-        asked, answer = copy.deepcopy(self.predicted)
+        request, answer = copy.deepcopy(self.predicted)
         if self.is_bad():
             answer.patterns[0].attacker_offset.x = self.random.choice(NUMBERS)
         if self.is_bad():
-            asked.scene = self.snapshot()
-        return srv.RealizeTrajectoryRequest(asked.scene, asked.request, answer.patterns, answer.future, False)
+            request.scene = self.snapshot()
+        return srv.RealizeTrajectoryRequest(request.scene, request.request, answer.patterns, answer.future, False)
 
     def test(self):
         request = srv.TestPlannerRequest(planner=self.random.choice(PLANNERS))

@@ -17,12 +17,12 @@ from collision_forge.waiting import Graph, names
 AGENTS = '/agents'
 CLOCK = '/clock'
 GLOBAL = (CLOCK, '/tf', '/tf_static')  # topics that are the same in every namespace
-MADE_BY_SUITE = ('/attack_markers', '/map_markers', '/tested_report')  # in an attacked bag: the suite publishes these,
-                                                                       # too, from the bag's attack and lane map
-CLOCK_LEAD = 0.5  # s of the wall clock from the first /clock to the first message: tf2 buffers drop
-                  # transforms that arrive before they have observed the jump of time
+MADE_BY_SUITE = ('/attack_markers', '/map_markers', '/tested_report')  # topics of a bag with an attack that the suite
+                                                                       # also publishes, from its attack and lane map
+CLOCK_LEAD = 0.5  # s of the wall clock from the first /clock to the first message: a transform buffer drops transforms
+                  # that arrive before it has detected the jump back in time
 UNREADABLE = (OSError, RuntimeError, ValueError, struct.error, rosbag.ROSBagException,
-              DeserializationError)  # what the library says of a damaged bag
+              DeserializationError)  # errors of the library for a damaged bag
 
 
 def published(topic: str) -> str:
@@ -33,13 +33,13 @@ def published(topic: str) -> str:
 class BagPublisher:
     """Publishes a bag's messages in order; must be the only publisher of `/clock`.
 
-    Instants are in s from the bag's first frame of agents, as `--now` of `forge inject`; times are the bag's.
+    Instants are s from the bag's first frame of agents, like `--now` of `forge inject`; times are the times in the bag.
     Call `begin()` first, then `publish_until()` repeatedly.
     """
 
     def __init__(self, bag: Union[str, Path]) -> None:
         self.path = Path(bag)
-        self.now: Optional[Time] = None  # bag time up to which messages are published; None: none
+        self.now: Optional[Time] = None  # everything up to this time is published; None: nothing
         self._check_alone()
         try:
             self._bag = rosbag.Bag(str(bag))
@@ -57,48 +57,51 @@ class BagPublisher:
     @staticmethod
     def _check_alone() -> None:
         if not rospy.get_param('/use_sim_time', False):
-            raise ForgeError('/use_sim_time is not true: the nodes would not heed the clock of a bag')
+            raise ForgeError('/use_sim_time is not true, so the nodes would ignore the clock of a bag: '
+                             'set it before they start')
         others = Graph().publishers_of(CLOCK) - {rospy.get_name()}
         if others:
             raise ForgeError('{} publishes {} already'.format(names(others), CLOCK))
 
-    # Position.
+    # Position in the bag.
 
     @property
     def start(self) -> Time:
-        """Time of the first frame of agents."""
+        """Return the time of the first frame of agents."""
         return self.frames[0][0]
 
     @property
     def length(self) -> float:
-        """Time from the first to the last frame of agents, s."""
+        """Return the time from the first to the last frame of agents, s."""
         return self.instant_at(self.frames[-1][0])
 
     @property
     def is_over(self) -> bool:
-        """True if no message is left."""
+        """Return True if all messages are published."""
         return self.now is not None and self._next is None
 
     @property
     def instant(self) -> Optional[float]:
-        """Time up to which all is published, s; None before the first message."""
+        """Return the instant up to which everything is published, s; None before the first message."""
         return None if self.now is None else self.instant_at(self.now)
 
-    def instant_at(self, of: Time) -> float:
-        return (of - self.start).to_sec()
+    def instant_at(self, time_of: Time) -> float:
+        """Return the instant of a time in the bag, s."""
+        return (time_of - self.start).to_sec()
 
     def frames_until(self, end: Optional[Time]) -> List[Tuple[Time, Time]]:
+        """Return (time, stamp) of the frames of agents up to `end`; no frames for None."""
         return [] if end is None else [frame for frame in self.frames if frame[0] <= end]
 
     def time_of_frame(self, stamp: Time) -> Time:
-        """Return the bag time of the frame of agents with `stamp`."""
-        time_of = next((time_of for time_of, of in self.frames if is_same(of, stamp)), None)
+        """Return the bag time of the frame of agents with `stamp`; raise ForgeError if there is none."""
+        time_of = next((time_of for time_of, recorded in self.frames if is_same(recorded, stamp)), None)
         if time_of is None:
             raise ForgeError('{} has no frame of agents at {:.3f} s'.format(self.path, stamp.to_sec()))
         return time_of
 
     def time_of_next_frame(self, count: int = 1) -> Time:
-        """Return the bag time of the next frame of agents, or of a later one."""
+        """Return the bag time of the `count`-th next frame of agents; raise ForgeError if the bag ends before."""
         shown = len(self.frames_until(self.now))
         if shown + count > len(self.frames):
             raise ForgeError('{} ends before {} more frame(s) of agents'.format(self.path, count))
@@ -107,7 +110,7 @@ class BagPublisher:
     # Publishing.
 
     def advertise(self) -> None:
-        """Advertise the topics and wait for their subscribers; skip topics that a running suite publishes."""
+        """Advertise the bag's topics, without the topics MADE_BY_SUITE that a running suite publishes itself."""
         graph = Graph()
         for topic, message in self._first_of_topics():
             if topic in MADE_BY_SUITE and graph.publishers_of(published(topic)) - {rospy.get_name()}:
@@ -117,7 +120,7 @@ class BagPublisher:
                                                           tcp_nodelay=True, latch=self._is_latched(topic))
 
     def begin(self, at: Optional[Time] = None) -> None:
-        """Seek to the first message, or the first at or after a time, and publish its time on `/clock`."""
+        """Go to the bag's first message, or to the first one at or after `at`, and publish its time on `/clock`."""
         self.now = None
         self._groups = self._messages_by_time(at)
         self._next = next(self._groups)
@@ -125,8 +128,9 @@ class BagPublisher:
         time.sleep(CLOCK_LEAD)
 
     def publish_until(self, end: Time, rate: Optional[float] = None) -> None:
-        """Publishes what is left up to a time, and that time; `rate` times as fast as the clock on the wall, or as fast
-        as it can."""
+        """Publish the remaining messages up to `end`, then `end` on `/clock`.
+
+        `rate` is the speed relative to the wall clock; None: as fast as possible."""
         began, wall = self.now or self.start, time.monotonic()
         while self._next is not None and self._next[0] <= end:
             stamp, messages = self._next
@@ -138,13 +142,13 @@ class BagPublisher:
         self.now = end
 
     def close(self) -> None:
-        """End all publishing."""
+        """Unregister all publishers and close the bag."""
         for publisher in self._publishers.values():
             publisher.unregister()
         self._bag.close()
 
     def unconnected(self) -> List[str]:
-        """Return the subscribers of the bag's topics that are not connected yet."""
+        """Return descriptions of the missing connections to subscribers of the bag's topics."""
         graph = Graph()
         missing = []
         for topic, publisher in self._publishers.items():
@@ -152,19 +156,19 @@ class BagPublisher:
             connected = {connection.endpoint_id for connection in publisher.impl.connections}
             late = graph.subscribers_of(published(topic)) - connected
             if late:
-                missing.append('a connection to {}, which hear(s) {}'.format(names(late), topic))
+                missing.append('a connection to {}, subscribed to {}'.format(names(late), topic))
         if not graph.subscribers_of(published(AGENTS)):
-            missing.append('somebody who hears ' + rospy.resolve_name(published(AGENTS)))
+            missing.append('a subscriber of ' + rospy.resolve_name(published(AGENTS)))
         return missing
 
     def _messages_by_time(self, begin: Optional[Time]) -> Iterator[Tuple[Time, List[Any]]]:
-        """Yield the messages grouped by time, agents last because they need the transform of that time."""
+        """Yield the messages of each time together, agents last, because they need the transform of that time."""
         entries = ((stamp, topic, message) for topic, message, stamp in self._bag.read_messages(start_time=begin))
         try:
             for stamp, group in itertools.groupby(entries, key=lambda entry: entry[0]):
                 yield stamp, sorted(((topic, message) for _, topic, message in group),
                                     key=lambda entry: entry[0] == AGENTS)
-        except UNREADABLE as error:  # the file changed after it was opened
+        except UNREADABLE as error:  # the file has changed since it was opened
             raise self._unreadable(error) from error
 
     def _unreadable(self, error: Exception) -> ForgeError:
@@ -177,7 +181,7 @@ class BagPublisher:
 
     def _is_latched(self, topic: str) -> bool:
         return any(connection.topic == topic and connection.header.get('latching') == b'1'
-                   for connection in self._bag._get_connections())  # the library has no public accessor
+                   for connection in self._bag._get_connections())  # rosbag has no public function for it
 
     def _publish(self, stamp: Time, messages: List[Any]) -> None:
         self._publishers[CLOCK].publish(Clock(stamp))

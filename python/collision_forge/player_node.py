@@ -17,15 +17,15 @@ from collision_forge.waiting import Graph, wait_until
 
 TICK = 0.02           # s of the wall clock from one /clock to the next
 TICKS_PER_POSITION = 5  # ticks from one ~position to the next
-HISTORY = 4.0         # s republished before a seek target: the history of a request
-SCENE_TIMEOUT = 10.0  # s of the wall clock for the suite to encode the frame after a seek
+HISTORY = 4.0         # s that are published again before the target of a jump back: the history of a request
+SCENE_TIMEOUT = 10.0  # s of the wall clock for the suite to encode the frame after a jump back
 SUITE_TIMEOUT = 60.0  # s of the wall clock for the suite to start
 
 
 class PlayerNode:
-    """Plays a bag at `rate` times real time. At the end it pauses, or restarts with `loop`.
+    """Plays a bag with speed `rate` relative to the wall clock. At the end, pauses, or starts again if `loop` is set.
 
-    `start`: s from the first frame of agents; everything before is published at once."""
+    Playing begins at `start`, s from the first frame of agents; earlier messages are published immediately."""
 
     def __init__(self, source: BagPublisher, start: float, rate: float, loop: bool, is_paused: bool) -> None:
         self._source = source
@@ -33,8 +33,8 @@ class PlayerNode:
         self._rate = rate
         self._loop = loop
         self._is_paused = is_paused
-        self._lock = threading.Lock()  # guards the publisher
-        self._ticked = 0.0             # s of the wall clock
+        self._lock = threading.Lock()  # guards the publisher and the state of the player
+        self._ticked = 0.0             # s of the wall clock, last tick
         self._ticks = 0
         self._attack = msg.Attack()
         self._encoded: Optional[Time] = None  # stamp of the newest encoded scene
@@ -45,7 +45,7 @@ class PlayerNode:
         self._scenes = rospy.Subscriber('encoded_scene', msg.EncodedScene, self._receive_scene)
 
     def run(self) -> None:
-        """Play until the node is shut down; if paused at the start, publish the frame of agents there."""
+        """Play until the node is shut down. If paused at the start, the frame of agents at `start` is published."""
         with self._lock:
             rospy.Service('~pause', SetBool, self._pause)
             rospy.Service('~step', Trigger, lambda _: self._answer(self._step))
@@ -53,9 +53,9 @@ class PlayerNode:
             rospy.Service('~seek', srv.Seek, self._answer_seek)
             self._length.publish(self._source.length)
             self._go_to(self._source.start + Duration.from_sec(self._start))
-            self._set_paused(self._is_paused)  # signals that the services are available
+            self._set_paused(self._is_paused)  # published last: subscribers may call the services now
             if self._is_paused:
-                rospy.loginfo('%s of %.1f s: ask for a collision now, then play on by the button Play in RViz or by '
+                rospy.loginfo('%s of %.1f s: request a collision, then continue with the button Play in RViz or with '
                               'rosservice call /player/pause false', self._state(), self._source.length)
         while not rospy.is_shutdown():
             with self._lock:
@@ -63,7 +63,7 @@ class PlayerNode:
             time.sleep(max(0.0, self._ticked + TICK - time.monotonic()))
 
     def _tick(self) -> None:
-        """Publish up to the elapsed wall time; during a pause republish /clock for new subscribers."""
+        """Publish messages up to the elapsed wall time. In a pause, publish /clock only, for nodes that start then."""
         before, self._ticked = self._ticked, time.monotonic()
         if self._ticks % TICKS_PER_POSITION == 0:
             self._position.publish(self._source.instant)
@@ -83,7 +83,7 @@ class PlayerNode:
             self._set_paused(True)
 
     def _go_to(self, end: Time, begin: Optional[Time] = None) -> None:
-        """Restart the bag, at a time if given, and publish everything up to another time immediately."""
+        """Restart the bag at `begin` (None: at its first message) and publish everything up to `end` immediately."""
         self._source.begin(begin)
         self._source.publish_until(end)
         self._ticked = time.monotonic()
@@ -116,13 +116,13 @@ class PlayerNode:
     def _go_back_to_now(self) -> None:
         attack = self._attack
         if not attack.trajectory.attacker_id:
-            raise ForgeError('there is no attack to go back to: ask for one with generate_collision')
+            raise ForgeError('there is no attack to go back to: request one with generate_collision')
         now = self._source.time_of_frame(attack.header.stamp)
         self._set_paused(True)
         self._go_back(now)
 
     def _go_back(self, end: Time) -> None:
-        """Publish the last HISTORY s before a time again; wait until the suite has encoded the newest frame."""
+        """Publish the last HISTORY s before `end` again; wait until the suite has encoded the newest frame."""
         self._encoded = None
         self._go_to(end, Time.from_sec(max(0.0, end.to_sec() - HISTORY)))
         frames = self._source.frames_until(end)
@@ -134,7 +134,7 @@ class PlayerNode:
         return srv.SeekResponse(answer.success, answer.message)
 
     def _seek(self, instant: float) -> None:
-        """Seek; forwards, all messages in between are published, so that a running attack is tested."""
+        """Jump to an instant. A jump forwards publishes all messages in between, so that an attack is tested."""
         if not 0.0 <= instant <= self._source.length:
             raise ForgeError('instant = {:g} is outside the bag: 0 to {:g}'.format(instant, self._source.length))
         end = self._source.start + Duration.from_sec(instant)
@@ -145,7 +145,7 @@ class PlayerNode:
         self._ticked = time.monotonic()
 
     def _state(self) -> str:
-        return '{} {:.1f} s of {}'.format('paused at' if self._is_paused else 'plays from',
+        return '{} {:.1f} s of {}'.format('paused at' if self._is_paused else 'playing from',
                                           self._source.instant, self._source.path.name)
 
     # Subscriptions.
@@ -158,18 +158,18 @@ class PlayerNode:
 
 
 class Arguments:
-    """Return the private parameters of the node; raise ForgeError for invalid ones."""
+    """The private parameters of the node. Raises ForgeError for invalid values."""
 
     def __init__(self) -> None:
         self.bag = str(rospy.get_param('~bag', ''))
-        self.rate = self._positive('rate', 1.0)    # times real time
-        self.delay = self._positive('delay', 1.0)  # s of the wall clock for subscribers to connect
+        self.rate = self._positive('rate', 1.0)    # speed relative to the wall clock
+        self.delay = self._positive('delay', 1.0)  # s of the wall clock in which subscribers connect
         self.start = self._number('start', 0.0)    # s from the bag's first frame of agents
         self.loop = bool(rospy.get_param('~loop', False))
         self.start_paused = bool(rospy.get_param('~start_paused', False))
         self.wait_for_suite = bool(rospy.get_param('~wait_for_suite', False))
         if not self.bag:
-            raise ForgeError('the parameter bag is empty: which bag is to be played?')
+            raise ForgeError('the parameter bag is empty: set it to the path of a bag')
 
     @classmethod
     def _positive(cls, name: str, default: float) -> float:
@@ -186,14 +186,14 @@ class Arguments:
         return float(value)
 
     def check_start(self, source: BagPublisher) -> None:
-        """Raise ForgeError if the bag has no such time."""
+        """Raise ForgeError if `start` is outside the bag."""
         if not 0.0 <= self.start <= source.length:
-            raise ForgeError('the parameter start is {:g}, not in {}: 0 to {:g}'.format(self.start, source.path,
+            raise ForgeError('the parameter start is {:g}, outside {}: 0 to {:g}'.format(self.start, source.path,
                                                                                     source.length))
 
 
 def wait_for_suite(missing: Callable[[], List[str]]) -> None:
-    """Wait for the suite up to SUITE_TIMEOUT; the bag is played without it, too."""
+    """Wait until nothing is missing. If the suite does not start in time, log a warning and return."""
     try:
         wait_until(missing, SUITE_TIMEOUT)
     except NotReady as error:
@@ -201,14 +201,14 @@ def wait_for_suite(missing: Callable[[], List[str]]) -> None:
 
 
 def missing_nodes() -> List[str]:
-    """Return the topics of the suite without a publisher."""
+    """Return descriptions of the topics of the suite without a publisher."""
     graph = Graph()
     topics = set(PUBLISHED) | {published(topic) for topic in MADE_BY_SUITE}
     return ['a publisher of ' + topic for topic in sorted(topics) if not graph.publishers_of(topic)]
 
 
 def play() -> int:
-    """Run the node and return its exit code."""
+    """Play the bag until shutdown; return the exit code."""
     try:
         arguments = Arguments()
         source = BagPublisher(arguments.bag)
@@ -228,5 +228,5 @@ def play() -> int:
 
 
 def main() -> int:
-    """Run the node and return its exit code."""
+    """Run the node; return the exit code."""
     return run_node('player', play)

@@ -1,7 +1,7 @@
-"""pytest fixtures that start the suite, play a bag in lock step, and shut both down.
+"""pytest fixtures that start the suite, play a bag in lock step, and shut the suite down.
 
 Loaded by `pytest -p collision_forge.pytest_plugin`, or by `pytest_plugins = ['collision_forge.pytest_plugin']` in the
-uppermost conftest.py. Give the bags by `--forge-bag`, or override the fixture `forge_bag`.
+top-level conftest.py. The bags come from `--forge-bag` or from your own fixture `forge_bag`.
 """
 import logging
 from pathlib import Path
@@ -34,19 +34,19 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 @pytest.fixture(scope='module')
 def forge_bag() -> Path:
-    """The bag to play; parametrised by --forge-bag."""
+    """Return the bag to play, one for each --forge-bag."""
     raise pytest.UsageError('give --forge-bag, or define a fixture forge_bag')
 
 
 @pytest.fixture(scope='module')
 def forge_arguments() -> Dict[str, str]:
-    """Arguments of collision_forge.launch, for example {'config_dir': '/a/folder'}; override to set some."""
+    """Return arguments of collision_forge.launch, such as {'config_dir': '/a/folder'}; by default none."""
     return {}
 
 
 @pytest.fixture(scope='session')
 def forge_master(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Master]:
-    """A roscore on a free port, also used by programs that tests start."""
+    """Start a roscore on a free port; programs started by tests use it, too."""
     with Master(tmp_path_factory.mktemp('master'), TIMEOUT) as master:
         yield master
         rospy.signal_shutdown('the tests are over')
@@ -55,14 +55,14 @@ def forge_master(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Master]:
 @pytest.fixture(scope='module')
 def forge_suite(forge_master: Master, tmp_path_factory: pytest.TempPathFactory, forge_bag: Path,
                 forge_arguments: Dict[str, str]) -> Iterator[Suite]:
-    """The running suite, with `forge_bag` as its recording."""
+    """Start the suite, with the bag as its recording."""
     with Suite(tmp_path_factory.mktemp('suite'), forge_bag, **forge_arguments) as suite:
         yield suite
 
 
 @pytest.fixture
 def forge(forge_suite: Suite, forge_bag: Path) -> Iterator[CollisionForge]:
-    """A client without an attack; its `player` has opened the bag and published nothing yet."""
+    """Return a client without an attack; its `player` has opened the bag and published nothing yet."""
     forge_suite.check()
     with CollisionForge(TIMEOUT) as client:
         logging.getLogger('rospy').setLevel(logging.WARNING)  # hides connection messages

@@ -1,8 +1,8 @@
 """Results of the suite as plain data.
 
-SI units and radians, in the frame `map`; a pose is the centre of the vehicle's box. `now` is t0, the stamp of the frame
-of agents used for the request, on the recording's clock. All other times are in s from t0. `message` is the ROS message
-of the result.
+SI units and radians, in the frame `map`; the pose of a vehicle is the middle of its box. `now` is the stamp of the
+frame of agents at t0, on the recording's clock. All other times are in s from t0. `message` is the ROS message of a
+result.
 """
 import math
 from dataclasses import dataclass, field, fields
@@ -39,12 +39,12 @@ class Pose(Result):
 
     @classmethod
     def of_2d(cls, message: Any) -> 'Pose':
-        """Convert a geometry_msgs/Pose2D."""
+        """Return the pose of a geometry_msgs/Pose2D."""
         return cls(message.x, message.y, message.theta)
 
     @classmethod
     def of_3d(cls, message: Any) -> 'Pose':
-        """Convert a geometry_msgs/Pose; drops height, roll and pitch."""
+        """Return the pose in the plane of a geometry_msgs/Pose."""
         turn = message.orientation
         yaw = math.atan2(2.0 * (turn.w * turn.z + turn.x * turn.y), 1.0 - 2.0 * (turn.y ** 2 + turn.z ** 2))
         return cls(message.position.x, message.position.y, yaw)
@@ -125,9 +125,9 @@ class Report:
     touched_before: str         # id of the agent that the attacker touches before the ego; empty: none
     off_road_share: float       # mean share of its box off the drivable area, [0, 1]
     manoeuvre: str              # manoeuvre of the attacker; empty without contact
-    manoeuvre_begin: Optional[float]  # s from now
+    manoeuvre_begin: Optional[float]  # s from t0
     believable: bool            # plausible: drives like recorded drivers until its manoeuvre
-    unbelievable: str           # reason if not believable
+    unbelievable: str           # reason if not plausible
     confidence: float           # share of predicted ego futures in which it is verified, [0, 1]; 0 if tested
     decision: str               # last decision of an adaptive attacker
     avoided_by: Tuple[str, ...]  # careful drivers that avoid the attack in the recording; empty if it is unknown
@@ -164,15 +164,15 @@ class Attack:
 
     now: Time
     collision_type: str     # lane_change, opposite_direction, rear_end, junction_crossing or ltap
-    attacker: str           # id of the attacker
+    attacker: str           # id of its agent
     attacker_class: str     # car, truck, ...
-    added: bool             # not recorded: added by the suite
+    added: bool             # not a recorded agent
     trajectory: Tuple[Point, ...]  # from t0 to after the contact
     report: Report          # predicted
     method: str
-    adaptive: bool          # replans every 0.1 s
-    phase: str              # if adaptive: attacking, committed or driving_on
-    decision: str           # last decision, as text
+    adaptive: bool          # the attacker replans
+    phase: str              # adaptive: attacking, committed or driving_on
+    decision: str           # last decision, for people
     plans: int              # number of decisions; 0 if not adaptive
     alternatives: Tuple['Attack', ...]  # by falling confidence
     message: Any = raw()
@@ -198,11 +198,11 @@ class PossibleCollision(Result):
 
     now: Time = field(repr=False)
     collision_type: str
-    tta: float            # s from t0, to request
-    alternative: int      # index of the attack in the response, from 1
-    attacker: str         # id; for an added vehicle the id it would get
+    tta: float            # s from t0, for the request
+    alternative: int      # number of the attack in the response, from 1
+    attacker: str         # id of the agent; for an added vehicle its new id
     attacker_class: str
-    added: bool           # not recorded: added by the suite
+    added: bool           # not a recorded agent
     manoeuvre: str
     confidence: float     # [0, 1]
     contact_after: float  # s from t0, predicted
@@ -239,7 +239,7 @@ class Answer(Result):
 class PlannerContact(Result):
     """First contact of the ego driven by a planner."""
 
-    t: float                 # s from now
+    t: float                 # s from t0
     other: str               # id of the touched agent
     is_attacker: bool
     collision_type: str      # type of the contact; empty: none of the types
@@ -296,7 +296,7 @@ class PlannerOutcome:
 
     @property
     def hit(self) -> bool:
-        """Return True if the first contact is with the attacker."""
+        """Return True if the attacker touched the ego."""
         return self.contact is not None and self.contact.is_attacker
 
     def __repr__(self) -> str:
@@ -306,9 +306,9 @@ class PlannerOutcome:
         if self.failure:
             return 'failed ({}): {}'.format(self.failure, self.failure_reason)
         if self.contact is None:
-            return 'touches nobody in {:.1f} s'.format(self.duration)
+            return 'no contact in {:.1f} s'.format(self.duration)
         return 'touches {} {:.8} after {:.2f} s at {:.1f} m/s, {}'.format(
-            'the attacker' if self.hit else 'another agent,', self.contact.other, self.contact.t,
+            'the attacker' if self.hit else 'the agent', self.contact.other, self.contact.t,
             self.contact.impact_speed, self._avoidance())
 
     def _avoidance(self) -> str:
@@ -317,7 +317,7 @@ class PlannerOutcome:
             return 'not known to be avoidable'
         at_once = self.last_moment < 1e-6  # s
         if self.last_manoeuvre != 'keeping':
-            when = 'at once' if at_once else 'up to {:.1f} s'.format(self.last_moment)
+            when = 'at once' if at_once else 'up to {:.1f} s after t0'.format(self.last_moment)
             how = 'braking and steering' if self.last_manoeuvre == 'both' else self.last_manoeuvre
             return 'avoidable {} by {}'.format(when, how)
         if self.message.attacker_policy != 'adaptive':
@@ -354,7 +354,7 @@ class Scene:
 
     @classmethod
     def of(cls, message: Any) -> 'Scene':
-        """Convert an EncodedScene."""
+        """Return the scene of an EncodedScene."""
         now = message.header.stamp
         present = [track for track in message.snapshot.agents if track.states and track.states[-1].stamp == now]
         return cls(now, Agent.of(message.snapshot.ego), tuple(Agent.of(track) for track in present), message)

@@ -12,8 +12,8 @@ from plane import cumulative_lengths, densified, direction, shifted, wrap_angle
 
 POSITION_TOLERANCE = 0.03                # metres
 HEADING_TOLERANCE = math.radians(0.8)
-LONGEST_STEP = 4.0                       # metres between the points a fit is held to
-STRAIGHT_RADIUS = 100.0                  # of a primitive that has no arc
+LONGEST_STEP = 4.0                       # metres between the points where a fit is compared
+STRAIGHT_RADIUS = 100.0                  # radius of a primitive without an arc
 LARGEST_RADIUS = 20000.0                 # flatter pieces are straight
 CURVATURES = {"L": 1.0, "S": 0.0, "R": -1.0}
 
@@ -33,7 +33,7 @@ class Piece:
 
 
 def advance(pose, curvature, s):
-    """The pose after length s on a constant curvature."""
+    """Return the pose after length s on a constant curvature."""
     x, y, yaw = pose
     if curvature == 0.0:
         return (*shifted((x, y), yaw, s), yaw)
@@ -43,7 +43,7 @@ def advance(pose, curvature, s):
 
 
 def arc_to(pose, point):
-    """The piece that leaves a pose along its heading and ends in a point."""
+    """Return the piece that leaves a pose along its heading and ends in a point."""
     chord = math.dist(pose[:2], point)
     half = wrap_angle(direction(pose[:2], point) - pose[2])
     if chord < 1e-9 or abs(2.0 * math.sin(half) / chord) < 1.0 / LARGEST_RADIUS:
@@ -53,7 +53,7 @@ def arc_to(pose, point):
 
 
 def biarc(start, end):
-    """Two pieces from pose to pose, with equal tangent lengths."""
+    """Return two pieces from pose to pose, with equal tangent lengths."""
     vx, vy = end[0] - start[0], end[1] - start[1]
     c0, s0, c1, s1 = math.cos(start[2]), math.sin(start[2]), math.cos(end[2]), math.sin(end[2])
     vt = vx * (c0 + c1) + vy * (s0 + s1)
@@ -69,7 +69,7 @@ def biarc(start, end):
 
 
 def fit_errors(pieces, points, headings, lengths):
-    """The largest distance and heading error of pieces along sampled poses."""
+    """Return the largest lateral (m) and heading (rad) error of pieces along sampled poses."""
     total = sum(piece.length for piece in pieces)
     worst, worst_heading = 0.0, 0.0
     for point, heading, s in zip(points, headings, lengths):
@@ -85,7 +85,7 @@ def fit_errors(pieces, points, headings, lengths):
 
 
 def fit(points, headings):
-    """Pieces along a polyline whose headings are known, within the tolerances."""
+    """Return pieces along a polyline with known headings, within the tolerances."""
     points, headings = densified(points, headings, LONGEST_STEP)
     lengths = cumulative_lengths(points)
 
@@ -102,7 +102,7 @@ def fit(points, headings):
 
 
 def merged(pieces):
-    """Join neighbouring straight pieces and pieces of almost the same curvature."""
+    """Join neighbouring pieces that are straight or have almost the same curvature."""
     result = [pieces[0]]
     for piece in pieces[1:]:
         last = result[-1]
@@ -118,7 +118,7 @@ def merged(pieces):
 
 
 def primitive(pieces):
-    """One arcline primitive of one, two or three pieces that share a radius."""
+    """Return shape, radius and lengths of one primitive from one to three pieces that share a radius."""
     curved = [piece for piece in pieces if piece.curvature != 0.0]
     radius = 1.0 / abs(curved[0].curvature) if curved else STRAIGHT_RADIUS
     letters, lengths = [], []
@@ -132,7 +132,7 @@ def primitive(pieces):
 
 
 def arcline_path(pieces):
-    """Primitives of the map file. Poses follow from the rounded numbers written."""
+    """Return the primitives of the map file. Poses are computed from the rounded numbers in it."""
     path, waiting = [], merged(pieces)
     pose = tuple(round(v, 4) for v in waiting[0].start[:2]) + (round(waiting[0].start[2], 6),)
     while waiting:
@@ -149,7 +149,7 @@ def arcline_path(pieces):
 
 
 def pieces_that_fit(pieces):
-    """How many of the first pieces one primitive can hold: arc, straight, arc."""
+    """Return the number of first pieces that fit into one primitive: arc, straight, arc."""
     slots = ["arc", "straight", "arc"]
     radius, count = None, 0
     for piece in pieces:
@@ -170,7 +170,7 @@ def rounded_pose(pose):
 
 
 def path_poses(path, step):
-    """Poses along a path as read from a map file, integrated exactly."""
+    """Return poses along a path of a map file, at most `step` metres apart, integrated exactly."""
     poses = []
     for item in path:
         pose = tuple(item["start_pose"])

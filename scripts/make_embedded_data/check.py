@@ -1,4 +1,4 @@
-"""Checks embedded data from its files alone and prints a table of its scenes."""
+"""Checks the files of the embedded data and prints a table of its scenes."""
 import json
 import math
 
@@ -13,8 +13,8 @@ from traffic import EGO, KINDS, PEDESTRIAN
 LARGEST_SIZE = 6_000_000        # bytes
 POSE_PERIOD = 0.1               # seconds
 MOVING_STEP = 0.5               # metres between keyframes 0.5 s apart
-SMOOTHING_STEPS = 5             # poses are rounded to 1 mm: figures over 0.5 s
-END_MARGIN = 0.1                # metres of a lane's ends that may lie on an area's border
+SMOOTHING_STEPS = 5             # poses are rounded to 1 mm, so motion is derived over 0.5 s
+END_MARGIN = 0.1                # metres at a lane's ends that are not checked: they may lie on an area's border
 LINKS = {"sample_token": "sample", "instance_token": "instance", "log_token": "log",
          "ego_pose_token": "ego_pose", "calibrated_sensor_token": "calibrated_sensor",
          "sensor_token": "sensor", "category_token": "category", "scene_token": "scene",
@@ -34,7 +34,7 @@ def annotation_box(row):
 
 
 def ego_box(pose):
-    """The ego car's box from its rear axle pose."""
+    """Return the ego car's box from its rear axle pose."""
     body = KINDS[EGO]
     x, y = pose["translation"][:2]
     yaw = yaw_of(pose)
@@ -56,7 +56,7 @@ class Data:
 
 
 def link_faults(data):
-    """Tokens that are missing, repeated, or linked one way only."""
+    """Yield faults of tokens: missing, repeated, or linked in one direction only."""
     for name, rows in data.tables.items():
         if len(data.rows[name]) != len(rows):
             yield f"{name}: repeated tokens"
@@ -73,7 +73,7 @@ def link_faults(data):
 
 
 def lane_faults(name, roads):
-    """Centrelines that do not match their poses or do not meet their neighbours."""
+    """Yield faults of centrelines that do not match their poses or do not meet their neighbours."""
     paths, links = roads["arcline_path_3"], roads["connectivity"]
     lanes = {row["token"] for layer in ("lane", "lane_connector") for row in roads[layer]}
     if lanes != set(paths) or lanes != set(links):
@@ -97,7 +97,7 @@ def poses_meet(a, b):
 
 
 def area_faults(name, roads):
-    """Centrelines and their lanes' inner borders off the drivable area."""
+    """Yield points of centrelines, and 1.2 m beside them, off the drivable area."""
     polygons = drivable_polygons(roads)
     for token, path in roads["arcline_path_3"].items():
         ends = (path[0]["start_pose"][:2], path[-1]["end_pose"][:2])
@@ -111,7 +111,7 @@ def area_faults(name, roads):
 
 
 def mask_faults(folder, data, maps):
-    """Return map masks that are missing or differ from the drivable area."""
+    """Yield map masks that are missing or differ from the drivable area."""
     for row in data.tables["map"]:
         path = folder / row["filename"]
         if not path.is_file() or path.read_bytes() != mask_png(maps[path.stem]):
@@ -160,7 +160,7 @@ class SceneCheck:
         return math.dist(row["translation"][:2], place[:2]) > MOVING_STEP
 
     def moving_counts(self):
-        """Moving vehicles near the ego car on each keyframe."""
+        """Return the number of moving vehicles near the ego car on each keyframe."""
         counts = []
         for sample in self.samples:
             ego = ego_box(self.key_poses[sample["token"]])
@@ -177,7 +177,7 @@ class SceneCheck:
         figures = drive_figures(poses, SMOOTHING_STEPS * POSE_PERIOD)
         if not (figures.yaw_rate < 1.0 and figures.lateral_acceleration < 5.0
                 and figures.acceleration < 5.0 and figures.slip < math.radians(10.0)):
-            yield f"{name}: the ego car's motion is not a car's: {figures}"
+            yield f"{name}: the ego car's motion is outside the limits of a car: {figures}"
         for sample in self.samples:
             rows = self.boxes[sample["token"]]
             boxes = [ego_box(self.key_poses[sample["token"]]), *map(annotation_box, rows)]
@@ -207,7 +207,7 @@ class SceneCheck:
 
 
 def check(folder, version):
-    """Prints the scenes and every fault; returns 0 when there is none, else 1."""
+    """Print the scenes and every fault; return 0 without a fault, else 1."""
     data = Data(folder / version)
     faults = list(link_faults(data))
     maps = {path.stem: json.loads(path.read_text())

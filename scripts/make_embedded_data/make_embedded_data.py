@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""Makes the embedded driving data with SUMO, byte for byte the same on every run.
+"""Generates the embedded driving data with SUMO, byte for byte the same on every run.
 
 Two small towns, one per driving side, are built with netconvert and driven with
-sumo. The best 20 s of each scene's ego candidates are written in the nuScenes
-schema, with a map expansion and a map mask for each town. Needs SUMO's command line tools.
+sumo. For each scene, the 20 s of an ego candidate with the most traffic are written in
+the nuScenes schema, with a map expansion and a map mask for each town. Needs SUMO's
+command line tools.
 """
 import argparse
 import json
@@ -33,7 +34,7 @@ PARKED_KINDS = ("car_small", "car_compact", "car_estate", "car_saloon", "car_suv
 
 
 def parked_cars(town, network):
-    """(name, kind, pose of the centre) of the cars in the parking bays."""
+    """Return (name, kind, pose of the centre) of the cars in the parking bays."""
     rng = random.Random(town.seed)
     cars = []
     for edge, number, (x, y, yaw) in bay_poses(network, town.left_hand):
@@ -47,7 +48,7 @@ def parked_cars(town, network):
 
 
 def drive_town(town, folder):
-    """Simulates one town; returns its map and the recordings of its scenes."""
+    """Simulate one town; return its map and the recordings of its scenes."""
     network = read_network(build_network(town, folder))
     (folder / "traffic.rou.xml").write_text(traffic_xml(town, ego_routes(town.location)))
     tracks = simulate(town, folder)
@@ -59,7 +60,7 @@ def drive_town(town, folder):
 
 
 def write_bytes(path, content):
-    """Writes a file aside and renames it."""
+    """Write a file atomically."""
     path.parent.mkdir(parents=True, exist_ok=True)
     aside = path.with_name(path.name + ".part")
     aside.write_bytes(content)
@@ -75,12 +76,12 @@ def compact(value):
 
 
 def table_text(rows):
-    """A table with one row a line."""
+    """Return the text of a table, one row per line."""
     return "[\n" + ",\n".join(compact(row) for row in rows) + "\n]\n"
 
 
 def map_text(content):
-    """A map file with one row, or one entry of a dictionary, a line."""
+    """Return the text of a map file, one row or one entry of a dictionary per line."""
     parts = []
     for key, value in content.items():
         if isinstance(value, dict):
@@ -94,7 +95,7 @@ def map_text(content):
 
 
 def make(out):
-    """Makes all of the data in a folder."""
+    """Generate all data in a folder."""
     recordings = []
     for town in TOWNS:
         with tempfile.TemporaryDirectory() as folder:
@@ -111,7 +112,7 @@ def main():
     parser.add_argument("--out", type=Path, default=DEFAULT_OUT,
                         help="folder to write to (default: the repository's data/embedded)")
     parser.add_argument("--check", action="store_true",
-                        help="make nothing; check what is there and print a table of the scenes")
+                        help="generate nothing; check the existing data and print a table of the scenes")
     options = parser.parse_args()
     if not options.check:
         print(f"made with {tool_version('sumo')}")

@@ -1,4 +1,4 @@
-"""Writes the roads as a nuScenes map expansion (version 1.3) dictionary."""
+"""Converts the roads to the dictionary of a nuScenes map expansion (version 1.3)."""
 import math
 
 from arcs import arcline_path, fit
@@ -12,14 +12,14 @@ STOP_LINE_DEPTH = 1.0
 BAY_EDGES = ("Ae_U", "U_Ae", "U_T", "T_U")
 BAY_DEPTH = 2.3
 BAY_LENGTH = 6.2
-BAY_MARGIN = 28.0           # metres of road without bays at both ends
+BAY_MARGIN = 28.0           # metres at both ends of a road without bays
 LAYERS = ("polygon", "line", "node", "drivable_area", "road_segment", "road_block", "lane",
           "ped_crossing", "walkway", "stop_line", "carpark_area", "road_divider", "lane_divider",
           "traffic_light", "lane_connector")
 
 
 class MapBuilder:
-    """Collects the layers of one map; names make tokens, equal points share a node."""
+    """Collects the layers of one map. Tokens are hashes of names; equal points share a node."""
 
     def __init__(self, location):
         self.location = location
@@ -55,7 +55,7 @@ class MapBuilder:
 
 
 def lane_headings(lane, lanes):
-    """A lane's headings; a way through a junction takes its ends from its lanes."""
+    """Return a lane's headings; a path through a junction takes its end headings from its lanes."""
     headings = vertex_headings(lane.shape)
     if lane.in_junction:
         headings[0] = vertex_headings(lanes[lane.incoming[0]].shape)[-1]
@@ -64,23 +64,23 @@ def lane_headings(lane, lanes):
 
 
 def border(lane, headings, left):
-    """One border of a lane with few points."""
+    """Return one border of a lane, simplified."""
     return simplified(offset_line(lane.shape, headings, left), OUTLINE_TOLERANCE)
 
 
 def outline(lane, headings):
-    """A lane's polygon, counter-clockwise."""
+    """Return a lane's polygon, counter-clockwise."""
     right, left = (border(lane, headings, side * lane.width / 2.0) for side in (-1.0, 1.0))
     return right + left[::-1]
 
 
 def outward(left_hand):
-    """+1 where the kerb is on the left of a lane, -1 where it is on its right."""
+    """Return +1 if the kerb is on the left of a lane, -1 if it is on its right."""
     return 1.0 if left_hand else -1.0
 
 
 def edge_outline(lanes, left_hand):
-    """The polygon over all driven lanes of an edge, kerb to middle line."""
+    """Return the polygon over all driven lanes of an edge, from the kerb to the middle line."""
     side = outward(left_hand)
     kerb, middle = lanes[0], lanes[-1]
     kerb_border = border(kerb, vertex_headings(kerb.shape), side * kerb.width / 2.0)
@@ -95,7 +95,7 @@ def turn_of(way):
 
 
 def junction_outline(junction, network, left_hand):
-    """A junction's polygon: the kerb side of the outermost way from each arm, around it."""
+    """Return a junction's polygon: the kerb sides of the outermost path from each arm."""
     side = outward(left_hand)
     arms = {}
     for connection in network.connections:
@@ -120,7 +120,7 @@ def driven_lanes(edge):
 
 
 def bay_poses(network, left_hand):
-    """Parking bays: (edge, number, centre of the bay as x, y, yaw)."""
+    """Yield (edge, number, centre of the bay as x, y, yaw) of the parking bays."""
     side = outward(left_hand)
     for name in BAY_EDGES:
         lane = driven_lanes(network.edges[name])[0]
@@ -135,7 +135,7 @@ def bay_poses(network, left_hand):
 
 
 def bay_strips(network, left_hand):
-    """(edge, polygon) of the strip of parking bays along each edge that has one."""
+    """Yield (edge, polygon) of the strip of parking bays along each edge that has one."""
     rows = {}
     for name, _, pose in bay_poses(network, left_hand):
         rows.setdefault(name, []).append(pose)
@@ -149,7 +149,7 @@ def bay_strips(network, left_hand):
 
 
 def add_lanes(builder, network):
-    """Lanes and lane connectors with their centrelines; returns the connector polygons."""
+    """Add lanes and lane connectors; return centrelines, connectivity and connector polygons."""
     ways = {c.way.name: c.way for c in network.connections if c.way.is_car}
     every = {**{name: lane for name, lane in network.lanes.items() if lane.is_car}, **ways}
     paths, connectivity, polygons = {}, {}, []
@@ -173,7 +173,7 @@ def add_lanes(builder, network):
 
 
 def add_surfaces(builder, network, connectors, left_hand):
-    """Road segments and the drivable area, which also holds ways and parking bays."""
+    """Add road segments and the drivable area, which includes connectors and parking bays."""
     area = builder.token("drivable_area", "all")
     polygons = list(connectors)
     for name, edge in network.edges.items():
@@ -193,7 +193,7 @@ def add_surfaces(builder, network, connectors, left_hand):
 
 
 def add_crossings(builder, network):
-    """Pedestrian crossings and walkways; returns crossing tokens by crossed edge."""
+    """Add pedestrian crossings and walkways; return crossing tokens by crossed edge."""
     crossed = {}
     for name, (lane, edges) in network.crossings.items():
         polygon = builder.polygon(name, outline(lane, vertex_headings(lane.shape)))
@@ -207,7 +207,7 @@ def add_crossings(builder, network):
 
 
 def add_signal(builder, name, lanes, yaw):
-    """A traffic light beside the stop line of an edge."""
+    """Add a traffic light beside the stop line of an edge; return its token."""
     spot = shifted(lanes[0].shape[-1], yaw, 1.0)
     height, pose_yaw = 4.0, round(math.remainder(yaw + math.pi, 2.0 * math.pi), 6)
     items = [{"color": color, "shape": "CIRCLE",
@@ -222,7 +222,7 @@ def add_signal(builder, name, lanes, yaw):
 
 
 def add_stop_lines(builder, network, crossed, left_hand):
-    """A stop line where an edge has to wait: at signals, or where a way gives way."""
+    """Add a stop line to each edge with a signal or with a path that has to yield."""
     waiting = {c.start.edge for c in network.connections
                if c.state == "m" and abs(turn_of(c.way)) < 0.6}
     waiting |= {c.start.edge for c in network.connections if c.start.edge == "TS_T"}
@@ -242,7 +242,7 @@ def add_stop_lines(builder, network, crossed, left_hand):
 
 
 def straight_end(lane):
-    """The last stretch of a lane, as deep as a stop line."""
+    """Return the last part of a lane, as long as a stop line is deep."""
     yaw = vertex_headings(lane.shape)[-1]
     end = lane.shape[-1]
     shape = [shifted(end, yaw, -STOP_LINE_DEPTH), end]
@@ -251,7 +251,7 @@ def straight_end(lane):
 
 
 def map_dictionary(network, town):
-    """The whole map file as a dictionary."""
+    """Return the whole map file as a dictionary."""
     builder = MapBuilder(town.location)
     paths, connectivity, connectors = add_lanes(builder, network)
     add_surfaces(builder, network, connectors, town.left_hand)

@@ -1,17 +1,17 @@
-"""Draws the drivable area as the map mask of nuScenes: a grey picture, 255 on the road."""
+"""Draws the drivable area as a nuScenes map mask: a grey image, 255 on the road."""
 import math
 import struct
 import zlib
 
 PIXELS_PER_METRE = 10
-# Bits per pixel. One bit would be read as true and false instead of 255 and 0.
+# Bits per pixel. Readers return pixels of 1 bit as true and false instead of 255 and 0.
 BITS = 2
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
 AS_IT_IS, LESS_THE_ROW_ABOVE = b"\0", b"\2"   # filters of rows
 
 
 def drivable_polygons(roads):
-    """The drivable area's polygons as lists of points."""
+    """Return the drivable area's polygons as lists of points."""
     nodes = {row["token"]: (row["x"], row["y"]) for row in roads["node"]}
     polygons = {row["token"]: [nodes[node] for node in row["exterior_node_tokens"]]
                 for row in roads["polygon"]}
@@ -19,12 +19,12 @@ def drivable_polygons(roads):
 
 
 def pixels_from(metres):
-    """The first pixel from a place on. Pixel i is the point at i / 10 m."""
+    """Return the first pixel at or after a position in metres. Pixel i is the point at i / 10 m."""
     return math.ceil(metres * PIXELS_PER_METRE)
 
 
 def crossings(polygon):
-    """For each height in pixels, the places of a polygon's sides there, ascending."""
+    """Return, for each row of pixels, the positions of a polygon's sides (m), ascending."""
     places = {}
     for (x0, y0), (x1, y1) in zip(polygon, polygon[1:] + polygon[:1]):
         for height in range(pixels_from(min(y0, y1)), pixels_from(max(y0, y1))):
@@ -34,7 +34,7 @@ def crossings(polygon):
 
 
 def spans(polygons):
-    """For each height in pixels, the stretches of pixels within a polygon: first, and end."""
+    """Return, for each row of pixels, the ranges of pixels in polygons: first, and past the last."""
     rows = {}
     for polygon in polygons:
         for height, places in crossings(polygon).items():
@@ -44,7 +44,7 @@ def spans(polygons):
 
 
 def row_bytes(stretches, size):
-    """A row of pixels, all bits set in the stretches."""
+    """Return a row of pixels with all bits set in the ranges."""
     row = 0
     for first, end in stretches:
         row |= ((1 << BITS * (end - first)) - 1) << (8 * size - BITS * end)
@@ -57,7 +57,7 @@ def chunk(kind, content):
 
 
 def mask_png(roads):
-    """The picture's file. Its first row is the north edge: y = height of the canvas."""
+    """Return the PNG file. Its first row is the north edge: y = height of the canvas."""
     width, height = (round(edge * PIXELS_PER_METRE) for edge in roads["canvas_edge"])
     rows = spans(drivable_polygons(roads))
     size = math.ceil(width * BITS / 8)

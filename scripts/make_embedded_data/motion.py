@@ -1,4 +1,4 @@
-"""From SUMO's front points to the motion of a body.
+"""Derives the motion of a body from SUMO's front points.
 
 SUMO moves a vehicle's front point along lane centrelines. Here the front axle
 follows that (slightly smoothed) path and the rear axle is drawn behind it at
@@ -19,7 +19,7 @@ WALKING_SPEED = 0.3      # below this a pedestrian keeps facing the same way
 
 @dataclass
 class Motion:
-    """A body's poses on consecutive steps: its reference is (x, y, yaw)."""
+    """The rear axle poses (x, y, yaw) of a body on consecutive steps; for pedestrians, the centres."""
     name: str
     kind: str
     first_step: int
@@ -42,7 +42,7 @@ class Motion:
         return self.speeds[step - self.first_step]
 
     def box(self, step):
-        """The oriented box (x, y, yaw, length, width)."""
+        """Return the oriented box (x, y, yaw, length, width)."""
         x, y, yaw = self.rear_axle(step)
         body = self.body()
         ahead = body.length / 2.0 - body.rear_overhang if body.wheelbase else 0.0
@@ -51,7 +51,7 @@ class Motion:
 
 
 def smoothed(points):
-    """Points smoothed in time by a Gaussian that narrows towards both ends."""
+    """Return the points, smoothed in time by a Gaussian that narrows towards both ends."""
     reach = round(3.0 * SMOOTHING / STEP)
     weights = [math.exp(-0.5 * (k * STEP / SMOOTHING) ** 2) for k in range(reach + 1)]
     result = []
@@ -65,7 +65,7 @@ def smoothed(points):
 
 
 def front_axle_path(track, body):
-    """The front axle on every step: the front point's path, a front overhang behind."""
+    """Return the front axle on every step: a front overhang behind, on the front point's path."""
     overhang = body.length - body.rear_overhang - body.wheelbase
     path = smoothed(track.points)
     path.insert(0, shifted(path[0], track.yaws[0], -overhang))
@@ -74,7 +74,7 @@ def front_axle_path(track, body):
 
 
 def pulled(rear_yaw, front, target, wheelbase):
-    """The yaw after the front axle moved to a target, the rear axle rolling behind."""
+    """Return the yaw after the front axle moved to a target and the rear axle rolled behind it."""
     count = max(math.ceil(math.dist(front, target) / PULL_STEP), 1)
     step = math.dist(front, target) / count
     course = direction(front, target)
@@ -110,12 +110,12 @@ def pedestrian_motion(track):
 
 
 def motion_of(track):
-    """The body motion of one raw track."""
+    """Return the motion of the body of one raw track."""
     return pedestrian_motion(track) if track.kind == PEDESTRIAN else vehicle_motion(track)
 
 
 def parked_motion(name, kind, pose, first_step, steps):
-    """A body that stands still; pose is its box's centre."""
+    """Return the motion of a stationary body; `pose` is the centre of its box."""
     body = KINDS[kind]
     rear = shifted(pose[:2], pose[2], body.rear_overhang - body.length / 2.0)
     return Motion(name, kind, first_step, [(*rear, pose[2])] * steps, [0.0] * steps)
@@ -123,7 +123,7 @@ def parked_motion(name, kind, pose, first_step, steps):
 
 @dataclass(frozen=True)
 class DriveFigures:
-    """The extreme figures of a drive."""
+    """The largest absolute values of a drive, in rad/s, m/s2 and rad."""
     yaw_rate: float
     lateral_acceleration: float
     acceleration: float
@@ -131,7 +131,7 @@ class DriveFigures:
 
 
 def drive_figures(poses, period):
-    """How hard a body moves, from rear axle poses alone."""
+    """Return the largest values of a motion, derived from its rear axle poses."""
     rates, laterals, slips, moved = [0.0], [0.0], [0.0], []
     for a, b in zip(poses, poses[1:]):
         v = math.dist(a[:2], b[:2]) / period
@@ -147,9 +147,9 @@ def drive_figures(poses, period):
 
 
 def speed_error(poses, speeds, period):
-    """The largest difference between speeds from poses and SUMO's speeds.
+    """Return the largest difference between speeds from poses and SUMO's speeds, m/s.
 
-    SUMO moves a step with the speed that it reports at the step's end.
+    In a step, SUMO moves a vehicle with the speed that it reports at the step's end.
     """
     return max((abs(math.dist(a[:2], b[:2]) / period - speed)
                 for a, b, speed in zip(poses, poses[1:], speeds[1:])), default=0.0)

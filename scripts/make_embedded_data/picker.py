@@ -1,4 +1,4 @@
-"""Chooses, for each scene, the ego candidate and the 20 s that show the most."""
+"""Chooses, for each scene, the ego candidate and the 20 s with the most traffic."""
 import math
 from dataclasses import dataclass
 
@@ -10,26 +10,26 @@ from town import MIRROR_SUM
 from traffic import PARKED, PEDESTRIAN, RECORDED, WARM_UP
 
 ANNOTATED_RANGE = 68.0      # metres from the ego car
-ASIDE_RANGE = 38.0          # of parked cars and pedestrians
+ASIDE_RANGE = 38.0          # metres, for parked cars and pedestrians
 LARGEST_SPEED_ERROR = 0.5   # m/s, of the ego car's poses against SUMO's speeds
 BUSY_RANGE = 60.0
-MOST_AGENTS = 22            # annotated in one keyframe, nearest first
-LANDMARK_STEPS = (80, 100, 120)   # when the ego car passes the landmark
+MOST_AGENTS = 22            # annotated in one keyframe, the nearest ones
+LANDMARK_STEPS = (80, 100, 120)   # steps from the start until the ego car passes the landmark
 SLOWEST_MEAN = 5.0          # m/s
-MOST_STANDING = 0.15        # share of the scene the ego car may stand
+MOST_STANDING = 0.15        # share of the scene in which the ego car may stand
 STANDING_SPEED = 0.5
 MOVING_SPEED = 2.0
 
 
 def annotated_range(motion):
-    """How near the ego car someone is annotated; those beside the road only nearby."""
+    """Return the distance from the ego car up to which a motion is annotated, m."""
     aside = motion.kind == PEDESTRIAN or motion.name.startswith(PARKED)
     return ASIDE_RANGE if aside else ANNOTATED_RANGE
 
 
 @dataclass
 class Recording:
-    """A chosen scene: the ego car's motion, the others near it and the first step."""
+    """A chosen scene: the motions of the ego car and of agents near it, and the first step."""
     spec: object
     first_step: int
     ego: object
@@ -42,7 +42,7 @@ class Recording:
         return range(self.first_step, self.first_step + SCENE_STEPS + 1)
 
     def near(self, step):
-        """The motions annotated on a step, nearest first."""
+        """Return the motions annotated on a step, nearest first."""
         centre = self.ego.box(step)[:2]
         found = [(math.dist(centre, other.box(step)[:2]), other.name, other)
                  for other in self.others if other.has(step)]
@@ -51,13 +51,13 @@ class Recording:
 
 
 def landmark_step(track, landmark):
-    """The step on which a track passes closest to a point."""
+    """Return the step on which a track passes closest to a point."""
     distances = [math.dist(point, landmark) for point in track.points]
     return track.first_step + distances.index(min(distances))
 
 
 def windows(spec, tracks, left_hand):
-    """(track, first step) of all candidate windows of a scene."""
+    """Yield (track, first step) of all candidate windows of a scene."""
     x, y = spec.landmark
     landmark = (MIRROR_SUM - x if left_hand else x, y)
     prefix = "ego:" + ":".join(spec.route) + ":"
@@ -74,7 +74,7 @@ def windows(spec, tracks, left_hand):
 
 
 def score(track, first, tracks):
-    """How much moves near the ego car on average; None when the drive is too slow."""
+    """Return a measure of the traffic near the ego car; None if the drive is too slow."""
     start = track.index_at(first)
     speeds = track.speeds[start:start + SCENE_STEPS + 1]
     standing = sum(v < STANDING_SPEED for v in speeds) / len(speeds)
@@ -93,13 +93,13 @@ def score(track, first, tracks):
 
 
 def parked_near(parked, first):
-    """The parked cars as motions over a scene's steps; poses are their centres."""
+    """Return the parked cars as motions over a scene's steps."""
     return [parked_motion(name, kind, pose, first, SCENE_STEPS + 1)
             for name, kind, pose in parked]
 
 
 def record(spec, track, first, tracks, parked):
-    """The motions of a chosen window."""
+    """Return the recording of a chosen window."""
     ego = motion_of(track)
     others = []
     for other in tracks.values():
@@ -115,7 +115,7 @@ def record(spec, track, first, tracks, parked):
 
 
 def is_clean(recording):
-    """Return True if no vehicles touch each other and the drive is smooth."""
+    """Return True if no boxes overlap and all motions are smooth."""
     boxes = {}
     for step in recording.keyframes():
         present = [recording.ego, *recording.near(step)]
@@ -128,7 +128,7 @@ def is_clean(recording):
 
 
 def is_smooth(motion, recording):
-    """Return True if a motion keeps the limits over the scene (pedestrians may turn on the spot)."""
+    """Return True if a motion keeps the limits over the scene; pedestrians have none."""
     if motion.kind == PEDESTRIAN:
         return True
     steps = [step for step in recording.steps() if motion.has(step)]
@@ -144,7 +144,7 @@ def is_smooth(motion, recording):
 
 
 def pick(spec, tracks, parked, left_hand, taken):
-    """The best clean window of a scene that overlaps none already taken by its ego car."""
+    """Return the best clean window of a scene whose ego track is not taken by another scene."""
     scored = []
     for track, first in windows(spec, tracks, left_hand):
         value = score(track, first, tracks)

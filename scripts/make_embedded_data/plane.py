@@ -4,22 +4,22 @@ import math
 
 
 def wrap_angle(angle):
-    """The same angle in [-pi, pi)."""
+    """Return the same angle in [-pi, pi)."""
     return (angle + math.pi) % (2.0 * math.pi) - math.pi
 
 
 def direction(a, b):
-    """The angle from point a to point b."""
+    """Return the angle of the direction from point a to point b."""
     return math.atan2(b[1] - a[1], b[0] - a[0])
 
 
 def shifted(point, angle, distance):
-    """A point moved along an angle."""
+    """Return a point moved by a distance in the direction of an angle."""
     return (point[0] + distance * math.cos(angle), point[1] + distance * math.sin(angle))
 
 
 def without_repeats(points, shortest=1e-3):
-    """A polyline without steps shorter than `shortest`; both ends are kept."""
+    """Return a polyline without segments shorter than `shortest`; both ends are kept."""
     kept = [points[0]]
     for point in points[1:]:
         if math.dist(point, kept[-1]) >= shortest:
@@ -30,7 +30,7 @@ def without_repeats(points, shortest=1e-3):
 
 
 def cumulative_lengths(points):
-    """The length along a polyline at each of its points."""
+    """Return the length along a polyline at each of its points."""
     lengths = [0.0]
     for a, b in zip(points, points[1:]):
         lengths.append(lengths[-1] + math.dist(a, b))
@@ -38,7 +38,7 @@ def cumulative_lengths(points):
 
 
 def point_at(points, lengths, s):
-    """The point at length s; before the start and after the end it stays at the end."""
+    """Return the point at length s, clamped to the ends."""
     i = min(max(bisect.bisect_right(lengths, s), 1), len(points) - 1)
     span = lengths[i] - lengths[i - 1]
     t = min(max((s - lengths[i - 1]) / span, 0.0), 1.0) if span > 0.0 else 0.0
@@ -47,10 +47,10 @@ def point_at(points, lengths, s):
 
 
 def vertex_headings(points):
-    """The heading of the smooth curve that a polyline samples, at each point.
+    """Return the heading of the smooth curve that a polyline samples, at each point.
 
     Inside: the mean of both sides weighted by length, exact on a circle; beside a
-    much longer side, which is a straight, the heading of that side. At the ends:
+    much longer side, taken as straight, the heading of that side. At the ends:
     extrapolated from the first or last two segments.
     """
     steps = [direction(a, b) for a, b in zip(points, points[1:])]
@@ -68,7 +68,7 @@ def vertex_headings(points):
 
 
 def densified(points, headings, longest):
-    """A polyline and its headings with segments cut to at most `longest`."""
+    """Return a polyline and its headings with segments of at most `longest`."""
     new_points, new_headings = [points[0]], [headings[0]]
     for i in range(1, len(points)):
         a, b = points[i - 1], points[i]
@@ -83,12 +83,12 @@ def densified(points, headings, longest):
 
 
 def offset_line(points, headings, left):
-    """A polyline moved to its left (to its right when negative)."""
+    """Return a polyline moved to its left; a negative distance moves it to its right."""
     return [shifted(p, h + math.pi / 2.0, left) for p, h in zip(points, headings)]
 
 
 def simplified(points, tolerance):
-    """Douglas-Peucker: fewer points, none of the dropped ones farther than the tolerance."""
+    """Return a polyline simplified by the Douglas-Peucker algorithm."""
     if len(points) < 3:
         return list(points)
     a, b = points[0], points[-1]
@@ -103,7 +103,7 @@ def simplified(points, tolerance):
 
 
 def box_corners(x, y, yaw, length, width):
-    """The four corners of an oriented box."""
+    """Return the four corners of an oriented box."""
     c, s = math.cos(yaw), math.sin(yaw)
     return [(x + c * l - s * w, y + s * l + c * w)
             for l, w in ((length / 2, width / 2), (-length / 2, width / 2),

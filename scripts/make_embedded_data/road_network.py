@@ -1,16 +1,16 @@
-"""Reads the roads out of SUMO's network file."""
+"""Reads the roads from SUMO's network file."""
 import math
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, field
 
 from plane import without_repeats
 
-SHORTEST_WAY = 0.2   # metres; lanes closer than this follow one another directly
+SHORTEST_WAY = 0.2   # metres; lanes with a smaller gap are connected directly
 
 
 @dataclass
 class Lane:
-    """A lane of a road, or the way of one connection through a junction."""
+    """A lane of a road, or the path of one connection through a junction."""
     name: str
     edge: str
     index: int
@@ -34,7 +34,7 @@ class Edge:
 
 @dataclass
 class Connection:
-    """A way through a junction, from lane to lane."""
+    """A path through a junction, from lane to lane."""
     start: Lane
     end: Lane
     way: Lane
@@ -65,7 +65,7 @@ def read_lane(row, edge_name):
 
 
 def joined_shape(parts):
-    """The shapes of lanes that follow one another, as one."""
+    """Return the joined shape of successive lanes."""
     points = list(parts[0].shape)
     for part in parts[1:]:
         points += part.shape[1:]
@@ -73,7 +73,7 @@ def joined_shape(parts):
 
 
 def read_connections(root, lanes, internal):
-    """The lane-to-lane ways; a way split in two by a waiting point is joined."""
+    """Return the connections; joins paths that SUMO splits at a waiting point."""
     rows = root.findall("connection")
     follows = {f'{row.get("from")}_{row.get("fromLane")}': row.get("via")
                for row in rows if row.get("from").startswith(":")}

@@ -1,4 +1,4 @@
-"""The scenes: where the ego car drives in each."""
+"""The scenes and the routes of their ego cars."""
 from dataclasses import dataclass
 
 SCENE_STEPS = 200        # 20 s of 0.1 s steps; 201 poses
@@ -50,5 +50,5 @@ SCENES = (
 
 
 def ego_routes(location):
-    """The (from, to) routes that ego candidates drive in a town."""
+    """Return the (from, to) routes of ego candidates in a town."""
     return sorted({scene.route for scene in SCENES if scene.location == location})

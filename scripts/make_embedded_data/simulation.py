@@ -1,4 +1,4 @@
-"""Runs SUMO's command line tools and reads back their output."""
+"""Runs SUMO's command line tools and reads their output files."""
 import math
 import subprocess
 import xml.etree.ElementTree as ElementTree
@@ -12,7 +12,7 @@ STEP = 0.1          # seconds
 
 @dataclass
 class RawTrack:
-    """One road user of SUMO: front points on consecutive steps."""
+    """SUMO's data of one road user: front points, yaws and speeds on consecutive steps."""
     name: str
     kind: str
     first_step: int
@@ -21,13 +21,13 @@ class RawTrack:
     speeds: list = field(default_factory=list)
 
     def index_at(self, step):
-        """The index of a step, or None when the road user is not there."""
+        """Return the index of a step, or None if the road user is absent then."""
         index = step - self.first_step
         return index if 0 <= index < len(self.points) else None
 
 
 def run_tool(command, folder):
-    """Runs a tool in a folder; its output is shown only when it fails."""
+    """Run a tool in a folder; raise RuntimeError with its output if it fails."""
     done = subprocess.run(command, cwd=folder, text=True, capture_output=True, check=False)
     if done.returncode != 0:
         raise RuntimeError(f"{command[0]} failed:\n{done.stdout}{done.stderr}")
@@ -35,13 +35,13 @@ def run_tool(command, folder):
 
 
 def tool_version(tool):
-    """The first line of a tool's --version, e.g. 'Eclipse SUMO sumo Version 1.15.0'."""
+    """Return the first line of a tool's --version, e.g. 'Eclipse SUMO sumo Version 1.15.0'."""
     done = subprocess.run([tool, "--version"], text=True, capture_output=True, check=True)
     return done.stdout.splitlines()[0]
 
 
 def build_network(town, folder):
-    """Writes the plain-XML sources of a town and has netconvert join them."""
+    """Write the plain-XML sources of a town and convert them by netconvert; return the path."""
     writer = TownWriter(town)
     (folder / "town.nod.xml").write_text(writer.nodes_xml())
     (folder / "town.edg.xml").write_text(writer.edges_xml())
@@ -56,7 +56,7 @@ def build_network(town, folder):
 
 
 def simulate(town, folder):
-    """Runs the town's traffic and returns every road user's track by name."""
+    """Simulate the town's traffic; return the tracks of all road users by name."""
     run_tool(["sumo", "--net-file", "town.net.xml", "--route-files", "traffic.rou.xml",
               "--step-length", str(STEP), "--end", str(WARM_UP + RECORDED),
               "--seed", str(town.seed), "--lanechange.duration", "4",
@@ -68,7 +68,7 @@ def simulate(town, folder):
 
 
 def read_tracks(path):
-    """Reads SUMO's floating car data. Yaws are in radians, 0 along x (east)."""
+    """Read SUMO's floating car data. Yaws are in radians, 0 along x (east)."""
     tracks = {}
     for _, step in ElementTree.iterparse(path):
         if step.tag != "timestep":

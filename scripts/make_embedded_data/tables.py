@@ -28,12 +28,12 @@ TABLES = ("attribute", "calibrated_sensor", "category", "ego_pose", "instance", 
 
 
 def rotation(yaw):
-    """A yaw as a quaternion w, x, y, z."""
+    """Return a yaw as a quaternion w, x, y, z."""
     return [round(math.cos(yaw / 2.0), 9), 0.0, 0.0, round(math.sin(yaw / 2.0), 9)]
 
 
 def neighbours(tokens, i):
-    """The prev and next fields of the i-th of a chain of rows."""
+    """Return the fields prev and next of row i in a chain."""
     return {"prev": tokens[i - 1] if i > 0 else "",
             "next": tokens[i + 1] if i + 1 < len(tokens) else ""}
 
@@ -50,7 +50,7 @@ def attribute_of(motion, step):
 
 
 def fixed_tables(recordings):
-    """The tables that describe the vocabulary rather than a drive."""
+    """Return the tables that do not depend on a drive."""
     categories = sorted({kind.category for name, kind in KINDS.items() if name != EGO})
     locations = sorted({recording.spec.location for recording in recordings})
     logs = {location: log_tokens(recordings, location) for location in locations}
@@ -117,7 +117,7 @@ class SceneTables:
                                                     self.recording.keyframes()))]
 
     def drive(self):
-        """Ego poses and the lidar messages that point to them, ten a second."""
+        """Return ego poses and the lidar messages that refer to them, at 10 Hz."""
         steps = self.recording.steps()
         tokens = [token("sample_data", self.name, i) for i in range(len(steps))]
         poses, data = [], []
@@ -138,7 +138,7 @@ class SceneTables:
         return poses, data
 
     def agents(self):
-        """Instances and their annotations on the keyframes where they are near."""
+        """Return instances and their annotations on the keyframes where they are near."""
         seen = {}
         for i, step in enumerate(self.recording.keyframes()):
             for motion in self.recording.near(step):
@@ -173,7 +173,7 @@ class SceneTables:
 
 
 def all_tables(recordings):
-    """Every table by name, each a list of rows."""
+    """Return every table by name, each a list of rows."""
     tables = {name: [] for name in TABLES}
     tables.update(fixed_tables(recordings))
     for number, recording in enumerate(recordings):

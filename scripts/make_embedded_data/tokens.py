@@ -3,5 +3,5 @@ import hashlib
 
 
 def token(*parts):
-    """The 32 hexadecimal digits that stand for a name."""
+    """Return the MD5 hash of a name, 32 hexadecimal digits."""
     return hashlib.md5(" ".join(str(part) for part in parts).encode()).hexdigest()

@@ -25,8 +25,8 @@ SIDEWALK_WIDTH = 2.0
 RING_CENTRE = (400.0, 850.0)
 RING_RADIUS = 20.0
 RING_HALF_ANGLE = math.radians(25.0)   # from an arm's axis to its entry and exit
-RING_ENTRY_TURN = math.radians(35.0)   # how far an entry has turned at the ring
-ARM_SPLIT_DISTANCE = 60.0              # centre of the ring to the splitter
+RING_ENTRY_TURN = math.radians(35.0)   # turn of an entry before it meets the ring
+ARM_SPLIT_DISTANCE = 60.0              # metres from the centre of the ring to the split of an arm
 CURVE_RADIUS = 45.0
 STREET_CORNER_RADIUS = 9.0
 RING_CORNER_RADIUS = 1.5
@@ -83,7 +83,7 @@ TOWNS = (
 
 
 def arc_points(centre, radius, start_deg, end_deg, count):
-    """Points on a circle from one angle to another, both ends included."""
+    """Return points on a circle from one angle to another, both ends included."""
     angles = [math.radians(start_deg + (end_deg - start_deg) * i / (count - 1))
               for i in range(count)]
     return tuple((centre[0] + radius * math.cos(a), centre[1] + radius * math.sin(a))
@@ -91,7 +91,7 @@ def arc_points(centre, radius, start_deg, end_deg, count):
 
 
 def streets(town):
-    """All two-way roads of the town."""
+    """Return all two-way roads of the town."""
     bend = arc_points((1020.0 - CURVE_RADIUS, 850.0 + CURVE_RADIUS), CURVE_RADIUS, -90, 0, 31)
     arterial = dict(lanes=town.arterial_lanes, speed=13.9, priority=5, sidewalk=True,
                     bike_lane=True)
@@ -108,7 +108,7 @@ def streets(town):
 
 
 def bezier(p0, p1, p2, p3, count):
-    """Points of a cubic Bezier curve, both ends included."""
+    """Return points of a cubic Bezier curve, both ends included."""
     points = []
     for i in range(count):
         t = i / (count - 1)
@@ -119,7 +119,7 @@ def bezier(p0, p1, p2, p3, count):
 
 
 def entry_line():
-    """The way into the ring on the arm along +x, around a ring at the origin."""
+    """Return the entry lane of the arm along +x, for a ring at the origin."""
     start = (ARM_SPLIT_DISTANCE, LANE_WIDTH / 2)
     end = (RING_RADIUS * math.cos(RING_HALF_ANGLE), RING_RADIUS * math.sin(RING_HALF_ANGLE))
     heading = math.pi - RING_ENTRY_TURN
@@ -128,14 +128,14 @@ def entry_line():
 
 
 def rotated(line, degrees):
-    """A line around the origin, turned and moved to the ring's centre."""
+    """Return a line that is rotated around the origin, then moved to the ring's centre."""
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     return tuple((RING_CENTRE[0] + c * x - s * y, RING_CENTRE[1] + s * x + c * y)
                  for x, y in line)
 
 
 def ring_roads():
-    """The ring (counter-clockwise) with its entries and exits."""
+    """Return the roads of the ring (counter-clockwise) with its entries and exits."""
     half = math.degrees(RING_HALF_ANGLE)
     entry = entry_line()
     exit_line = tuple((x, -y) for x, y in reversed(entry))
@@ -156,7 +156,7 @@ def ring_roads():
 
 
 def all_nodes():
-    """Return the named nodes and the nodes of the roundabout: name -> (x, y, type)."""
+    """Return all nodes, including the roundabout's: name -> (x, y, type)."""
     nodes = dict(NODES)
     for road in ring_roads():
         nodes[road.start] = (*road.line[0], "priority")
@@ -174,7 +174,7 @@ class TownWriter:
         self.town = town
 
     def place(self, point):
-        """A point of the right-hand town in this town, as SUMO writes it."""
+        """Return the coordinates in this town of a point in the right-hand town, as text."""
         x = MIRROR_SUM - point[0] if self.town.left_hand else point[0]
         return f"{x:.4f}", f"{point[1]:.4f}"
 
@@ -190,7 +190,7 @@ class TownWriter:
         return wrap("nodes", rows)
 
     def street_rows(self, street):
-        """Both directions of a street."""
+        """Yield the edges of both directions of a street."""
         nodes = all_nodes()
         line = [nodes[street.start][:2], *street.curve, nodes[street.end][:2]]
         for start, end, points in ((street.start, street.end, line),
@@ -211,7 +211,7 @@ class TownWriter:
         return wrap("edges", rows)
 
     def connections_xml(self):
-        """Pedestrian crossings; netconvert works out the lane connections."""
+        """Return the pedestrian crossings; netconvert computes the lane connections."""
         rows = [f'<crossing node="S" edges="{a}_S S_{a}" priority="true" width="3"/>'
                 for a in ("W", "E", "D", "U")]
         rows += [f'<crossing node="U" edges="{a}_U U_{a}" priority="true" width="3"/>'

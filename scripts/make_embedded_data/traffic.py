@@ -1,4 +1,4 @@
-"""Traffic of the towns: vehicle types, trips and walks, as a SUMO route file."""
+"""The traffic of a town as a SUMO route file: vehicle types, trips and walks."""
 import random
 from dataclasses import dataclass
 
@@ -23,7 +23,7 @@ class Kind:
 
 EGO = "ego"
 PEDESTRIAN = "pedestrian"
-PARKED = "parked"       # how the names of parked cars start
+PARKED = "parked"       # prefix of the names of parked cars
 KINDS = {
     EGO: Kind("vehicle.car", "passenger", 4.084, 1.730, 1.562, 0.657, 2.588, 20.0),
     "car_small": Kind("vehicle.car", "passenger", 4.21, 1.77, 1.49, 0.75, 2.58, 20.0, 2.4),
@@ -62,7 +62,7 @@ EGO_PERIOD = 24.0   # seconds between ego candidates on one route
 
 
 def vehicle_types():
-    """SUMO's vType elements, one for each kind."""
+    """Yield SUMO's vType elements, one for each kind."""
     for name, kind in KINDS.items():
         motion = f'maxSpeed="{kind.max_speed}"'
         if name != PEDESTRIAN:
@@ -73,7 +73,7 @@ def vehicle_types():
 
 
 def departures(rng, per_hour):
-    """Times of a flow over the simulation: a steady headway, shaken by half of itself."""
+    """Yield departure times of a flow: a constant period with random shifts of up to a quarter."""
     period = 3600.0 / per_hour
     time = rng.uniform(0.0, period)
     while time < WARM_UP + RECORDED:
@@ -86,7 +86,7 @@ def pick_kind(rng):
 
 
 def vehicle_trips(town, rng):
-    """(departure, kind, from, to) of all vehicles but the ego candidates."""
+    """Yield (departure, kind, from, to) of all vehicles but the ego candidates."""
     demand = [(a, b, n * town.arterial_lanes) for a, b, n in ARTERIAL_DEMAND] + list(DEMAND)
     for start, end, per_hour in demand:
         for time in departures(rng, per_hour):
@@ -97,7 +97,7 @@ def vehicle_trips(town, rng):
 
 
 def traffic_xml(town, ego_routes):
-    """The route file. Ego candidates are named ego:FROM:TO:NUMBER."""
+    """Return the route file. Ego candidates are named ego:FROM:TO:NUMBER."""
     rng = random.Random(town.seed)
     rows = []
     for number, (time, kind, start, end) in enumerate(vehicle_trips(town, rng)):

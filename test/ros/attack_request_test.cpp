@@ -5,7 +5,7 @@
 namespace forge {
 namespace {
 
-TEST(AttackRequest, TellsWhatWasAskedForAndWithWhat) {
+TEST(AttackRequest, RecordsRequestMethodAndConfiguration) {
   CollisionRequest request;
   request.type = CollisionType::kRearEnd;
   request.tta = 4.0;

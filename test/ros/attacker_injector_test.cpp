@@ -47,7 +47,7 @@ collision_forge::AgentArray frame(double time, double height) {
   return message;
 }
 
-TEST(AttackerInjector, TheAttackerDrivesItsTrajectoryAndSlidesToAStandAfterwards) {
+TEST(AttackerInjector, TheAttackerDrivesItsTrajectoryAndThenBrakesToAStandstill) {
   AttackerInjector injector(trajectory(), limits());
   EXPECT_EQ(injector.inject(frame(10.0, 1.6)), frame(10.0, 1.6));
   const auto injected = injector.inject(frame(10.5, 1.7));
@@ -65,7 +65,7 @@ TEST(AttackerInjector, TheAttackerDrivesItsTrajectoryAndSlidesToAStandAfterwards
   }
 }
 
-TEST(AttackerInjector, OneThatWasRecordedTwiceIsThereOnce) {
+TEST(AttackerInjector, AnAttackerRecordedTwiceAppearsOnce) {
   AttackerInjector injector(trajectory(), limits());
   auto recorded = frame(10.5, 1.6);
   recorded.agents.push_back(recorded.agents[1]);
@@ -87,7 +87,7 @@ collision_forge::AttackerTrajectory addedTrajectory() {
   return message;
 }
 
-TEST(AttackerInjector, OneThatWasAddedIsANewAgentFromItsFirstStateOn) {
+TEST(AttackerInjector, AnAddedAttackerIsANewAgentFromItsFirstStateOn) {
   AttackerInjector injector(addedTrajectory(), limits());
   EXPECT_EQ(injector.inject(frame(8.5, 1.6)), frame(8.5, 1.6));
   double x = -10.0;
@@ -106,7 +106,7 @@ TEST(AttackerInjector, OneThatWasAddedIsANewAgentFromItsFirstStateOn) {
   }
 }
 
-TEST(AttackerInjector, TheTrajectoryIsLeftAtTheContact) {
+TEST(AttackerInjector, ThePostCrashMotionReplacesTheTrajectoryAtTheContact) {
   AttackerInjector injector(trajectory(), limits());
   const CrashedVehicle crashed{AgentClass::kCar, {4.5, 2.0}, {10.5, {5.0, 0.0, 0.0}, {0.0, 5.0}}};
   injector.setCrash(PostCrashMotion(crashed, crashed, limits()));  // stands after 1 s and 2.5 m
@@ -121,7 +121,7 @@ TEST(AttackerInjector, TheTrajectoryIsLeftAtTheContact) {
   EXPECT_EQ(injector.inject(frame(11.0, 1.6)).agents[1].pose.position.x, 10.0);
 }
 
-TEST(AttackerInjector, ATrajectoryOfAnotherAttackIsNoChange) {
+TEST(AttackerInjector, ATrajectoryOfAnotherAttackChangesNothing) {
   AttackerInjector injector(trajectory(), limits());
   auto of_another = trajectory();
   of_another.attacker_id = "other";

@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(Compressions, BagCheck,
                          testing::Values(rosbag::compression::Uncompressed,
                                          rosbag::compression::BZ2, rosbag::compression::LZ4));
 
-TEST_P(BagCheck, SoundBagsPass) {
+TEST_P(BagCheck, ValidBagsPass) {
   EXPECT_EQ(complaint(), "");
   EXPECT_EQ(countMessages(), 40u);
 }
@@ -96,14 +96,14 @@ TEST_P(BagCheck, AFileThatIsNoBagIsCalledSo) {
   }
 }
 
-TEST_P(BagCheck, BagsOfOtherVersionsAndNamesAreRefused) {
+TEST_P(BagCheck, BagsOfOtherVersionsAndNamesAreRejected) {
   for (const char* line : {"#ROSBAG V1.2\n", "#ROSG V2.0\n", "#ROSRECORD V2.0\n"}) {
     write(line + withLength(0x7fffffff, std::strlen("#ROSBAG V2.0\n")));
-    EXPECT_EQ(complaint(), path_ + ": is no bag of version 2.0") << line;
+    EXPECT_EQ(complaint(), path_ + ": is not a bag of version 2.0") << line;
   }
 }
 
-TEST_P(BagCheck, PlacesWhereNothingIsAreRefused) {
+TEST_P(BagCheck, OffsetsToMissingRecordsAreRejected) {
   std::string bytes = bytes_;
   bytes[bytes.find("index_pos=") + std::strlen("index_pos=")] ^= 1;
   write(bytes);
@@ -111,10 +111,10 @@ TEST_P(BagCheck, PlacesWhereNothingIsAreRefused) {
   bytes = bytes_;
   bytes[bytes.find("chunk_pos=") + std::strlen("chunk_pos=")] ^= 1;
   write(bytes);
-  EXPECT_THAT(complaint(), HasSubstr("names a chunk where there is none"));
+  EXPECT_THAT(complaint(), HasSubstr("refers to a chunk that does not exist"));
 }
 
-TEST_P(BagCheck, LengthsOfArraysInAMessage) {
+TEST_P(BagCheck, WrongArrayLengthsInAMessageAreRejected) {
   rosbag::Bag bag(path_, rosbag::bagmode::Write);
   bag.setCompression(GetParam());
   collision_forge::AgentArray agents;
@@ -138,7 +138,7 @@ TEST_P(BagCheck, LengthsOfArraysInAMessage) {
   EXPECT_THAT(complaint(), HasSubstr("collision_forge/AgentArray: the bytes of a message end"));
 }
 
-TEST_P(BagCheck, WhatPassesIsReadWithoutHarm) {
+TEST_P(BagCheck, BagsThatPassAreReadWithoutCrash) {
   const unsigned seed = 20261125;
   SCOPED_TRACE("seed " + std::to_string(seed));
   std::mt19937 random(seed);

@@ -77,7 +77,7 @@ class BagReaderTest : public testing::Test {
   const std::string path_ = folder_.path() + "/drive.bag";
 };
 
-TEST_F(BagReaderTest, OfPosesAndFramesOfOneInstantTheFirstIsKept) {
+TEST_F(BagReaderTest, KeepsTheFirstOfPosesAndFramesAtOneTime) {
   // Half a metre in a microsecond would be more than any vehicle drives.
   const ros::Time twin(101, 400);
   write({poseAt(twin, 0.4), poseAt(ros::Time(101, 1000), 0.4)}, twin);

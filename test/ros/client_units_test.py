@@ -156,12 +156,12 @@ class ResultsTest(unittest.TestCase):
         self.assertEqual(outcome.nuplan['score'], 0.5)
         self.assertEqual(len(outcome.nuplan), 8)
         self.assertEqual(outcome.summary(), 'touches the attacker ann after 4.25 s at 3.0 m/s, '
-                                            'avoidable up to 2.0 s by braking')
+                                            'avoidable up to 2.0 s after t0 by braking')
 
     def test_an_outcome_says_how_a_hit_could_have_been_avoided(self):
         for manoeuvre, moment, policy, words in (
                 ('braking', 0.0, 'fixed', 'avoidable at once by braking'),
-                ('both', 2.5, 'fixed', 'avoidable up to 2.5 s by braking and steering'),
+                ('both', 2.5, 'fixed', 'avoidable up to 2.5 s after t0 by braking and steering'),
                 ('keeping', 0.0, 'fixed', 'avoidable by driving as recorded'),
                 ('keeping', 0.0, 'adaptive', 'avoidable by keeping its speed'),
                 ('keeping', 1.5, 'adaptive', 'avoidable by keeping its speed from 1.5 s after t0 on')):

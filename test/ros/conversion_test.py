@@ -113,12 +113,12 @@ class ResumeTest(road.RoadTest):
             os.utime(str(bag), (0, 0))  # s; long ago: whatever writes the file again changes it
         second = road.convert(self.folder, '--scene', 'scene-0001', 'scene-0002')
         self.assertEqual(second.returncode, 0, second.stderr)
-        self.assertIn('0 scenes to convert, 2 converted before', second.stderr)
+        self.assertIn('0 scenes to convert, 2 already converted', second.stderr)
         self.assertEqual([bag.stat().st_mtime for bag in bags], [0, 0])
 
         bags[1].unlink()
         third = road.convert(self.folder, '--scene', 'scene-0001', 'scene-0002')
-        self.assertIn('1 scene to convert, 1 converted before', third.stderr)
+        self.assertIn('1 scene to convert, 1 already converted', third.stderr)
         self.assertEqual(bags[0].stat().st_mtime, 0)
         self.assertTrue(bags[1].exists())
 

@@ -12,7 +12,7 @@
 namespace forge {
 namespace {
 
-TEST(StampOf, GivesEveryTimeOfTodayBack) {
+TEST(StampOf, RestoresEveryTimeOfToday) {
   const double first = 1532402927.647951;  // s
   for (int i = 0; i < 10000; ++i) {
     const double time = first + 0.1 * i / 7.0;
@@ -20,7 +20,7 @@ TEST(StampOf, GivesEveryTimeOfTodayBack) {
   }
 }
 
-TEST(StampOf, TakesTheMicrosecondAmongStampsOfOneTime) {
+TEST(StampOf, RoundsToAWholeMicrosecond) {
   EXPECT_EQ(stampOf(1.000001), ros::Time(1, 1000));
   EXPECT_EQ(stampOf(1.0000014), ros::Time(1, 1400));
   EXPECT_EQ(stampOf(0.0), ros::Time(0, 0));
@@ -121,7 +121,7 @@ std::string complaintAbout(const collision_forge::AttackerTrajectory& message) {
   return "";
 }
 
-TEST(AttackerTrajectoryMessage, MustBeOfNumbersWhoseTimesGrow) {
+TEST(AttackerTrajectoryMessage, MustHaveFiniteNumbersAndIncreasingTimes) {
   EXPECT_EQ(fromMessage(drivenFor(4)).points.size(), 4u);
   EXPECT_TRUE(fromMessage(drivenFor(0)).points.empty());
   auto message = drivenFor(4);
@@ -135,13 +135,14 @@ TEST(AttackerTrajectoryMessage, MustBeOfNumbersWhoseTimesGrow) {
   EXPECT_EQ(complaintAbout(message), "attacker a: size is not positive");
   message = drivenFor(4);
   message.points[3].stamp = message.points[2].stamp;
-  EXPECT_EQ(complaintAbout(message), "attacker a: points[3].stamp is not after the one before");
+  EXPECT_EQ(complaintAbout(message),
+            "attacker a: points[3].stamp is not later than the previous one");
   message = drivenFor(4);
   message.agent_class = 200;
   EXPECT_NE(complaintAbout(message), "");
 }
 
-TEST(AttackerTrajectoryMessage, HasAPastIfItWasAdded) {
+TEST(AttackerTrajectoryMessage, HasAPastIfTheAttackerWasAdded) {
   auto message = drivenFor(2);
   for (const double time : {9.0, 9.5, 10.0}) {
     message.past.emplace_back();
@@ -158,7 +159,8 @@ TEST(AttackerTrajectoryMessage, HasAPastIfItWasAdded) {
   EXPECT_TRUE(again.added);
   EXPECT_EQ(again.past, message.past);
   message.past[2].stamp = message.past[1].stamp;
-  EXPECT_EQ(complaintAbout(message), "attacker a: past[2].stamp is not after the one before");
+  EXPECT_EQ(complaintAbout(message),
+            "attacker a: past[2].stamp is not later than the previous one");
   message.past[1].pose.x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(complaintAbout(message), "attacker a: past[1] is not finite");
   message.past.clear();
@@ -173,7 +175,7 @@ collision_forge::CollisionRequest leadBrakes() {
   return message;
 }
 
-TEST(CollisionRequestMessage, SaysWhatIsNotAsConfigured) {
+TEST(CollisionRequestMessage, OverridesTheConfiguredCrashDefinition) {
   CrashDefinition configured;
   configured.believable = false;
   configured.time_tolerance = 0.25;
@@ -208,7 +210,7 @@ TEST(CollisionRequestMessage, SaysWhatIsNotAsConfigured) {
   EXPECT_EQ(request.alternatives, 4);
 }
 
-TEST(CollisionRequestMessage, NamesFieldAndValueOfAWordThatMeansNothing) {
+TEST(CollisionRequestMessage, NamesFieldAndValueOfAnUnknownWord) {
   using Message = collision_forge::CollisionRequest;
   const std::pair<const char*, std::string Message::*> fields[] = {
       {"choice", &Message::choice},
@@ -229,7 +231,7 @@ TEST(CollisionRequestMessage, NamesFieldAndValueOfAWordThatMeansNothing) {
   }
 }
 
-TEST(CollisionRequestMessage, WordsMayBeInCapitals) {
+TEST(CollisionRequestMessage, WordsIgnoreCase) {
   auto message = leadBrakes();
   message.collision_type = "Rear_End";
   message.choice = "Existing";
@@ -257,7 +259,7 @@ TEST(CollisionRequestMessage, WordsMayBeInCapitals) {
   }
 }
 
-TEST(CollisionRequestMessage, HistoryOfAnAdaptiveAttackerIsModeAdaptive) {
+TEST(CollisionRequestMessage, HistoryWithAdaptiveSetIsModeAdaptive) {
   collision_forge::GenerateCollision::Request asked;
   asked.adaptive = true;
   for (const char* mode : {"", "history", "HISTORY", "adaptive"}) {
@@ -273,7 +275,7 @@ TEST(CollisionRequestMessage, HistoryOfAnAdaptiveAttackerIsModeAdaptive) {
   EXPECT_EQ(requestIn(asked).mode, "history");
 }
 
-TEST(CollisionRequestMessage, AnAdaptiveAttackerSetsOutHoweverLittleItPromises) {
+TEST(CollisionRequestMessage, AdaptiveRequestsHaveNoMinimumConfidence) {
   CrashDefinition configured;
   configured.min_confidence = 0.3;
   auto message = leadBrakes();
@@ -282,13 +284,13 @@ TEST(CollisionRequestMessage, AnAdaptiveAttackerSetsOutHoweverLittleItPromises) 
   EXPECT_EQ(std::get<CollisionRequest>(fromMessage(message, configured)).crash.min_confidence, 0.0);
 }
 
-TEST(AttackMessage, AWholeAttackIsReadBack) {
+TEST(AttackMessage, AnAttackIsReadBackCompletely) {
   const double now = 1531883530.949817;
   const Attack attack = wholeAttack(now);
   expectSame(fromMessage(toMessage(attack, "search", now)), attack);
 }
 
-TEST(AttackMessage, NamesAWordThatMeansNothing) {
+TEST(AttackMessage, NamesAnUnknownWord) {
   const double now = 1531883530.949817;
   collision_forge::Attack message = toMessage(wholeAttack(now), "search", now);
   message.report.ego_side = "top";
@@ -300,7 +302,7 @@ TEST(AttackMessage, NamesAWordThatMeansNothing) {
   }
 }
 
-TEST(AttackMessage, TellsWhatTheAttackerDecidedLast) {
+TEST(AttackMessage, HasTheLastDecisionOfTheAttacker) {
   collision_forge::Attack message;
   setPlans({{10.0, 10.0, AttackerPhase::kAttacking, "sets out", {}},
             {12.0, 12.3, AttackerPhase::kDrivingOn, "the ego jumped", {}}},

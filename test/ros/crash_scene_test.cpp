@@ -122,7 +122,7 @@ TEST(CrashScene, ShowsBoxesOnTheGroundWithLabels) {
   EXPECT_THAT(entityOf(update, "agent cone").texts, IsEmpty());
 }
 
-TEST(CrashScene, ShowsTheWayToTheContactAndWhereItIs) {
+TEST(CrashScene, ShowsThePathToTheContactAndTheContactPoint) {
   const SceneUpdate update = attackedAt(kNow + 0.5);
   const SceneEntity& shown = entityOf(update, "attack");
   ASSERT_EQ(shown.lines.size(), 3U) << "the way and both boxes";

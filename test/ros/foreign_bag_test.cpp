@@ -257,7 +257,7 @@ class ForeignBagTest : public testing::Test {
   std::vector<std::string> warnings_;
 };
 
-TEST_F(ForeignBagTest, DerivedObjectsAreARecording) {
+TEST_F(ForeignBagTest, DerivedObjectsBecomeARecording) {
   objects_[1].objects.push_back(objectAt(9, 1.1));
   objects_[1].objects.back().classification = 4;
   objects_[2].objects.clear();
@@ -285,7 +285,7 @@ TEST_F(ForeignBagTest, DerivedObjectsAreARecording) {
 }
 
 /// A bag of ours, by what it holds for other tools.
-TEST_F(ForeignBagTest, OurOwnBagsComeBack) {
+TEST_F(ForeignBagTest, BagsOfThisPackageAreReadBack) {
   write();
   const NuScenesRecording recording = read();
   LaneMap map;
@@ -351,7 +351,7 @@ ForeignMessage trackedObjectsAt(double time) {
   return {kTrackedObjects, kTrackedObjectsDefinition, bytes};
 }
 
-TEST_F(ForeignBagTest, AutowaresObjectsAreARecording) {
+TEST_F(ForeignBagTest, AutowareObjectsBecomeARecording) {
   mapping_ = shipped("autoware");
   write("/localization/kinematic_state", ego_, "/perception/object_recognition/tracking/objects",
         std::vector<ForeignMessage>{trackedObjectsAt(1.0), trackedObjectsAt(1.1)});
@@ -494,11 +494,11 @@ TEST_F(ForeignBagTest, AgentsThatCannotBeUsedAreLeftOut) {
   EXPECT_EQ(agents[2].instance, "6");
   EXPECT_THAT(
       warnings_,
-      ElementsAre("3 agents that are not a number or have no size left out",
-                  "1 agents without an id, or with that of another one or the ego left out"));
+      ElementsAre("3 agents that are not finite or have no size left out",
+                  "1 agents without an id, or with the id of another agent or the ego left out"));
 }
 
-TEST_F(ForeignBagTest, AVelocityThatIsNotFiniteCostsNoAgent) {
+TEST_F(ForeignBagTest, ANonFiniteVelocityKeepsTheAgent) {
   for (auto& frame : objects_) {
     for (auto& object : frame.objects) object.velocity.x = std::nan("");
   }
@@ -521,15 +521,16 @@ TEST_F(ForeignBagTest, StampsThatGoBackOrAreNotSetAreLeftOut) {
   const NuScenesRecording recording = read();
   EXPECT_EQ(recording.ego_poses.size(), 3U);
   EXPECT_EQ(recording.frames.size(), 3U);
-  EXPECT_THAT(warnings_,
-              ElementsAre("1 ego poses that are not a number left out",
-                          "1 ego poses whose stamp is before the last one's left out",
-                          "1 ego poses whose stamp is not set left out",
-                          "1 frames of agents whose stamp is not after the one before left out",
-                          "1 frames of agents whose stamp is not set left out"));
+  EXPECT_THAT(
+      warnings_,
+      ElementsAre("1 ego poses that are not finite left out",
+                  "1 ego poses whose stamp is earlier than the previous one left out",
+                  "1 ego poses whose stamp is not set left out",
+                  "1 frames of agents whose stamp is not later than the previous one left out",
+                  "1 frames of agents whose stamp is not set left out"));
 }
 
-TEST_F(ForeignBagTest, WhatIsNotAsTheMappingSaysIsAnError) {
+TEST_F(ForeignBagTest, BagsThatContradictTheMappingAreErrors) {
   objects_[2].header.frame_id = "base_link";
   write();
   EXPECT_THAT(complaint(),
@@ -551,8 +552,8 @@ TEST_F(ForeignBagTest, WhatIsNotAsTheMappingSaysIsAnError) {
   EXPECT_THAT(complaint(), AllOf(HasSubstr("/odom"), HasSubstr("not a time")));
 }
 
-TEST_F(ForeignBagTest, BagsThatCannotBeReadOrHaveNothingAreErrors) {
-  EXPECT_THAT(complaint(), HasSubstr("cannot be read"));
+TEST_F(ForeignBagTest, UnreadableAndEmptyBagsAreErrors) {
+  EXPECT_THAT(complaint(), HasSubstr("there is no such file"));
   folder_.write("drive.bag", "#ROSBAG V2.0\nnothing");
   EXPECT_NE(complaint(), "");
   ego_ = {odometryAt(0.0)};

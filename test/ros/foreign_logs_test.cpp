@@ -56,7 +56,7 @@ class ForeignLogsTest : public testing::Test {
   SceneReading reading_;
 };
 
-TEST_F(ForeignLogsTest, EveryBagIsASceneWithTheLanesThatItHas) {
+TEST_F(ForeignLogsTest, EveryBagIsASceneWithItsOwnLanes) {
   const auto logs = open();
   EXPECT_THAT(logs->names(), ElementsAre("one", "two"));
   const LoggedScene logged = logs->recording("two");
@@ -67,14 +67,14 @@ TEST_F(ForeignLogsTest, EveryBagIsASceneWithTheLanesThatItHas) {
   EXPECT_EQ(logged.lanes->map().location, "somewhere");
 }
 
-TEST_F(ForeignLogsTest, WantedScenesAloneAreRead) {
+TEST_F(ForeignLogsTest, OnlySelectedScenesAreRead) {
   reading_.scenes = {"two"};
   EXPECT_THAT(open()->names(), ElementsAre("two"));
   reading_.scenes = {"three"};
   EXPECT_THROW(open(), std::runtime_error);
 }
 
-TEST_F(ForeignLogsTest, AMapThatIsGivenTakesThePlaceOfTheBags) {
+TEST_F(ForeignLogsTest, AGivenMapReplacesTheMapOfTheBag) {
   how_.map = kMaps + "embedded-right.json";
   const auto logs = open();
   const LoggedScene logged = logs->recording("one");
@@ -108,7 +108,7 @@ TEST_F(ForeignLogsTest, ABagWithoutLanesNeedsAMap) {
     open()->recording("three");
     FAIL();
   } catch (const BagError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("three.bag: no message on /lane_map; --map"));
+    EXPECT_THAT(error.what(), HasSubstr("three.bag: no message on /lane_map; name a map with --map"));
   }
   how_.map = kMaps + "embedded-right.json";
   EXPECT_EQ(open()->recording("three").recording.frames.size(), 1U);

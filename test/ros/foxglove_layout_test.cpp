@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-TEST(FoxgloveLayout, ArrangesAPanelOfTheSceneAndOneOfTheSpeeds) {
+TEST(FoxgloveLayout, HasA3dViewAndASpeedPlot) {
   const JsonLine json("layout", foxgloveLayout());
   JsonObject root = json.root();
   JsonObject layout = root.object("layout");

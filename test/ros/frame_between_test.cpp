@@ -19,7 +19,7 @@ collision_forge::Agent agent(const std::string& id, double x, double yaw) {
   return agent;
 }
 
-TEST(FrameBetween, HasThoseOfBothFramesAtTheRatio) {
+TEST(FrameBetween, InterpolatesTheAgentsInBothFrames) {
   collision_forge::AgentArray before;
   before.header.stamp = ros::Time(10.0);
   before.header.frame_id = "map";
@@ -42,7 +42,7 @@ TEST(FrameBetween, HasThoseOfBothFramesAtTheRatio) {
   EXPECT_NEAR(std::remainder(yaw - (3.0 + 0.25 * (2.0 * M_PI - 6.0)), 2.0 * M_PI), 0.0, 1e-9);
 }
 
-TEST(FrameAfter, MovesThoseOfTheNewestFrameOnAsTheyMovedAndTurned) {
+TEST(FrameAfter, ExtrapolatesTheAgentsOfTheNewestFrameWithTheirTurnRates) {
   collision_forge::AgentArray before;
   before.header.stamp = ros::Time(10.0);
   before.agents = {agent("turns", 0.0, 0.0), agent("leaves", 0.0, 0.0)};

@@ -30,7 +30,7 @@ class HarnessTest(road.RoadTest):
         code, cases = self.harness(GOOD, '-k', 'not lane_change')
         self.assertEqual(code, 0, cases)
         self.assertEqual(cases['test_something_was_tested'], [])
-        self.assertEqual(cases['test_is_not_hit_where_it_can_escape[scene-0001-rear_end-8.0]'], [])
+        self.assertEqual(cases['test_is_not_hit_if_avoidable[scene-0001-rear_end-8.0]'], [])
 
     def test_fails_where_the_planner_is_hit(self):
         code, cases = self.harness(BAD, '-k', 'lane_change or something')

@@ -213,7 +213,7 @@ const collision_forge::Agent& attackerIn(const collision_forge::AgentArray& fram
   return frame.agents.back();
 }
 
-TEST_F(InjectIntoBagTest, FramesComeTenTimesASecondFromNowOnAndAtTheContact) {
+TEST_F(InjectIntoBagTest, FramesAreWrittenAtTenHertzFromT0OnAndAtTheContact) {
   inject();
   std::vector<double> expected = {8.5, 9.0, 9.5, 10.0};
   for (int i = 1; i <= 20; ++i) expected.push_back(kNow + 0.1 * i);
@@ -226,7 +226,7 @@ TEST_F(InjectIntoBagTest, FramesComeTenTimesASecondFromNowOnAndAtTheContact) {
   for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], expected[i], 1e-6);
 }
 
-TEST_F(InjectIntoBagTest, EverybodyMovesLinearlyAndTheAttackerAlongItsTrajectory) {
+TEST_F(InjectIntoBagTest, AgentsMoveLinearlyAndTheAttackerAlongItsTrajectory) {
   attack_.after_contact = AfterContact::kDriveOn;
   inject();
   for (const auto& frame : frames()) {
@@ -237,7 +237,7 @@ TEST_F(InjectIntoBagTest, EverybodyMovesLinearlyAndTheAttackerAlongItsTrajectory
   }
 }
 
-TEST_F(InjectIntoBagTest, BothStandAtTheSamePlaceToEachOtherAfterTheContact) {
+TEST_F(InjectIntoBagTest, EgoAndAttackerKeepTheirRelativePoseAfterTheContact) {
   inject();
   const double y = 8.0 - 8.0 * (kContact - kNow);
   const auto last = attackerIn(frames().back());
@@ -267,7 +267,7 @@ TEST_F(InjectIntoBagTest, TheEgoIsAsRecordedUpToTheContact) {
   }
 }
 
-TEST_F(InjectIntoBagTest, TheEgoIsThereAtTheContact) {
+TEST_F(InjectIntoBagTest, TheEgoHasAPoseAtTheContact) {
   inject();
   const rosbag::Bag bag(out_, rosbag::bagmode::Read);
   for (const std::string& topic : {std::string(names::kTf), bagTopic(names::kOdometry)}) {
@@ -318,7 +318,7 @@ TEST_F(InjectIntoBagTest, TheBagMayEndShortlyAfterTheContact) {
   }
 }
 
-TEST_F(InjectIntoBagTest, WhoDrivesOnStaysInTheSceneWhereItsTrajectoryEnds) {
+TEST_F(InjectIntoBagTest, AnAttackerThatDrivesOnStaysAfterTheEndOfItsTrajectory) {
   attack_.after_contact = AfterContact::kDriveOn;
   attack_.attack.trajectory = trajectoryUntil(11.0, false);
   inject();
@@ -392,7 +392,7 @@ TEST_F(InjectIntoBagTest, AnotherRecordClockChangesNothingButTheRecordTimes) {
   }
 }
 
-TEST_F(InjectIntoBagTest, ARecordingOfASlowReplayHasTheAttackAtItsStamps) {
+TEST_F(InjectIntoBagTest, ABagRecordedDuringASlowReplayHasTheAttackAtItsStamps) {
   inject();
   const auto expected = frames();
   record_rate_ = 2.0;
@@ -409,7 +409,7 @@ TEST_F(InjectIntoBagTest, ARecordingOfASlowReplayHasTheAttackAtItsStamps) {
 }
 
 /// Without the package that they are of: read by their size alone, see object_array_test.cpp.
-TEST_F(InjectIntoBagTest, ObjectsComeWithEveryFrameOfAgents) {
+TEST_F(InjectIntoBagTest, ObjectsAreWrittenWithEveryFrameOfAgents) {
   inject();
   const rosbag::Bag bag(out_, rosbag::bagmode::Read);
   const rosbag::TopicQuery topic(bagTopic(names::kAgentObjects));
@@ -425,7 +425,7 @@ TEST_F(InjectIntoBagTest, ObjectsComeWithEveryFrameOfAgents) {
   EXPECT_EQ(objects, expected);
 }
 
-TEST_F(InjectIntoBagTest, ABagWithAnAttackIsRefusedByFileAndTopic) {
+TEST_F(InjectIntoBagTest, ABagWithAnAttackIsRejectedNamingFileAndTopic) {
   inject();
   EXPECT_NO_THROW(requireNoAttack(in_));
   try {
@@ -437,7 +437,7 @@ TEST_F(InjectIntoBagTest, ABagWithAnAttackIsRefusedByFileAndTopic) {
   }
 }
 
-TEST_F(InjectIntoBagTest, WhatIsNotFiniteIsLeftOutAndTold) {
+TEST_F(InjectIntoBagTest, NonFiniteEntriesAreDroppedWithAWarning) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   const std::string spoilt = folder_ / "spoilt.bag";
   {
@@ -469,9 +469,9 @@ TEST_F(InjectIntoBagTest, WhatIsNotFiniteIsLeftOutAndTold) {
   const auto warnings =
       injectIntoBag(spoilt, out_, attack_,
                     {ego_, 0.0, config_.attack.verification.drivable, config_.attacked_bag});
-  EXPECT_EQ(warnings, (std::vector<std::string>{"4 entries of /agents that are not finite left out",
-                                                "2 entries of /odom that are not finite left out",
-                                                "2 entries of /tf that are not finite left out"}));
+  EXPECT_EQ(warnings, (std::vector<std::string>{"4 entries of /agents are not finite and left out",
+                                                "2 entries of /odom are not finite and left out",
+                                                "2 entries of /tf are not finite and left out"}));
   for (const auto& message : read<collision_forge::AgentArray>(bagTopic(names::kAgents))) {
     for (const auto& agent : message.agents) {
       EXPECT_NE(agent.id, "spoilt");

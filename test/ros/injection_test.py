@@ -125,7 +125,7 @@ class InjectionTest(road.RoadTest):
         self.assertGreater(len(gif), 10000)
 
     def test_answer_is_printed(self):
-        for text in ('rear_end by ' + self.attacker, 'crash as asked', 'after the contact: both brake to a standstill',
+        for text in ('rear_end by ' + self.attacker, 'crash as requested', 'after the contact: both brake to a standstill',
                      str(self.ended), 'attack.png', 'attack.gif'):
             self.assertIn(text, self.result.stdout)
 
@@ -195,7 +195,7 @@ class RecordedCrashTest(road.RoadTest):
                 if result.returncode == 3:
                     last = result.stderr.splitlines()[-1]
                     self.assertTrue(last.startswith('NOT_AS_ASKED: {} does not show the requested collision: '.format(out)))
-                    self.assertIn('contact not as asked: ' if tested.contact else 'no contact', last)
+                    self.assertIn('contact not as requested: ' if tested.contact else 'no contact', last)
         self.assertIn(3, codes)
 
     def test_a_recording_that_ends_before_the_contact_is_reported_as_such(self):

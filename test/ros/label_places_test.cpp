@@ -9,7 +9,7 @@ namespace {
 
 const OrientedBox kCar{{0.0, 0.0, M_PI / 6}, {4.6, 1.9}};
 
-TEST(LabelPlaces, LieBesideTheirBoxAndOnNoOther) {
+TEST(LabelPlaces, LieBesideTheirBoxAndCoverNoOther) {
   const BoxSize text = textSize("012345", 1.0);
   std::vector<OrientedBox> boxes{kCar};
   for (LabelSide side = freestSide(kCar, text, boxes); side.covered == 0;
@@ -30,7 +30,7 @@ TEST(LabelPlaces, SweepABoxAlongItsVelocity) {
   EXPECT_NEAR(sweptBox(kCar, {0.0, 0.0}, 2.0).center.yaw, kCar.center.yaw, 1e-12);
 }
 
-TEST(LabelPlaces, CoverTheFewestWhereNoneIsFree) {
+TEST(LabelPlaces, CoverTheFewestObstaclesIfNoPlaceIsFree) {
   const BoxSize text = textSize("0", 1.0);
   // Everything is covered once, all but what lies above the car twice.
   const std::vector<OrientedBox> boxes{{{0.0, 0.0, 0.0}, {100.0, 100.0}},

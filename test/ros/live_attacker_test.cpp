@@ -55,7 +55,7 @@ class ForgetfulLiveAttackerTest : public LiveAttackerTest {
   ForgetfulLiveAttackerTest() : LiveAttackerTest(false) {}
 };
 
-TEST_F(ForgetfulLiveAttackerTest, AReplayThatStartsAgainBeginsWithoutTheAttack) {
+TEST_F(ForgetfulLiveAttackerTest, ARestartedReplayDropsTheAttack) {
   setOut();
   see(braking, 0.0, 3.0);
   seeTheStart();
@@ -65,7 +65,7 @@ TEST_F(ForgetfulLiveAttackerTest, AReplayThatStartsAgainBeginsWithoutTheAttack) 
   EXPECT_EQ(published_.size(), before);
 }
 
-TEST_F(LiveAttackerTest, IsForgottenOnceWhereThatIsAskedFor) {
+TEST_F(LiveAttackerTest, IsRemovedOnceOnRequest) {
   setOut();
   EXPECT_TRUE(live_.forget());
   EXPECT_EQ(published_.back(), collision_forge::Attack());
@@ -75,7 +75,7 @@ TEST_F(LiveAttackerTest, IsForgottenOnceWhereThatIsAskedFor) {
   EXPECT_EQ(published_.size(), before);
 }
 
-TEST_F(LiveAttackerTest, SetsOutWithTheAnswer) {
+TEST_F(LiveAttackerTest, StartsWithThePublishedAttack) {
   const collision_forge::Attack first = setOut();
   ASSERT_EQ(published_.size(), 1u);
   EXPECT_EQ(published_[0], first);
@@ -87,7 +87,7 @@ TEST_F(LiveAttackerTest, SetsOutWithTheAnswer) {
   EXPECT_EQ(first.plans, 1u);
 }
 
-TEST_F(LiveAttackerTest, PublishesItAnewWhereItDecidesAndTellsWhatItForesees) {
+TEST_F(LiveAttackerTest, PublishesEveryDecisionWithTheNewPrediction) {
   setOut();
   see(braking, 0.0, 5.5);
   ASSERT_GT(published_.size(), 2u);
@@ -111,7 +111,7 @@ TEST_F(LiveAttackerTest, PublishesItAnewWhereItDecidesAndTellsWhatItForesees) {
   EXPECT_NE(last.report.contact_time, published_[0].report.contact_time);
 }
 
-TEST_F(LiveAttackerTest, SeesWhatCameWhileTheRequestWasAnswered) {
+TEST_F(LiveAttackerTest, ReplaysTheFramesReceivedDuringTheRequest) {
   see(braking, -0.5, 1.5);
   const collision_forge::Attack first = setOut();
   EXPECT_EQ(published_.front(), first);
@@ -121,7 +121,7 @@ TEST_F(LiveAttackerTest, SeesWhatCameWhileTheRequestWasAnswered) {
   EXPECT_EQ(published_.back().trajectory, drivenBy(braking, 5.5));
 }
 
-TEST_F(LiveAttackerTest, SetsOutAnewWhereTheReplayStartsAgain) {
+TEST_F(LiveAttackerTest, StartsAgainWithARestartedReplay) {
   const collision_forge::Attack first = setOut();
   see(braking, 0.0, 3.0);
   ASSERT_GT(published_.back().plans, 1u);
@@ -134,7 +134,7 @@ TEST_F(LiveAttackerTest, SetsOutAnewWhereTheReplayStartsAgain) {
   EXPECT_EQ(published_.back().trajectory, drivenBy(braking, 5.5));
 }
 
-TEST_F(LiveAttackerTest, GivesUpWhereNoFrameComesAnyMore) {
+TEST_F(LiveAttackerTest, AbortsIfNoFrameArrives) {
   setOut();
   see(braking, 0.0, 1.0);
   const std::size_t before = published_.size();
@@ -151,7 +151,7 @@ TEST_F(LiveAttackerTest, GivesUpWhereNoFrameComesAnyMore) {
   EXPECT_EQ(published_.size(), before + 1);
 }
 
-TEST_F(LiveAttackerTest, IsNotBlindWhereTheClockAloneIsFast) {
+TEST_F(LiveAttackerTest, AFastClockAloneDoesNotAbortTheAttack) {
   setOut();
   see(braking, 0.0, 1.0);
   const std::size_t before = published_.size();
@@ -163,7 +163,7 @@ TEST_F(LiveAttackerTest, IsNotBlindWhereTheClockAloneIsFast) {
   }
 }
 
-TEST_F(LiveAttackerTest, AFixedAttackTakesItsPlace) {
+TEST_F(LiveAttackerTest, AFixedAttackReplacesAnAdaptiveOne) {
   setOut();
   see(braking, 0.0, 0.5);
   collision_forge::Attack fixed;

@@ -98,13 +98,13 @@ class LiveInjectorTest : public testing::Test {
   LiveInjector injector_ = injectorThat(AfterContact::kStop);
 };
 
-TEST_F(LiveInjectorTest, WithoutAnAttackFramesPassAtOnceAndAsTheyAre) {
+TEST_F(LiveInjectorTest, WithoutAnAttackFramesPassImmediatelyAndUnchanged) {
   for (const double time : {10.0, 10.5, 10.3, 2.0}) injector_.addFrame(frame(time));
   expectStamps({10.0, 10.5, 10.3, 2.0});
   EXPECT_EQ(published_[1], *frame(10.5));
 }
 
-TEST_F(LiveInjectorTest, AnAttackIsThereAtTheRateOfBagsAndRecordedFramesKeepTheirStamps) {
+TEST_F(LiveInjectorTest, PublishesAtTheFrameRateOfBagsAndKeepsRecordedStamps) {
   ASSERT_EQ(config_.attacked_bag.frame_rate, 10.0);
   play(9.0, 10.0);
   injector_.setAttack(attack());
@@ -116,7 +116,7 @@ TEST_F(LiveInjectorTest, AnAttackIsThereAtTheRateOfBagsAndRecordedFramesKeepThei
   EXPECT_NEAR(agentAt(10.7, "other").pose.position.x, 4.0 * 10.7, 1e-5);
 }
 
-TEST_F(LiveInjectorTest, TheStampsAreTheSameInWhateverOrderEgoAndAgentsCome) {
+TEST_F(LiveInjectorTest, StampsDoNotDependOnTheOrderOfEgoAndAgents) {
   for (const bool is_ego_first : {true, false}) {
     injector_ = injectorThat(AfterContact::kStop);
     play(9.0, 10.0);
@@ -132,7 +132,7 @@ TEST_F(LiveInjectorTest, TheStampsAreTheSameInWhateverOrderEgoAndAgentsCome) {
   }
 }
 
-TEST_F(LiveInjectorTest, FramesComeWithTheEgoAndNoneAreMadeUpWhereARecordedOneIsAwaited) {
+TEST_F(LiveInjectorTest, FramesWaitForTheEgoAndAreNotExtrapolatedPastARecordedOne) {
   play(9.0, 10.0);
   injector_.setAttack(attack());
   published_.clear();
@@ -145,7 +145,7 @@ TEST_F(LiveInjectorTest, FramesComeWithTheEgoAndNoneAreMadeUpWhereARecordedOneIs
       {10.1, 10.2, 10.3, 10.4, 10.45, 10.55});  // too late for its stamp, and a shorter gap
 }
 
-TEST_F(LiveInjectorTest, AtTheContactTheAttackerBeginsToSlideToAStand) {
+TEST_F(LiveInjectorTest, TheAttackerBrakesToAStandstillFromTheContactOn) {
   is_in_the_way_ = true;
   play(9.0, 10.0);
   injector_.setAttack(attack());
@@ -171,7 +171,7 @@ TEST_F(LiveInjectorTest, ALongerEgoIsTouchedEarlier) {
   EXPECT_LT(agentAt(10.8, "a").velocity.x, kSpeed - 1.0);
 }
 
-TEST_F(LiveInjectorTest, ItDrivesOnThroughTheEgoWhereThatIsAskedFor) {
+TEST_F(LiveInjectorTest, WithDriveOnTheAttackerPassesThroughTheEgo) {
   is_in_the_way_ = true;
   injector_ = injectorThat(AfterContact::kDriveOn);
   play(9.0, 10.0);
@@ -180,7 +180,7 @@ TEST_F(LiveInjectorTest, ItDrivesOnThroughTheEgoWhereThatIsAskedFor) {
   EXPECT_NEAR(attackerAt(11.9), 19.0, 1e-5);
 }
 
-TEST_F(LiveInjectorTest, AContactBeforeTheAnswerCameIsFound) {
+TEST_F(LiveInjectorTest, AContactBeforeTheAttackArrivesIsFound) {
   is_in_the_way_ = true;
   play(9.0, 11.5);
   injector_.setAttack(attack());
@@ -189,7 +189,7 @@ TEST_F(LiveInjectorTest, AContactBeforeTheAnswerCameIsFound) {
   EXPECT_LT(attackerAt(14.0), 14.0);
 }
 
-TEST_F(LiveInjectorTest, AReplayThatGoesBackShowsTheAttackAgain) {
+TEST_F(LiveInjectorTest, SteppingBackShowsTheAttackAgain) {
   is_in_the_way_ = true;
   play(9.0, 10.0);
   injector_.setAttack(attack());
@@ -209,7 +209,7 @@ TEST_F(LiveInjectorTest, AReplayThatGoesBackShowsTheAttackAgain) {
   }
 }
 
-TEST_F(LiveInjectorTest, AnAttackerThatReactsFollowsItsNewestTrajectoryUpToItsContact) {
+TEST_F(LiveInjectorTest, AnAdaptiveAttackerFollowsItsNewestTrajectoryUpToTheContact) {
   is_in_the_way_ = true;
   auto changed = attack();
   for (auto& point : changed.trajectory.points) {

@@ -89,14 +89,14 @@ class LiveSceneTest : public testing::Test {
   LiveScene live_;
 };
 
-TEST_F(LiveSceneTest, NamesWhatCanAttackNearTheEgoShortly) {
+TEST_F(LiveSceneTest, ShowsShortIdsOfPossibleAttackersNearTheEgo) {
   ASSERT_EQ(shown("ids").size(), 1U);
   EXPECT_EQ(shown("ids")[0].text, "012345");
   for (auto& state : scene_.agents[0].states) state.pose.x += 100.0;
   EXPECT_TRUE(shown("ids").empty());
 }
 
-TEST_F(LiveSceneTest, ShowsNobodyWhoLeftOrHasNoExtent) {
+TEST_F(LiveSceneTest, ShowsNoAgentThatLeftOrHasNoExtent) {
   scene_.agents[0].states.pop_back();
   scene_.agents[1].states.back().pose.theta = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(shown("agents").empty());
@@ -105,7 +105,7 @@ TEST_F(LiveSceneTest, ShowsNobodyWhoLeftOrHasNoExtent) {
   EXPECT_FALSE(shownArea(live_));
 }
 
-TEST_F(LiveSceneTest, ShowsTheAttackerDriveBesideItsRecordedGhost) {
+TEST_F(LiveSceneTest, ShowsTheDrivenAttackerAndItsRecordedGhost) {
   live_.attack = &attack_;
   ASSERT_EQ(shown("attacker").size(), 1U);
   EXPECT_NEAR(shown("attacker")[0].pose.position.x, 22.0, 1e-6);
@@ -118,7 +118,7 @@ TEST_F(LiveSceneTest, ShowsTheAttackerDriveBesideItsRecordedGhost) {
   EXPECT_EQ(shown("words")[0].text.substr(0, 12), "contact in 0");
 }
 
-TEST_F(LiveSceneTest, ShowsTheCrashFromTheContactOnBeforeTheVerdictIsThere) {
+TEST_F(LiveSceneTest, ShowsTheCrashFromTheContactOnEvenBeforeTheVerdict) {
   showCrash(13.2);
   EXPECT_NEAR(shown("attacker")[0].pose.position.x, live_.crash->attackerAt(13.2).pose.x, 1e-6);
   EXPECT_NEAR(shown("ego")[0].pose.position.x, live_.crash->egoAt(13.2).pose.x, 1e-6);
@@ -128,7 +128,7 @@ TEST_F(LiveSceneTest, ShowsTheCrashFromTheContactOnBeforeTheVerdictIsThere) {
   EXPECT_EQ(shown("words")[0].text, "contact; verification follows");
 }
 
-TEST_F(LiveSceneTest, TheContactStaysMarkedWhereTheBoxesTouchedAndTheWordsStandStill) {
+TEST_F(LiveSceneTest, KeepsTheContactMarkAndTheTextInPlaceAfterTheContact) {
   showCrash(13.0);
   const Marker disc = shown("contact")[0];
   const Marker words = shown("words")[0];
@@ -137,7 +137,7 @@ TEST_F(LiveSceneTest, TheContactStaysMarkedWhereTheBoxesTouchedAndTheWordsStandS
   EXPECT_EQ(shown("words")[0].pose, words.pose);
 }
 
-TEST_F(LiveSceneTest, KeepsTheWordsInTheirPlaceWhileOthersPassUnderThem) {
+TEST_F(LiveSceneTest, KeepsTheTextInPlaceWhileOtherAgentsPass) {
   live_.attack = &attack_;
   const auto place_of_words = [this] {
     const auto position = shown("words")[0].pose.position;
@@ -152,7 +152,7 @@ TEST_F(LiveSceneTest, KeepsTheWordsInTheirPlaceWhileOthersPassUnderThem) {
   EXPECT_EQ(place_of_words(), before);
 }
 
-TEST_F(LiveSceneTest, PutsTheVerdictBesideAllThatTheOthersDriveOver) {
+TEST_F(LiveSceneTest, PlacesTheVerdictBesideThePathsOfOtherAgents) {
   showCrash(13.2);
   live_.verdict = &tested_;
   const auto place = [this] {
@@ -170,7 +170,7 @@ TEST_F(LiveSceneTest, PutsTheVerdictBesideAllThatTheOthersDriveOver) {
   EXPECT_EQ(live_.words_obstacles.size(), 1U) << "the attacker is no other";
 }
 
-TEST_F(LiveSceneTest, LooksAtEgoAttackerAndContact) {
+TEST_F(LiveSceneTest, ShowsEgoAttackerAndContact) {
   attack_.report.attacker_at_contact.x = 74.0;
   attack_.report.ego_at_contact.x = 69.0;
   live_.attack = &attack_;

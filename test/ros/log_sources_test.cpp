@@ -50,7 +50,7 @@ class LogSourcesTest : public testing::Test {
   const Config config_ = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
 };
 
-TEST_F(LogSourcesTest, AreKnownByWhatIsThere) {
+TEST_F(LogSourcesTest, AreDetectedByTheirFiles) {
   EXPECT_EQ(logSourceAt(kEmbedded, "v").format, &nuScenesFormat());
   folder_.write("sd_a.pkl", "");
   EXPECT_EQ(logSourceAt(folder_.path(), "").format, &scenarioNetFormat());
@@ -59,7 +59,7 @@ TEST_F(LogSourcesTest, AreKnownByWhatIsThere) {
   EXPECT_EQ(logSourceAt(folder_.path(), "").format, &bagFormat());
 }
 
-TEST_F(LogSourcesTest, BagsGiveTheVeryNumbersOfTheTables) {
+TEST_F(LogSourcesTest, BagsGiveExactlyTheNumbersOfTheTables) {
   writeBagOf("scene-0001");
   writeBagOf("scene-0002");
   SceneSource tables({kEmbedded, ""}, {"scene-0002"}, config_, 1);
@@ -80,7 +80,7 @@ TEST_F(LogSourcesTest, BagsGiveTheVeryNumbersOfTheTables) {
   EXPECT_NEAR(scene.ego.states[5].velocity.x(), expected.ego.states[5].velocity.x(), 1e-9);
 }
 
-TEST_F(LogSourcesTest, ABagIsHeldToTheLimitsOfInput) {
+TEST_F(LogSourcesTest, ABagIsCheckedAgainstTheInputLimits) {
   LoggedScene far = logged("scene-0001");
   far.recording.ego_poses[0].translation.x() = 1e9;
   const std::string path = write(far);
@@ -89,7 +89,7 @@ TEST_F(LogSourcesTest, ABagIsHeldToTheLimitsOfInput) {
                     HasSubstr("outside -100000 to 100000")));
 }
 
-TEST_F(LogSourcesTest, AgentsOfABagBeyondThemAreLeftOut) {
+TEST_F(LogSourcesTest, AgentsBeyondTheInputLimitsAreDropped) {
   LoggedScene large = logged("scene-0001");
   ASSERT_FALSE(large.recording.frames[0].annotations.empty());
   const std::string id = large.recording.frames[0].annotations[0].instance;

@@ -164,13 +164,13 @@ TEST(FillTriangles, CoverAConcavePolygonWithoutItsHole) {
   EXPECT_NEAR(area(fillTriangles(u_shape)), 24.0 - 4.0 - 1.0, 1e-12);
 }
 
-TEST(FillTriangles, AreNoneForNothingAndForNumbersThatAreNot) {
+TEST(FillTriangles, AreEmptyForEmptyAndNonFinitePolygons) {
   EXPECT_TRUE(fillTriangles({}).empty());
   EXPECT_TRUE(fillTriangles({{{0, 0}, {1, 1}}, {}}).empty());
   EXPECT_TRUE(fillTriangles({{{0, 0}, {1, 0}, {kNan, 1}}, {}}).empty());
 }
 
-TEST(MapMarkers, HoldAreaLanesAndConnectorsOnceEach) {
+TEST(MapMarkers, HaveAreaLanesAndConnectorsOnceEach) {
   const MarkerArray array = mapMarkers(junctionMap());
   expectValid(array, 1.0);
   EXPECT_EQ(array.markers.size(), 5U);
@@ -245,7 +245,7 @@ TEST(MapMarkers, KeepEveryCentrelineWithinThreeCentimetresWithFewPoints) {
   }
 }
 
-TEST(AttackMarkers, HoldAGhostEveryHalfSecondUpToContact) {
+TEST(AttackMarkers, HaveAGhostEveryHalfSecondUpToContact) {
   const MarkerArray array = attackMarkers(attack());
   expectValid(array, 10.0);
   const auto ghosts = inNamespace(array, "attacker_ghosts");
@@ -255,14 +255,14 @@ TEST(AttackMarkers, HoldAGhostEveryHalfSecondUpToContact) {
   EXPECT_EQ(inNamespace(array, "attacker_path")[0].points.size(), 2U * 30);
 }
 
-TEST(AttackMarkers, PutTheContactWhereTheBoxesTouch) {
+TEST(AttackMarkers, MarkTheContactWhereTheBoxesTouch) {
   const auto contact = inNamespace(attackMarkers(attack()), "contact");
   ASSERT_EQ(contact.size(), 1U);
   EXPECT_NEAR(contact[0].pose.position.x, 2.3, 0.06);
   EXPECT_LE(std::abs(contact[0].pose.position.y), 0.96);
 }
 
-TEST(AttackMarkers, ShowWhereOneThatWasAddedComesFrom) {
+TEST(AttackMarkers, ShowThePastOfAnAddedAttacker) {
   EXPECT_TRUE(inNamespace(attackMarkers(attack()), "added_past").empty());
   collision_forge::Attack added = attack();
   added.trajectory.added = true;
@@ -296,7 +296,7 @@ std::pair<collision_forge::PredictedPatterns, collision_forge::SceneSnapshot> pr
   return {patterns, scene};
 }
 
-TEST(PatternMarkers, ShowTheFirstOnesFainterAndFainter) {
+TEST(PatternMarkers, ShowTheFirstPatternsIncreasinglyFaint) {
   const auto [patterns, scene] = predicted(7);
   const MarkerArray array = patternMarkers(patterns, scene);
   expectValid(array, 1.0);
@@ -318,17 +318,17 @@ TEST(PatternMarkers, ShowTheFirstOnesFainterAndFainter) {
   }
 }
 
-TEST(CrashMarkers, CountDownAndThenTellTheVerdict) {
+TEST(CrashMarkers, CountDownThenShowTheVerdict) {
   const collision_forge::Attack shown = attack();
   CrashView view;
   view.attack = &shown;
   view.header = header(11.0);
   EXPECT_EQ(inNamespace(crashMarkers(view), "words")[0].text, "contact in 2.0 s");
   view.header = header(13.0);
-  EXPECT_EQ(inNamespace(crashMarkers(view), "words")[0].text.find("contact as asked\n"), 0U);
+  EXPECT_EQ(inNamespace(crashMarkers(view), "words")[0].text.find("contact as requested\n"), 0U);
 }
 
-TEST(CrashMarkers, KeepTheWordsInTheirPlaceWhileTheVehiclesCome) {
+TEST(CrashMarkers, KeepTheTextInPlaceWhileTheVehiclesApproach) {
   const collision_forge::Attack shown = attack();
   CrashView view;
   view.attack = &shown;
@@ -342,7 +342,7 @@ TEST(CrashMarkers, KeepTheWordsInTheirPlaceWhileTheVehiclesCome) {
   EXPECT_EQ(places[2], places[0]);
 }
 
-TEST(CrashMarkers, PutTheWordsBesideTheObstacles) {
+TEST(CrashMarkers, PlaceTheTextBesideTheObstacles) {
   const collision_forge::Attack shown = attack();
   CrashView view;
   view.attack = &shown;
@@ -356,7 +356,7 @@ TEST(CrashMarkers, PutTheWordsBesideTheObstacles) {
   EXPECT_FALSE(overlaps(place(), view.words_obstacles[0]));
 }
 
-TEST(AnnotationMarkers, HoldABoxForEverybodyAndANameForWhatCanAttack) {
+TEST(AnnotationMarkers, HaveABoxPerAgentAndTheIdOfPossibleAttackers) {
   collision_forge::AgentArray agents;
   agents.header = header(5.0);
   agents.agents.resize(3);
@@ -378,13 +378,13 @@ TEST(AnnotationMarkers, HoldABoxForEverybodyAndANameForWhatCanAttack) {
   EXPECT_EQ(inNamespace(array, "ids")[0].text, "c0ffee");
 }
 
-TEST(NoMarkers, DeleteWhatWas) {
+TEST(NoMarkers, DeleteAllEarlierMarkers) {
   const MarkerArray array = noMarkers(header(7.0));
   expectValid(array, 7.0);
   EXPECT_EQ(array.markers.size(), 1U);
 }
 
-TEST(AttackMarkers, ShowWhatWasDrivenApartFromThePlan) {
+TEST(AttackMarkers, ShowTheDrivenPartApartFromThePlan) {
   auto message = attack();
   message.adaptive = true;
   EXPECT_EQ(inNamespace(attackMarkers(attack(), ros::Time(11.0)), "driven").size(), 0u);

@@ -127,7 +127,7 @@ class ExportToMcapTest : public testing::Test {
   const std::string out_ = folder_ / "out.mcap";
 };
 
-TEST_F(ExportToMcapTest, EveryMessageHasItsBytesTopicAndTime) {
+TEST_F(ExportToMcapTest, EveryMessageKeepsItsBytesTopicAndTime) {
   writeRecording();
   const McapContents contents = exported();
   std::multimap<std::pair<std::string, std::uint64_t>, std::string> left;
@@ -151,7 +151,7 @@ TEST_F(ExportToMcapTest, EveryMessageHasItsBytesTopicAndTime) {
   for (const auto& [key, _] : left) EXPECT_THAT(key.first, StartsWith("/collision_forge/"));
 }
 
-TEST_F(ExportToMcapTest, ChannelsSayWhatConnectionsSay) {
+TEST_F(ExportToMcapTest, ChannelsHaveTheHeadersOfTheirConnections) {
   {
     NewBag bag(in_);
     auto header = boost::make_shared<ros::M_string>();
@@ -175,7 +175,7 @@ TEST_F(ExportToMcapTest, ChannelsSayWhatConnectionsSay) {
                                                 {"md5sum", "992ce8a1687cec8c8bd883ec73ca41d1"}}));
 }
 
-TEST_F(ExportToMcapTest, FramesShowTheEgoWhereItIsBetweenItsTransforms) {
+TEST_F(ExportToMcapTest, FramesInterpolateTheEgoBetweenItsTransforms) {
   writeRecording();
   const std::vector<McapMessage> frames = exported().of("/collision_forge/scene");
   ASSERT_EQ(frames.size(), 5U);
@@ -191,7 +191,7 @@ TEST_F(ExportToMcapTest, FramesShowTheEgoWhereItIsBetweenItsTransforms) {
   }
 }
 
-TEST_F(ExportToMcapTest, SpeedsAreThoseOfEgoAndAttacker) {
+TEST_F(ExportToMcapTest, SpeedsOfEgoAndAttackerAreWritten) {
   writeRecording();
   const McapContents contents = exported();
   const auto speed = [](const McapMessage& message) {
@@ -207,7 +207,7 @@ TEST_F(ExportToMcapTest, SpeedsAreThoseOfEgoAndAttacker) {
   }
 }
 
-TEST_F(ExportToMcapTest, BagsWithoutAScenePassAsTheyAre) {
+TEST_F(ExportToMcapTest, BagsWithoutASceneAreCopied) {
   {
     NewBag bag(in_);
     bag.write("/number", ros::Time(1.0), std_msgs::Float64());
@@ -216,7 +216,7 @@ TEST_F(ExportToMcapTest, BagsWithoutAScenePassAsTheyAre) {
   EXPECT_EQ(exported().messages().size(), 1U);
 }
 
-TEST_F(ExportToMcapTest, WhatIsBeyondTheLimitsIsCopiedNotShownAndTold) {
+TEST_F(ExportToMcapTest, MessagesBeyondTheLimitsAreCopiedButNotShownWithAWarning) {
   constexpr double kFar = 1e6;  // m
   collision_forge::AgentArray frame = frameAt(1.0);
   frame.agents.resize(4, frame.agents.front());
@@ -241,7 +241,7 @@ TEST_F(ExportToMcapTest, WhatIsBeyondTheLimitsIsCopiedNotShownAndTold) {
     bag.write(bagTopic(names::kAgents), ros::Time(1.5), frameAt(1.5));
     bag.commit();
   }
-  const std::string entries = " beyond the limits of input are not shown";
+  const std::string entries = " beyond the input limits are not shown";
   EXPECT_THAT(
       exportToMcap(in_, out_, optionsOfTest()),
       UnorderedElementsAre("3 entries of /agents" + entries, "1 entries of /lane_map" + entries,
@@ -254,7 +254,7 @@ TEST_F(ExportToMcapTest, WhatIsBeyondTheLimitsIsCopiedNotShownAndTold) {
   EXPECT_EQ(contents.of("/collision_forge/scene").size(), 1U);
 }
 
-TEST_F(ExportToMcapTest, AMessageOfNoTimeIsRefused) {
+TEST_F(ExportToMcapTest, AMessageAtTimeZeroIsRejected) {
   const ros::Time marked(0x12345678U, 0x2345678U);
   {
     rosbag::Bag bag(in_, rosbag::bagmode::Write);
@@ -273,7 +273,7 @@ TEST_F(ExportToMcapTest, AMessageOfNoTimeIsRefused) {
   EXPECT_FALSE(std::filesystem::exists(out_));
 }
 
-TEST_F(ExportToMcapTest, WhatIsNoWholeBagIsRefused) {
+TEST_F(ExportToMcapTest, IncompleteBagsAreRejected) {
   writeRecording();
   const std::string bytes = bytesOf(in_);
   for (const std::size_t size : {bytes.size() - 1, bytes.size() / 2, std::size_t{5000}}) {

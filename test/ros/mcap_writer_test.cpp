@@ -59,7 +59,7 @@ class McapWriterTest : public testing::Test {
   static constexpr std::uint64_t kBegin = 1'500'000'000'123'456'789U;  // ns
 };
 
-TEST_F(McapWriterTest, EveryMessageComesBackWithItsChannel) {
+TEST_F(McapWriterTest, EveryMessageIsReadBackWithItsChannel) {
   const McapContents contents(write(20));
   ASSERT_EQ(contents.messages().size(), 20U);
   for (unsigned i = 0; i < 20; ++i) {
@@ -75,7 +75,7 @@ TEST_F(McapWriterTest, EveryMessageComesBackWithItsChannel) {
   }
 }
 
-TEST_F(McapWriterTest, CrcsAreOfChunksDataAndSummary) {
+TEST_F(McapWriterTest, CrcsCoverChunksDataAndSummary) {
   const std::string file = write(9);
   for (const McapRecord& record : recordsOf(file, 0x06)) {
     const McapChunk chunk = mcapChunk(record);

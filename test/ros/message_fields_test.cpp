@@ -134,7 +134,7 @@ TEST(MessageFields, PathsLeadThroughMessagesAndArrays) {
 }
 
 /// 5^25 bytes: they cannot be there, and nobody looks for them.
-TEST(MessageFields, TypesThatGrowWithoutBoundCostNothing) {
+TEST(MessageFields, HugeNestedTypesAreParsedQuickly) {
   std::string definition = "T0 x\n";
   for (int i = 0; i < 25; ++i) {
     const std::string next = "T" + std::to_string(i + 1);
@@ -145,15 +145,15 @@ TEST(MessageFields, TypesThatGrowWithoutBoundCostNothing) {
   EXPECT_THAT(complaintOf(definition, {}, "abc"), HasSubstr("end within its fields"));
 }
 
-TEST(MessageFields, TypesThatHoldThemselvesAreRefused) {
+TEST(MessageFields, RecursiveTypesAreRejected) {
   EXPECT_THAT(
       complaintOf(std::string("Box box\n") + kRule + "MSG: zoo_msgs/Box\nBox[] inner\n", {}),
       testing::AllOf(HasSubstr("zoo_msgs/Box"), HasSubstr("inner"),
-                     HasSubstr("does one hold itself?")));
-  EXPECT_THAT(complaintOf("Cage cage\n", {}), HasSubstr("does one hold itself?"));
+                     HasSubstr("does a type contain itself?")));
+  EXPECT_THAT(complaintOf("Cage cage\n", {}), HasSubstr("does a type contain itself?"));
 }
 
-TEST(MessageFields, DefinitionsThatCannotBeReadAreRefused) {
+TEST(MessageFields, UnreadableDefinitionsAreRejected) {
   EXPECT_THAT(complaintOf("Lion lion\n", {}), HasSubstr("type Lion of its field lion"));
   EXPECT_THAT(complaintOf("float64\n", {}), HasSubstr("'float64'"));
   EXPECT_THAT(complaintOf("uint8 a b\n", {}), HasSubstr("'uint8 a b'"));
@@ -163,10 +163,10 @@ TEST(MessageFields, DefinitionsThatCannotBeReadAreRefused) {
   EXPECT_THAT(complaintOf("uint8[3 a\n", {}), HasSubstr("'uint8[3 a'"));
   EXPECT_THAT(complaintOf("uint8[99999999999999999999] a\n", {}), HasSubstr("[9999"));
   EXPECT_THAT(complaintOf("", {{"header.stamp", FieldKind::kTime}}),
-              HasSubstr("has no field 'header' but none"));
+              HasSubstr("has no field 'header'; its fields are none"));
 }
 
-TEST(MessageFields, PathsThatLeadNowhereAreRefused) {
+TEST(MessageFields, PathsWithoutAFieldAreRejected) {
   struct Case {
     const char* path;
     FieldKind kind;
@@ -174,19 +174,20 @@ TEST(MessageFields, PathsThatLeadNowhereAreRefused) {
   };
   const Case cases[] = {
       {"", FieldKind::kNumber, "no field ''"},
-      {"header.stamps", FieldKind::kTime, "std_msgs/Header has no field 'stamps' but seq, stamp"},
+      {"header.stamps", FieldKind::kTime,
+       "std_msgs/Header has no field 'stamps'; its fields are seq, stamp"},
       {"header", FieldKind::kNumber, "is of type Header, not a number"},
       {"header.stamp", FieldKind::kNumber, "is of type time, not a number"},
       {"header.seq", FieldKind::kTime, "is of type uint32, not a time"},
       {"header.stamp.secs", FieldKind::kNumber, "is of type time and has no fields"},
-      {"header[0].stamp", FieldKind::kTime, "header is no array"},
+      {"header[0].stamp", FieldKind::kTime, "header is not an array"},
       {"animals.name", FieldKind::kText, "write animals[0] or animals[]"},
       {"animals[].size", FieldKind::kNumber, "write size[0] or size[]"},
       {"animals[].size", FieldKind::kText, "write size[0] or size[]"},
       {"animals[].size[0]", FieldKind::kText, "is of type float32[2], not a string"},
       {"animals[].size[2]", FieldKind::kNumber, "size has 2 elements"},
-      {"animals[x].name", FieldKind::kText, "'[x]' is no element"},
-      {"animals[0.name", FieldKind::kText, "'[0' is no element"},
+      {"animals[x].name", FieldKind::kText, "'[x]' is not an index"},
+      {"animals[0.name", FieldKind::kText, "'[0' is not an index"},
       {"animals[].tag", FieldKind::kNumber, "write tag[0] or tag[]"}};
   for (const auto& [path, kind, complaint] : cases) {
     EXPECT_THAT(complaintOf(kCage, {{path, kind}}),

@@ -30,7 +30,7 @@ TEST(AnswerWith, HasTheStatusOfTheWork) {
   EXPECT_EQ(response.message, "nobody");
 }
 
-TEST(AnswerWith, BadInputIsInvalidInput) {
+TEST(AnswerWith, BadInputGivesInvalidInput) {
   for (const Response& response :
        {answerAfter(InputError("size = 0")), answerAfter(MessageError("size = 0"))}) {
     EXPECT_EQ(response.code, static_cast<int>(StatusCode::kInvalidInput));
@@ -38,7 +38,7 @@ TEST(AnswerWith, BadInputIsInvalidInput) {
   }
 }
 
-TEST(AnswerWith, AnyOtherExceptionIsAnInternalError) {
+TEST(AnswerWith, AnyOtherExceptionGivesInternalError) {
   for (const Response& response :
        {answerAfter(std::runtime_error("why")), answerAfter(std::invalid_argument("why")),
         answerAfter(std::out_of_range("why"))}) {

@@ -45,7 +45,7 @@ class NodeAloneTest(road.RoadTest):
         (config / 'models.yaml').write_text('models: {speed_model: gone.jsonl}\n')
         process = self.run_node('pattern_predictor', '_config_dir:={}'.format(config))
         self.assertNotEqual(process.wait(live.TIMEOUT), 0)
-        self.assertIn('no foresight: {}'.format(config), self.path('log').read_text())
+        self.assertIn('no prediction models: {}'.format(config), self.path('log').read_text())
 
 
 def add_node_tests():

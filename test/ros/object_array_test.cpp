@@ -35,7 +35,7 @@ RosDecoder decoded(const collision_forge::AgentArray& agents) {
   return {kObjectArrayDefinition, bytes};
 }
 
-TEST(ObjectArray, EveryAgentIsABoxThatMoves) {
+TEST(ObjectArray, EveryAgentIsATrackedBox) {
   const RosDecoder message = decoded(agentsOf({Agent::CAR, Agent::PEDESTRIAN}));
   EXPECT_EQ(message.number("header.stamp"), 12.5);
   ASSERT_EQ(message.size("objects"), 2U);
@@ -56,7 +56,7 @@ TEST(ObjectArray, EveryAgentIsABoxThatMoves) {
   EXPECT_EQ(message.number("objects[1].id"), 71.0);
 }
 
-TEST(ObjectArray, ClassesAreThoseOfTheMessage) {
+TEST(ObjectArray, ClassesAreMappedToTheConstantsOfTheMessage) {
   const std::pair<std::uint8_t, int> classes[] = {
       {Agent::CAR, 6},        {Agent::TRUCK, 7},        {Agent::BUS, 9},
       {Agent::TRAILER, 9},    {Agent::BICYCLE, 5},      {Agent::CONSTRUCTION_VEHICLE, 9},
@@ -72,7 +72,7 @@ TEST(ObjectArray, ClassesAreThoseOfTheMessage) {
 }
 
 /// Values of Python's zlib.crc32().
-TEST(ObjectArray, AnyOtherIdIsItsChecksum) {
+TEST(ObjectArray, ANonNumericIdBecomesItsChecksum) {
   EXPECT_EQ(objectId("added-14"), 2803229739U);
   EXPECT_EQ(objectId("4294967296"), 3267533297U);
   EXPECT_EQ(objectId("-1"), 808273962U);

@@ -51,7 +51,7 @@ std::string reportOf(const MarkerArray& array) {
   return report.empty() ? "" : report[0].text;
 }
 
-TEST(PlannerMarkers, ShowTheDrivenEgoBesideTheRecordedOneAndTheAttackerUpToTheEnd) {
+TEST(PlannerMarkers, ShowDrivenEgoRecordedEgoAndAttackerUpToTheEnd) {
   const MarkerArray array = plannerMarkers(standing(), scenario());
   EXPECT_EQ(array.markers.front().action, Marker::DELETEALL);
   EXPECT_EQ(array.markers.back().header.frame_id, "map");
@@ -77,7 +77,7 @@ TEST(PlannerMarkers, ShowEveryProposalWithItsEnd) {
 
 constexpr double kEnd = kNow + 2.0;
 
-TEST(RolloutMarkers, ShowEverybodyAtTheInstantWithoutTheOutcome) {
+TEST(RolloutMarkers, ShowAllAgentsAtTheTimeWithoutTheOutcome) {
   const MarkerArray array = rolloutMarkers(shown(standing(), "idm"), kNow + 1.0);
   EXPECT_EQ(array.markers.front().action, Marker::DELETEALL);
   ASSERT_EQ(inNamespace(array, "ego").size(), 1U);
@@ -89,17 +89,17 @@ TEST(RolloutMarkers, ShowEverybodyAtTheInstantWithoutTheOutcome) {
   EXPECT_EQ(reportOf(array), "idm drives, 1.0 s");
 }
 
-TEST(RolloutMarkers, ShowThoseWhoReactAsTheyDrove) {
+TEST(RolloutMarkers, ShowReactiveAgentsAsTheyDrove) {
   PlannerTrial trial = standing();
   trial.outcome.others = {futureTrack("parked", kCarSize, {50.0, -4.0, 0.0}, 0.0)};
   const MarkerArray array = rolloutMarkers(shown(trial, "idm"), kNow);
   EXPECT_NEAR(inNamespace(array, "agents")[0].pose.position.x, 50.0, 1e-6);
 }
 
-TEST(RolloutMarkers, WithoutAContactTellWhatHappenedAtTheEnd) {
+TEST(RolloutMarkers, WithoutAContactShowTheOutcomeAtTheEnd) {
   PlannerTrial trial = standing();
   const MarkerArray array = rolloutMarkers(shown(trial, "idm"), kEnd);
-  EXPECT_EQ(reportOf(array), "idm: no contact in 2.00 s\nno way to avoid it was found");
+  EXPECT_EQ(reportOf(array), "idm: no contact in 2.00 s\nno evasive manoeuvre found");
   EXPECT_TRUE(inNamespace(array, "contact").empty());
 
   trial.outcome.failure = PlannerFailure::kTimedOut;
@@ -121,7 +121,7 @@ TEST(RolloutMarkers, ShowTheContactAtTheEnd) {
   const MarkerArray array = rolloutMarkers(shown(trial, "pdm"), kEnd);
   EXPECT_EQ(reportOf(array),
             "pdm: touches the attacker\nafter 2.00 s, impact 5.0 m/s\nnot at fault\n"
-            "no way to avoid it was found");
+            "no evasive manoeuvre found");
   EXPECT_EQ(inNamespace(array, "contact").size(), 1U);
   EXPECT_TRUE(inNamespace(rolloutMarkers(shown(trial, "pdm"), kNow), "contact").empty());
 
@@ -133,7 +133,7 @@ TEST(RolloutMarkers, ShowTheContactAtTheEnd) {
   EXPECT_NE(reportOf(other).find("\nat fault\n"), std::string::npos);
 }
 
-TEST(RolloutMarkers, ShowWhoeverIsTouchedSlideToAStandWithTheEgo) {
+TEST(RolloutMarkers, ShowThePostCrashMotionOfTheTouchedVehicle) {
   for (const char* touched : {"attacker", "parked"}) {
     PlannerTrial trial = standing();
     for (TrajectoryPoint& point : trial.outcome.driven) point.speed = 20.0;
@@ -159,7 +159,7 @@ TEST(RolloutMarkers, ShowWhoeverIsTouchedSlideToAStandWithTheEgo) {
   }
 }
 
-TEST(RolloutMarkers, KeepTheWordsOffTheOthers) {
+TEST(RolloutMarkers, PlaceTheTextBesideOtherAgents) {
   const ShownRollout rollout = shown(standing());
   PlannerTrial trial = standing();
   trial.outcome.others = {futureTrack("parked", kCarSize, {0.0, 4.0, 0.0}, 0.0)};

@@ -19,7 +19,7 @@ TEST(PlannedTrajectoryMessage, NeedsItsOrientations) {
   EXPECT_EQ(fromMessage(message).size(), 2u);
 }
 
-TEST(PlannerOutcomeMessage, TellsTheContactAndNuplansScore) {
+TEST(PlannerOutcomeMessage, HasTheContactAndNuplansScore) {
   PlannerTrial trial;
   trial.outcome.driven.push_back({100.0, {1.0, 2.0, 0.5}, 3.0, 0.0, 0.0});
   EXPECT_FALSE(toMessage(trial, "pdm", PolicyKind::kFixed).collided);

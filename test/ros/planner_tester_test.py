@@ -246,7 +246,7 @@ class PlannerTesterTest(road.RoadTest):
                                      '_{}:=data/here'.format(parameter)], stdout=subprocess.PIPE,
                                     stderr=subprocess.STDOUT, universal_newlines=True, timeout=60, check=False)
             self.assertNotEqual(result.returncode, 0, result.stdout)
-            self.assertIn('parameter {} = "data/here" is no absolute path'.format(parameter), result.stdout)
+            self.assertIn('parameter {} = "data/here" is not an absolute path'.format(parameter), result.stdout)
 
     def test_declined_answers_keep_their_status(self):
         number, result = next((number, result) for number, result in enumerate(self.bulk, 1)
@@ -330,7 +330,7 @@ class PlannerTesterTest(road.RoadTest):
         self.assertLess(time.monotonic() - began, live.TIMEOUT)
 
     def test_external_planner_that_stops_publishing(self):
-        self.assert_failed(self.odd('never'), 'timed_out', 'no answer')
+        self.assert_failed(self.odd('never'), 'timed_out', 'no response')
 
     def test_external_planner_that_dies(self):
         self.assert_failed(self.odd('dies'), 'timed_out', '/planned_trajectory is gone')
@@ -339,7 +339,7 @@ class PlannerTesterTest(road.RoadTest):
         self.assert_failed(self.odd('nan'), 'not_finite', 'point 3')
 
     def test_external_planner_that_sends_an_older_stamp(self):
-        self.assert_failed(self.odd('late'), 'late', 'differs from that of planning_state by -0.1 s')
+        self.assert_failed(self.odd('late'), 'late', 'the stamps of planned_trajectory and planning_state differ by -0.1 s')
 
     def test_trajectories_for_another_test_or_a_repeated_state_are_ignored(self):
         for mode in ('stranger', 'twice'):

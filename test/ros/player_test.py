@@ -224,7 +224,7 @@ class AttackedReplayTest(PlayerTest):
         self.assert_close(attack, road.read_one(self.attacked, '/attack'))
         answer = live.ask(TYPE, TTA)
         self.assertEqual(road.CODES[answer.code], 'NO_RECORDING')
-        self.assertIn('has an attack already', answer.message)
+        self.assertIn('already has an attack', answer.message)
         self.assertIn('scene-0007.bag', answer.message)
         rospy.ServiceProxy('/player/pause', SetBool)(False)
         self.assert_close(reports.wait(), road.read_one(self.attacked, '/tested_report'))

@@ -65,7 +65,7 @@ TEST_F(PosedFramesTest, AFrameWaitsForItsPose) {
   EXPECT_EQ(ready(), Times({0.5})) << "between two poses";
 }
 
-TEST_F(PosedFramesTest, NoFrameIsLostWhereAReplayStartsAgain) {
+TEST_F(PosedFramesTest, NoFrameIsLostAtARestartOfTheReplay) {
   // Longer than tf2 remembers, so that what is left of the replay before would hide the new poses.
   for (const bool frames_first : {false, true}) {
     pose(0.0);
@@ -82,7 +82,7 @@ TEST_F(PosedFramesTest, NoFrameIsLostWhereAReplayStartsAgain) {
   EXPECT_EQ(dropped_, 0u);
 }
 
-TEST_F(PosedFramesTest, FramesOfTheReplayBeforeAreDropped) {
+TEST_F(PosedFramesTest, FramesOfThePreviousReplayAreDropped) {
   pose(20.0);
   frame(20.5);
   frame(0.0);
@@ -92,7 +92,7 @@ TEST_F(PosedFramesTest, FramesOfTheReplayBeforeAreDropped) {
   EXPECT_EQ(ready(), Times());
 }
 
-TEST_F(PosedFramesTest, StaticTransformsOutliveARestart) {
+TEST_F(PosedFramesTest, StaticTransformsSurviveARestart) {
   tf2_msgs::TFMessage fixed = poseAt(0.0);
   fixed.transforms[0].header.frame_id = "world";
   fixed.transforms[0].child_frame_id = "map";
@@ -103,7 +103,7 @@ TEST_F(PosedFramesTest, StaticTransformsOutliveARestart) {
   EXPECT_EQ(ready(), Times({0.0}));
 }
 
-TEST_F(PosedFramesTest, WhatMovesTheEgoIsToldFromWhatIsFixedToIt) {
+TEST_F(PosedFramesTest, FindsTheTransformsThatMoveTheEgo) {
   const auto from = [](const char* parent, const char* child, double seconds) {
     tf2_msgs::TFMessage message = poseAt(seconds);
     message.transforms[0].header.frame_id = parent;

@@ -30,7 +30,7 @@ Status refusalOf(const Message& request, const std::vector<std::string>& types) 
   return std::get<Status>(requestsForEach(request, types, {}, kUsual, {}));
 }
 
-TEST(RequestsForEach, AreByTypeThenTime) {
+TEST(RequestsForEach, AreOrderedByTypeThenTime) {
   Message request;
   request.seed = 7;
   const std::vector<std::pair<std::string, double>> expected = {
@@ -38,7 +38,7 @@ TEST(RequestsForEach, AreByTypeThenTime) {
   EXPECT_EQ(askedFor(request, {"LTAP", "rear_end"}, {3.0, 5.0}), expected);
 }
 
-TEST(RequestsForEach, AreForAllTypesAndTheUsualTimesWhereNoneIsNamed) {
+TEST(RequestsForEach, DefaultToAllTypesAndTheUsualTimes) {
   const auto asked = askedFor({}, {}, {});
   ASSERT_EQ(asked.size(), 10u);
   EXPECT_EQ(asked[0].second, 2.0);
@@ -46,7 +46,7 @@ TEST(RequestsForEach, AreForAllTypesAndTheUsualTimesWhereNoneIsNamed) {
   EXPECT_NE(asked[0].first, asked[9].first);
 }
 
-TEST(RequestsForEach, AManoeuvreNamesItsType) {
+TEST(RequestsForEach, AManoeuvreImpliesItsType) {
   Message request;
   request.manoeuvre = "cut_in";
   const std::vector<std::pair<std::string, double>> expected = {{"lane_change", 2.0},
@@ -54,7 +54,7 @@ TEST(RequestsForEach, AManoeuvreNamesItsType) {
   EXPECT_EQ(askedFor(request, {}, {}), expected);
 }
 
-TEST(RequestsForEach, RefuseWhatContradictsItself) {
+TEST(RequestsForEach, RejectContradictoryRequests) {
   Message typed;
   typed.collision_type = "ltap";
   EXPECT_EQ(refusalOf(typed, {}).code, StatusCode::kInvalidInput);
@@ -89,7 +89,7 @@ CollisionAnswer answerOf(StatusCode code) {
   return answer;
 }
 
-TEST(ListPossible, TellsEveryAttackInShortTheSurestFirst) {
+TEST(ListPossible, SummarisesEveryAttackByDescendingConfidence) {
   CollisionAnswer answer = answerOf(StatusCode::kOk);
   answer.attack = attackOf("a", 0.5);
   answer.alternatives = {attackOf("b", 0.9), attackOf("c", 0.1)};
@@ -109,7 +109,7 @@ TEST(ListPossible, TellsEveryAttackInShortTheSurestFirst) {
   EXPECT_EQ(found[1].impact_speed, 6.5);
 }
 
-TEST(ListPossible, LeavesOutWhatTheSceneDoesNotAllowAndNamesWhatIsWrongWithTheRequest) {
+TEST(ListPossible, SkipsFailuresOfTheSceneAndReturnsFailuresOfTheRequest) {
   CollisionAnswer possible = answerOf(StatusCode::kOk);
   possible.attack = attackOf("a", 0.5);
   std::vector<PossibleCollision> found;
@@ -126,7 +126,7 @@ TEST(ListPossible, LeavesOutWhatTheSceneDoesNotAllowAndNamesWhatIsWrongWithTheRe
   EXPECT_EQ(wrong.message, "UNKNOWN_ATTACKER");
 }
 
-TEST(ListPossible, NamesTheCommonestReasonWhereNothingIsPossible) {
+TEST(ListPossible, NamesTheMostFrequentReasonIfNothingIsPossible) {
   std::vector<PossibleCollision> found;
   const Status status =
       listPossible({answerOf(StatusCode::kNoCandidate), answerOf(StatusCode::kBeyondRecording),
@@ -137,7 +137,7 @@ TEST(ListPossible, NamesTheCommonestReasonWhereNothingIsPossible) {
       << status.message;
 }
 
-TEST(AnswerMessage, HoldsAnAttackWithOkAlone) {
+TEST(AnswerMessage, HasAnAttackOnlyWithCodeOk) {
   CollisionRequest request;
   request.type = CollisionType::kLaneChange;
   Attack answer;

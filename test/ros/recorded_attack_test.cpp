@@ -49,11 +49,11 @@ TEST_F(RecordedAttackTest, TheRefusalNamesBagAttackerAndRecording) {
   attack.tested_report.attacker_id = "added-1";
   attack.source = "scene.bag";
   EXPECT_EQ(refusalOf(attack, "/some/head_on.bag"),
-            "head_on.bag has an attack already, by added-1: replay the recording that it was made "
-            "from, scene.bag");
+            "head_on.bag already has an attack, by added-1: replay the recording without it, "
+            "scene.bag");
 }
 
-TEST_F(RecordedAttackTest, AFileThatIsNoBagIsNamed) {
+TEST_F(RecordedAttackTest, AFileThatIsNotABagIsNamed) {
   try {
     readRecordedAttack("/nowhere.bag");
     FAIL();

@@ -41,7 +41,7 @@ class SceneMemoryTest : public testing::Test {
   SceneMemory memory_{options()};
 };
 
-TEST_F(SceneMemoryTest, TheNewestIsStaleWhereNoneComesAnyMore) {
+TEST_F(SceneMemoryTest, TheNewestSceneBecomesStale) {
   add(100.0, kClock);
   add(100.5, kClock + 0.5);
   EXPECT_EQ(stampOf(memory_.newest(kClock + 0.5)), 100.5);
@@ -52,7 +52,7 @@ TEST_F(SceneMemoryTest, TheNewestIsStaleWhereNoneComesAnyMore) {
   EXPECT_NE(messageOf(old).find("/tf"), std::string::npos);
 }
 
-TEST_F(SceneMemoryTest, AStampNamesTheSceneAtOrBeforeIt) {
+TEST_F(SceneMemoryTest, AStampSelectsTheSceneAtOrBeforeIt) {
   for (int i = 0; i <= 4; ++i) add(100.0 + 0.5 * i);
   EXPECT_EQ(stampOf(memory_.at(ros::Time(100.0))), 100.0);
   EXPECT_EQ(stampOf(memory_.at(ros::Time(101.2))), 101.0);
@@ -60,7 +60,7 @@ TEST_F(SceneMemoryTest, AStampNamesTheSceneAtOrBeforeIt) {
   EXPECT_EQ(codeOf(memory_.at(ros::Time(99.9))), StatusCode::kNoScene);
 }
 
-TEST_F(SceneMemoryTest, AFrameOfAgentsIsNamedByItsStampHoweverFineThatIs) {
+TEST_F(SceneMemoryTest, AStampWithNanosecondsSelectsItsFrame) {
   for (const std::uint32_t nanoseconds : {123456499u, 123456500u, 123456789u}) {
     const ros::Time agents(1600000000, nanoseconds);
     SceneMemory memory(options());
@@ -75,7 +75,7 @@ TEST_F(SceneMemoryTest, AFrameOfAgentsIsNamedByItsStampHoweverFineThatIs) {
   }
 }
 
-TEST_F(SceneMemoryTest, OneThatIsStillToComeIsWaitedFor) {
+TEST_F(SceneMemoryTest, WaitsForASceneThatIsStillToCome) {
   LiveOptions patient = options();
   patient.wait_for = 30.0;
   SceneMemory memory(patient);
@@ -89,7 +89,7 @@ TEST_F(SceneMemoryTest, OneThatIsStillToComeIsWaitedFor) {
   EXPECT_EQ(stampOf(found.get()), 101.0);
 }
 
-TEST_F(SceneMemoryTest, AReplayThatStartsAgainForgetsTheOneBefore) {
+TEST_F(SceneMemoryTest, ARestartedReplayDropsKeptScenes) {
   add(200.0);
   add(100.0);
   EXPECT_EQ(stampOf(memory_.newest(kClock)), 100.0);

@@ -44,7 +44,7 @@ class SceneUpdateTest : public testing::Test {
   const RosDecoder decoded_{sceneUpdateDefinition(), toRosBytes(twoEntities())};
 };
 
-TEST_F(SceneUpdateTest, EntitiesStayAndMoveWithTheirFrame) {
+TEST_F(SceneUpdateTest, EntitiesPersistAndMoveWithTheirFrame) {
   ASSERT_EQ(decoded_.size("entities"), 2U);
   for (const std::string entity : {"entities[0]", "entities[1]"}) {
     EXPECT_EQ(decoded_.number(entity + ".timestamp"), 12.5);
@@ -69,7 +69,7 @@ TEST_F(SceneUpdateTest, SolidsHavePoseSizeAndColor) {
   EXPECT_EQ(decoded_.number("entities[0].spheres[0].pose.position.x"), 3.0);
 }
 
-TEST_F(SceneUpdateTest, LinesAreAListAndTextsTurnToTheViewer) {
+TEST_F(SceneUpdateTest, LinesAreALineListAndTextsFaceTheViewer) {
   EXPECT_EQ(decoded_.number("entities[0].lines[0].type"), 2.0) << "LINE_LIST";
   EXPECT_EQ(decoded_.number("entities[0].lines[0].pose.orientation.w"), 1.0);
   EXPECT_EQ(decoded_.number("entities[0].lines[0].thickness"), 0.2);

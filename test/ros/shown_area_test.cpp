@@ -9,7 +9,7 @@ namespace {
 
 const BoxSize kCar{4.6, 1.9};
 
-TEST(ShownArea, AroundOnePlaceHasItsShortestWidthAndThatPlaceInItsMiddle) {
+TEST(ShownArea, AroundOneBoxIsCentredAndHasTheLeastWidth) {
   const ShownArea area = areaAround({{{7.0, -3.0, 1.0}, kCar}}, kUsualWidth);
   EXPECT_DOUBLE_EQ(area.size().x(), kUsualWidth);
   EXPECT_LT(area.size().y(), kUsualWidth);
@@ -17,7 +17,7 @@ TEST(ShownArea, AroundOnePlaceHasItsShortestWidthAndThatPlaceInItsMiddle) {
   EXPECT_NEAR(area.middle().y(), -3.0, 1e-9);
 }
 
-TEST(ShownArea, HoldsAllBoxesWithAMargin) {
+TEST(ShownArea, ContainsAllBoxesWithAMargin) {
   const ShownArea area =
       areaAround({{{0.0, 0.0, 0.0}, kCar}, {{100.0, 150.0, M_PI / 2}, kCar}}, kCrashWidth);
   EXPECT_LT(area.lowest.x(), -2.3 - 5.0);
@@ -26,7 +26,7 @@ TEST(ShownArea, HoldsAllBoxesWithAMargin) {
   EXPECT_GT(area.highest.y(), 152.3 + 5.0);
 }
 
-TEST(ShownArea, ScalesLettersSoThatTheirSizeOnTheScreenStays) {
+TEST(ShownArea, ScalesLettersToAConstantSizeOnTheScreen) {
   const auto letters = [](double width) {
     return letterScale(areaAround({{{0.0, 0.0, 0.0}, kCar}}, width)) / width;
   };

@@ -17,7 +17,7 @@ collision_forge::AgentTrack turning(double speed) {
   return track;
 }
 
-TEST(ShownMotion, OfATurnIsTheSumOfItsSmallSteps) {
+TEST(ShownMotion, IntegratesATurnExactly) {
   const AgentState start{0.0, {1.0, 2.0, 0.3}, {6.0, 2.0}};
   const double rate = 0.7;
   AgentState step = start;
@@ -33,7 +33,7 @@ TEST(ShownMotion, OfATurnIsTheSumOfItsSmallSteps) {
   EXPECT_NEAR(moved.yaw, step.pose.yaw, 1e-9);
 }
 
-TEST(ShownMotion, OfPosesIsBetweenThemAndGoesOnForALittleWhile) {
+TEST(ShownMotion, InterpolatesPosesAndExtrapolatesForALimitedTime) {
   const Track poses{kEgoId,
                     AgentClass::kCar,
                     {4.0, 2.0},
@@ -46,7 +46,7 @@ TEST(ShownMotion, OfPosesIsBetweenThemAndGoesOnForALittleWhile) {
   EXPECT_FALSE(shownState({}, 10.0));
 }
 
-TEST(ShownMotion, GoesOnFromTheNewestFrameForALittleWhileAlone) {
+TEST(ShownMotion, ExtrapolatesTheNewestFrameForALimitedTime) {
   auto track = turning(5.0);
   track.states[0].pose.theta = 0.1;
   EXPECT_NEAR(shownPose(track, ros::Time(10.2)).x, 1.0, 1e-6);
@@ -54,7 +54,7 @@ TEST(ShownMotion, GoesOnFromTheNewestFrameForALittleWhileAlone) {
   EXPECT_NEAR(shownPose(track, ros::Time(9.0)).x, 0.0, 1e-6);
 }
 
-TEST(ShownMotion, OfAnAttackerIsItsTrajectory) {
+TEST(ShownMotion, FollowsTheTrajectoryOfAnAttacker) {
   collision_forge::AttackerTrajectory trajectory;
   EXPECT_FALSE(drivenPose(trajectory, ros::Time(10.0)));
   trajectory.points.resize(2);

@@ -45,7 +45,7 @@ constexpr char kPlane[] =
 
 std::string pathOf(const NumberSource& source) { return std::get<std::string>(source); }
 
-TEST(ReadTopicMapping, DerivedObjectsHaveTheirPlaces) {
+TEST(ReadTopicMapping, ReadsTheMappingOfDerivedObjects) {
   const TopicMapping mapping = readTopicMapping(shipped("derived_object"));
   EXPECT_EQ(mapping.ego.fields.topic, "/odom");
   EXPECT_EQ(mapping.ego.fields.type, "nav_msgs/Odometry");
@@ -96,7 +96,7 @@ TEST(ReadTopicMapping, TransformsNeedNoFieldsButTheFrameOfTheEgo) {
   EXPECT_THROW(read("topic: /tf, frame_id: odom, child_frame_id: car"), ConfigError);
 }
 
-TEST(ReadTopicMapping, WhatMayBeLeftOutOrOtherwise) {
+TEST(ReadTopicMapping, OptionalKeysMayBeOmittedOrOverridden) {
   EXPECT_FALSE(spoilt("  velocity: {frame: map, vector: twist.linear}\n", "").agents.velocity);
   EXPECT_EQ(spoilt("  frame_id: map\n", "").ego.fields.frame_id, "");
   const TopicFields headless = spoilt("  frame_id: map\n", "  stamp: time\n").ego.fields;
@@ -104,7 +104,7 @@ TEST(ReadTopicMapping, WhatMayBeLeftOutOrOtherwise) {
   EXPECT_EQ(headless.frame_id_path, "") << "such a message may have no header";
 }
 
-TEST(ReadTopicMapping, EachNumberOfAPoseOrVelocityMayHaveAFieldOfItsOwn) {
+TEST(ReadTopicMapping, EachNumberOfAPoseOrVelocityMayHaveItsOwnField) {
   const TopicMapping plane = spoilt("  pose: pose\n", kPlane);
   EXPECT_EQ(pathOf(plane.agents.pose.position[0]), "objects[].east");
   EXPECT_EQ(std::get<double>(plane.agents.pose.position[2]), -1.5);

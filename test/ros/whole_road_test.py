@@ -120,7 +120,7 @@ class JunctionTest(live.WholeRoadTest):
         for controls in ({'mode': 'replay'}, {'mode': 'history'}, {'adaptive': True}, {'choice': 'new'}):
             answer = self.ask_for_code('BEYOND_RECORDING', 'rear_end', 6.0, **controls)
             self.assertIn('tta = 6.0 s, but the recording', answer.message)
-            self.assertIn('ends 2.0 s from now', answer.message)
+            self.assertIn('ends 2.0 s after t0', answer.message)
 
     def test_attacker_equals_that_of_forge_inject_recorded_or_added(self):
         added = set()

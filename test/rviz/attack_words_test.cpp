@@ -35,7 +35,7 @@ std::string crashAt(double now, const collision_forge::Attack& attack,
   return crashText(attack, tested, ros::Time(now)).toStdString();
 }
 
-TEST(AttackText, NamesTypeClassManoeuvreAndBelief) {
+TEST(AttackText, NamesTypeClassManoeuvreAndPlausibility) {
   const std::string text = attackText(attackAt(10.0)).toStdString();
   EXPECT_THAT(text, HasSubstr("<b>rear_end</b> by the recorded car"));
   EXPECT_THAT(text, HasSubstr("lead_brakes"));
@@ -51,7 +51,7 @@ TEST(AttackText, NamesTheAttackerByTheIdInThePicture) {
   EXPECT_THAT(text, Not(HasSubstr("626d04d")));
 }
 
-TEST(OutcomeText, TellsWhomThePlannerTouchesAndWhoseFaultItIs) {
+TEST(OutcomeText, NamesTheTouchedAgentAndTheFault) {
   collision_forge::PlannerOutcome outcome;
   outcome.planner = "idm";
   outcome.failure = "none";
@@ -67,7 +67,7 @@ TEST(OutcomeText, TellsWhomThePlannerTouchesAndWhoseFaultItIs) {
   EXPECT_THAT(outcomeText(outcome).toStdString(), HasSubstr("touches the attacker after"));
 }
 
-TEST(OutcomeText, TellsWhyThePlannerFailed) {
+TEST(OutcomeText, GivesTheReasonOfAFailure) {
   collision_forge::PlannerOutcome outcome;
   outcome.planner = "external";
   outcome.failure = "timed_out";
@@ -75,7 +75,7 @@ TEST(OutcomeText, TellsWhyThePlannerFailed) {
   EXPECT_THAT(outcomeText(outcome).toStdString(), HasSubstr("fails, timed_out: no answer"));
 }
 
-TEST(AttackText, SaysWhyNobodyWouldDriveSo) {
+TEST(AttackText, GivesTheReasonWhyAMotionIsImplausible) {
   collision_forge::Attack attack = attackAt(10.0);
   attack.report.believable = false;
   attack.report.unbelievable = "drives on a walkway";
@@ -92,12 +92,13 @@ TEST(CrashText, CountsDownUntilTheContact) {
 TEST(CrashText, GivesTheVerdictInGreenOrRed) {
   const collision_forge::Attack attack = attackAt(10.0);
   collision_forge::CollisionReport tested = testedOf(attack);
-  const std::string as_asked = crashAt(14.5, attack, &tested);
-  EXPECT_THAT(as_asked, HasSubstr("contact as asked"));
+  const std::string as_requested = crashAt(14.5, attack, &tested);
+  EXPECT_THAT(as_requested, HasSubstr("contact as requested"));
   tested.verified = tested.on_time = false;
-  const std::string not_as_asked = crashAt(14.5, attack, &tested);
-  EXPECT_THAT(not_as_asked, HasSubstr("at another time"));
-  EXPECT_NE(as_asked.substr(0, as_asked.find('>')), not_as_asked.substr(0, not_as_asked.find('>')));
+  const std::string not_as_requested = crashAt(14.5, attack, &tested);
+  EXPECT_THAT(not_as_requested, HasSubstr("at another time"));
+  EXPECT_NE(as_requested.substr(0, as_requested.find('>')),
+            not_as_requested.substr(0, not_as_requested.find('>')));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ TopView settled(FollowingView& following, TopView shown, const TopView& goal) {
   return shown;
 }
 
-TEST(FollowingView, BeginsWithTheGoalAndMovesSmoothlyToTheNextOne) {
+TEST(FollowingView, StartsAtTheGoalAndMovesSmoothlyToTheNextOne) {
   FollowingView following;
   const TopView first = following.next({}, {10.0, 0.0, 12.0}, kFrame);
   EXPECT_DOUBLE_EQ(first.x, 10.0);

@@ -206,7 +206,7 @@ class PanelTest : public testing::Test {
   GeneratePanel panel_;
 };
 
-TEST_F(PanelTest, ListsWhatIsPossibleInAPauseAndAsksForTheRowThatIsChosen) {
+TEST_F(PanelTest, ListsCollisionsDuringAPauseAndRequestsTheSelectedRow) {
   ASSERT_TRUE(comes([&] { return button("pause")->isEnabled(); }));
   button("list")->click();
   ASSERT_TRUE(comes([&] { return table().rowCount() == 2; })) << text("status");
@@ -229,7 +229,7 @@ TEST_F(PanelTest, ListsWhatIsPossibleInAPauseAndAsksForTheRowThatIsChosen) {
   EXPECT_EQ(suite_.asked().tta, 3.0);
 }
 
-TEST_F(PanelTest, TellsWhyNothingIsPossibleTheWholeReasonInTheTooltip) {
+TEST_F(PanelTest, ShowsWhyNothingIsPossibleWithTheFullReasonInTheTooltip) {
   panel_.findChild<QSpinBox*>("seed")->setValue(7);
   button("list")->click();
   ASSERT_TRUE(says("status", "no road"));
@@ -238,7 +238,7 @@ TEST_F(PanelTest, TellsWhyNothingIsPossibleTheWholeReasonInTheTooltip) {
               HasSubstr("second line"));
 }
 
-TEST_F(PanelTest, ListsWhatIsPossibleOfAnyTypeTimeAttackerAndManoeuvre) {
+TEST_F(PanelTest, ListsCollisionsOfAnyTypeTimeAttackerAndManoeuvre) {
   panel_.findChild<QComboBox*>("type")->setCurrentText("lane_change");
   panel_.findChild<QComboBox*>("manoeuvre")->setCurrentText("merge");
   button("list")->click();
@@ -249,7 +249,7 @@ TEST_F(PanelTest, ListsWhatIsPossibleOfAnyTypeTimeAttackerAndManoeuvre) {
   EXPECT_EQ(suite_.listed().believable, "true");
 }
 
-TEST_F(PanelTest, AsksAboutTheNewestSceneOnceARowIsNoLongerAskedFor) {
+TEST_F(PanelTest, RequestsForTheNewestSceneOnceTheRowIsDeselected) {
   ASSERT_TRUE(comes([&] { return button("step")->isEnabled(); }));
   const auto choose = [&] {
     button("list")->click();
@@ -272,7 +272,7 @@ TEST_F(PanelTest, AsksAboutTheNewestSceneOnceARowIsNoLongerAskedFor) {
   EXPECT_EQ(asked(), kListed);
 }
 
-TEST_F(PanelTest, AsksForTheSurestOfWhatIsPossibleUnlessATypeIsChosen) {
+TEST_F(PanelTest, RequestsTheMostConfidentCollisionUnlessATypeIsChosen) {
   ASSERT_TRUE(comes([&] { return button("pause")->isEnabled(); }));
   button("generate")->click();
   ASSERT_TRUE(says("status", "2 attacks"));
@@ -280,7 +280,7 @@ TEST_F(PanelTest, AsksForTheSurestOfWhatIsPossibleUnlessATypeIsChosen) {
   EXPECT_EQ(suite_.asked().stamp, kListed);
 }
 
-TEST_F(PanelTest, ShowsWhereThePlayerIsAndMovesItToAnotherInstant) {
+TEST_F(PanelTest, ShowsAndSetsThePositionOfThePlayer) {
   auto* slider = panel_.findChild<QSlider*>("position");
   ASSERT_TRUE(comes([&] { return slider->value() == 50; }));
   EXPECT_TRUE(says("clock", "5.0 s of 20.0 s"));
@@ -291,7 +291,7 @@ TEST_F(PanelTest, ShowsWhereThePlayerIsAndMovesItToAnotherInstant) {
   EXPECT_TRUE(says("clock", "12.5 s of 20.0 s"));
 }
 
-TEST_F(PanelTest, TestsAPlannerInTheNewestAttackAndTellsTheOutcome) {
+TEST_F(PanelTest, TestsAPlannerInTheNewestAttackAndShowsTheOutcome) {
   EXPECT_FALSE(button("test_planner")->isEnabled()) << "there is no attack yet";
   button("generate")->click();
   ASSERT_TRUE(says("attack", "by the recorded car a1"));
@@ -302,7 +302,7 @@ TEST_F(PanelTest, TestsAPlannerInTheNewestAttackAndTellsTheOutcome) {
   EXPECT_EQ(suite_.tested(), "pdm");
 }
 
-TEST_F(PanelTest, KeepsItsButtonsInTheirPlacesWhateverIsSaid) {
+TEST_F(PanelTest, KeepsItsButtonsInPlaceForAnyStatusText) {
   panel_.resize(300, 900);
   panel_.show();
   ASSERT_TRUE(comes([&] { return button("step")->isEnabled(); }));
@@ -336,7 +336,7 @@ TEST_F(PanelTest, ShowsTheAttackItsAlternativesAndTheCountdown) {
   EXPECT_TRUE(button("generate")->isEnabled());
 }
 
-TEST_F(PanelTest, SaysThatNobodyAnswers) {
+TEST_F(PanelTest, ReportsAServiceThatDoesNotRespond) {
   rviz::Config config;
   config.mapSetValue("Seed", 13);
   panel_.load(config);
@@ -345,7 +345,7 @@ TEST_F(PanelTest, SaysThatNobodyAnswers) {
   EXPECT_TRUE(button("generate")->isEnabled());
 }
 
-TEST_F(PanelTest, PausesStepsAndPlaysWhereThereIsAPlayer) {
+TEST_F(PanelTest, PausesStepsAndPlaysIfThereIsAPlayer) {
   ASSERT_TRUE(comes([&] { return button("step")->isEnabled(); }));
   button("pause")->click();
   ASSERT_TRUE(says("player_says", "Paused."));

@@ -20,7 +20,7 @@ collision_forge::PossibleCollision possible(const std::string& type, bool added)
   return collision;
 }
 
-TEST(PossibleTable, ShowsACollisionARow) {
+TEST(PossibleTable, ShowsOneCollisionPerRow) {
   PossibleTable table;
   table.setCollisions({possible("lane_change", false), possible("rear_end", true)});
   ASSERT_EQ(table.rowCount(), 2);
@@ -34,7 +34,7 @@ TEST(PossibleTable, ShowsACollisionARow) {
   EXPECT_EQ(table.rowCount(), 0);
 }
 
-TEST(PossibleTable, MarksARowWithoutTellingThatItWasChosen) {
+TEST(PossibleTable, MarksARowWithoutEmittingChosen) {
   PossibleTable table;
   table.setCollisions({possible("lane_change", false), possible("rear_end", true)});
   bool is_chosen = false;
@@ -44,7 +44,7 @@ TEST(PossibleTable, MarksARowWithoutTellingThatItWasChosen) {
   EXPECT_FALSE(is_chosen);
 }
 
-TEST(PossibleTable, TellsWhichRowIsChosenAndNothingWhenItIsFilledAnew) {
+TEST(PossibleTable, EmitsChosenForASelectedRowButNotWhenFilled) {
   PossibleTable table;
   std::vector<std::string> chosen;
   QObject::connect(&table, &PossibleTable::chosen, [&chosen](const auto& collision) {

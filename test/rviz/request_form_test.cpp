@@ -20,7 +20,7 @@ collision_forge::PossibleCollision cutIn() {
   return collision;
 }
 
-TEST(RequestForm, AsksForWhatWasChosen) {
+TEST(RequestForm, RequestsTheChosenFields) {
   RequestForm form;
   form.choose(cutIn());
   const auto request = form.request();
@@ -31,11 +31,11 @@ TEST(RequestForm, AsksForWhatWasChosen) {
   EXPECT_EQ(request.choice, "existing");
 }
 
-TEST(RequestForm, AsksForAnyTypeUnlessOneIsChosen) {
+TEST(RequestForm, RequestsAnyTypeUnlessOneIsChosen) {
   EXPECT_EQ(RequestForm().request().collision_type, "");
 }
 
-TEST(RequestForm, WritesNumbersWithAPointWhateverTheLanguage) {
+TEST(RequestForm, WritesNumbersWithAPointInEveryLocale) {
   const QLocale before;
   QLocale::setDefault(QLocale(QLocale::German));
   RequestForm form;
@@ -44,7 +44,7 @@ TEST(RequestForm, WritesNumbersWithAPointWhateverTheLanguage) {
   QLocale::setDefault(before);
 }
 
-TEST(RequestForm, OffersAttackersByTheIdsInThePictureAndAsksForTheWholeId) {
+TEST(RequestForm, OffersShortIdsAndRequestsTheFullId) {
   RequestForm form;
   collision_forge::PossibleCollision collision = cutIn();
   collision.attacker_id = "626d04ddfb6ad0fbce7bb269ab4d03e5";
@@ -57,7 +57,7 @@ TEST(RequestForm, OffersAttackersByTheIdsInThePictureAndAsksForTheWholeId) {
   EXPECT_EQ(form.request().attacker_id, collision.attacker_id);
 }
 
-TEST(RequestForm, ForgetsAManoeuvreThatAnotherTypeDoesNotHave) {
+TEST(RequestForm, ResetsAManoeuvreThatTheNewTypeDoesNotHave) {
   RequestForm form;
   form.choose(cutIn());
   collision_forge::PossibleCollision rear_end = cutIn();
@@ -68,7 +68,7 @@ TEST(RequestForm, ForgetsAManoeuvreThatAnotherTypeDoesNotHave) {
   EXPECT_EQ(form.request().manoeuvre, "");
 }
 
-TEST(RequestForm, KeepsTheAttackerWhenOthersComeAndGo) {
+TEST(RequestForm, KeepsTheAttackerWhileOtherAgentsComeAndGo) {
   RequestForm form;
   form.choose(cutIn());
   form.setAttackers({"b2", "a1"});

@@ -40,13 +40,14 @@ class FaultsTest(unittest.TestCase):
 
     def test_other_bytes_are_found(self):
         self.pretend('date +%N > "$out"')
-        self.assert_fails(self.faults('requests', 'kill'), 'requests kill: round 1: not as undisturbed: out')
+        self.assert_fails(self.faults('requests', 'kill'),
+                          'requests kill: round 1: output differs from the undisturbed run: out')
         self.pretend('echo same > "$out"')
         self.assert_passes(self.faults('requests', 'kill'))
 
     def test_what_is_left_beside_the_output_is_found(self):
         self.pretend('[[ $out == */alone/* ]] || touch "$out.part"; echo same > "$out"')
-        self.assert_fails(self.faults('requests', 'kill'), 'not as undisturbed: out.part')
+        self.assert_fails(self.faults('requests', 'kill'), 'output differs from the undisturbed run: out.part')
 
     def test_a_failure_must_name_what_could_not_be_written(self):
         full = '[[ $(ulimit -f) == unlimited ]] || {{ echo "{}" >&2; exit 1; }}; echo same > "$out"'

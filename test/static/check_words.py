@@ -27,12 +27,6 @@ SENTENCE = re.compile(r'(?:\A|[.!?]["\')]*\s+|\n\s*\n)\s*(Of|Who|Whom|What|None|
 # (start of a path, text): a line of such a file that contains the text may have any pattern.
 EXCEPTIONS = [
     ('CONTRIBUTING.md', 'ncludes what it uses'),
-    ('CONTRIBUTING.md', 'First line: what it does'),
-    ('docs/architecture.md', '| what it is |'),
-    ('src/collision_forge/ros/', ' as asked'),
-    ('src/collision_forge/ros/bags/foreign_bag.cpp', 'with that of another one'),
-    ('src/collision_forge/ros/nodes/external_planner.cpp', 'differs from that of planning_state'),
-    ('src/collision_forge/ros/nodes/planner_tester_nodelet.cpp', 'is not that of the newest attack'),
 ]
 
 HASH_COMMENT = re.compile(r'(?:^|(?<=\s))#(.*)')

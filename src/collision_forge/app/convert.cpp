@@ -193,7 +193,7 @@ void addConvert(CommandLine& line) {
                       "of ScenarioNet; even: every step of export.yaml, as MetaDrive replays; "
                       "recorded: when something was recorded, so that nothing is lost");
   addJobs(app, arguments->jobs, "scenes converted in parallel");
-  app.add_flag("--force", arguments->force, "convert scenes again that were converted before");
+  app.add_flag("--force", arguments->force, "also convert scenes whose output exists");
   addConfig(app, arguments->config);
 }
 

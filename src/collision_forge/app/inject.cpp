@@ -249,7 +249,7 @@ int inject(const Arguments& arguments) {
 void addInject(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(kMakingCollisions, "inject",
-                           "Makes an agent of a bag collide with the ego and writes the new bag.",
+                           "Adds a collision to a bag: a recorded or added vehicle hits the ego.",
                            [arguments] { return inject(*arguments); });
   auto& request = arguments->request;
   app.add_option("--bag", arguments->bag, "recorded bag, as written by forge convert")->required();

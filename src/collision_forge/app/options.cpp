@@ -60,8 +60,9 @@ std::string manoeuvresByType() {
 CLI::Validator oneOf(const std::vector<std::string>& words) {
   const CLI::Validator member = CLI::IsMember(words, CLI::ignore_case);
   const auto check = [member, words](std::string& word) {
-    const std::string complaint = member(word);
-    return complaint.empty() ? complaint : complaint + nearestNameHint(word, words);
+    if (member(word).empty()) return std::string();
+    return "\"" + word + "\" is none of " + CLI::detail::join(words, ", ") +
+           nearestNameHint(word, words);
   };
   return {check, member.get_description()};
 }

@@ -53,9 +53,9 @@ ScenarioView viewOfCollision(const PlannerCase& one, const PlannerRow& row, cons
 }
 
 ScenarioView viewOfEvasiveManoeuvre(const PlannerCase& one, const PlannerRow& row) {
-  const Escape& escape = *row.escape_drive;
+  const Evasion& evasion = *row.evasion_drive;
   ScenarioView view =
-      viewOf(one, row, wholeEvasion(row.outcome.driven, escape.ego), escape.attacker);
+      viewOf(one, row, wholeEvasion(row.outcome.driven, evasion.ego), evasion.attacker);
   view.avoided_hit = row.outcome.contact->time;
   return view;
 }

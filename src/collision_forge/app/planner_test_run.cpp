@@ -77,7 +77,7 @@ TestPlan planOf(const PlannerTestArguments& arguments, const Config& config) {
   TestPlan plan{arguments.planners, arguments.background, {}, {}};
   for (const std::string& name : arguments.policies) {
     plan.policies.push_back(*policyKindFromString(name));
-    if (plan.policies.back() == PolicyKind::kAdaptive) plan.foresight = loadForesight(config);
+    if (plan.policies.back() == PolicyKind::kAdaptive) plan.models = loadPredictionModels(config);
   }
   return plan;
 }

@@ -124,7 +124,8 @@ void addPossible(CommandLine& line) {
   CLI::App& app = line.add(kMakingCollisions, "possible",
                            "Lists the collisions that are feasible at one instant of a recording.",
                            [arguments] { return listPossible(*arguments); });
-  CLI::Option_group& recording = *app.add_option_group("recording", "exactly one of these");
+  CLI::Option_group& recording =
+      *app.add_option_group("recording", "a bag, or one scene of a source");
   recording.add_option("--bag", arguments->bag, "recorded bag, as written by forge convert");
   CLI::Option* source = addSource(app, arguments->logs, "recorded scenes, requires --scene");
   recording.add_option(source);

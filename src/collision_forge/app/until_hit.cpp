@@ -12,7 +12,7 @@
 #include "collision_forge/io/json/json_line.h"
 #include "collision_forge/io/scenarios/scenario_file.h"
 #include "collision_forge/planner_test/trials/avoidance_words.h"
-#include "collision_forge/planner_test/trials/escape.h"
+#include "collision_forge/planner_test/trials/evasion.h"
 #include "collision_forge/planner_test/trials/weaknesses.h"
 
 namespace forge {
@@ -52,28 +52,28 @@ void writeMotion(JsonLineWriter& writer, const char* key,
 
 std::string witnessLine(const Weakness& weakness, const Shown& shown) {
   const double now = shown.one.scenario.snapshot.now;
-  const Avoidance& escape = shown.row.escape_drive->ego;
+  const Avoidance& evasion = shown.row.evasion_drive->ego;
   JsonLineWriter writer;
   writer.beginObject();
   writer.text("name", shown.one.name);
   writer.text("planner", weakness.planner);
   writer.text("policy", toString(weakness.policy));
-  writer.text("manoeuvre", toString(escape.manoeuvre));
-  writer.number("start_t", fromNow(escape.start, now));
-  writeMotion(writer, "ego", wholeEvasion(shown.row.outcome.driven, escape), now);
-  writeMotion(writer, "attacker", shown.row.escape_drive->attacker.points, now);
+  writer.text("manoeuvre", toString(evasion.manoeuvre));
+  writer.number("start_t", fromNow(evasion.start, now));
+  writeMotion(writer, "ego", wholeEvasion(shown.row.outcome.driven, evasion), now);
+  writeMotion(writer, "attacker", shown.row.evasion_drive->attacker.points, now);
   writer.endObject();
   return writer.line();
 }
 
 std::string tableRow(int rank, const Weakness& weakness, const Shown& shown) {
   const PlannerContact& contact = *shown.row.outcome.contact;
-  const Avoidance& escape = shown.row.escape_drive->ego;
+  const Avoidance& evasion = shown.row.evasion_drive->ego;
   const std::string numbers =
       formatted("%.1f m/s | %.1f %% | %.1f s | %s, up to %.1f s before | %zu", contact.impact_speed,
                 100.0 * contact.severity.worse().mais3,
-                fromNow(contact.time, shown.one.scenario.snapshot.now), toString(escape.manoeuvre),
-                contact.time - escape.start, weakness.results.size());
+                fromNow(contact.time, shown.one.scenario.snapshot.now), toString(evasion.manoeuvre),
+                contact.time - evasion.start, weakness.results.size());
   return "| " + std::to_string(rank) + " | " + rowName(weakness.planner, weakness.policy) + " | " +
          shown.one.name + " | " + toString(weakness.manoeuvre) + " | " +
          (weakness.at_fault ? "planner" : "attacker") + " | " + toString(weakness.place) + " | " +
@@ -93,14 +93,14 @@ std::size_t triesTo(const std::vector<Weakness>& weaknesses) {
 /// Returns the line that describes the weakness on the terminal.
 std::string printedLine(int rank, const Weakness& weakness, const Shown& shown) {
   const PlannerContact& contact = *shown.row.outcome.contact;
-  const Avoidance& escape = shown.row.escape_drive->ego;
+  const Avoidance& evasion = shown.row.evasion_drive->ego;
   const double now = shown.one.scenario.snapshot.now;
   return "  " + std::to_string(rank) + " " + rowName(weakness.planner, weakness.policy) + ": " +
          toString(weakness.manoeuvre) + " (" + toString(weakness.place) + ", " +
          (weakness.at_fault ? "planner" : "attacker") + " at fault)" +
          formatted(" after %.1f s at %.1f m/s, avoidable ", fromNow(contact.time, now),
                    contact.impact_speed) +
-         avoidanceText(escape.manoeuvre, fromNow(escape.start, now), true) + "; " +
+         avoidanceText(evasion.manoeuvre, fromNow(evasion.start, now), true) + "; " +
          counted(weakness.results.size(), "hit") + ", the most severe in " + shown.one.name + "\n";
 }
 

@@ -80,7 +80,7 @@ TEST(PlannerRecord, ContainsAllFieldsOfTheResultsFile) {
   PlannerTestResult result;
   result.avoidability = {true, {EvasiveManoeuvre::kBraking}, EvasiveManoeuvre::kBoth, 1.5, 0.25};
   PlannerRow row;
-  row.escape = result.avoidability;
+  row.evasion = result.avoidability;
   result.rows = {row};
   const std::string line = plannerResultLine(result);
   const std::size_t begin = line.find("\"avoidability\":{");
@@ -110,7 +110,8 @@ TEST(PlannerRecord, ContainsTheMotionIfThePageHasTheAttack) {
   shown.crash->other =
       Track{"parked", AgentClass::kCar, {}, {{kNow, {}}, {kNow + 9.0, {}}, {kNow + 11.0, {}}}};
   EXPECT_THAT(plannerRecord(result, row, shown), HasSubstr(R"("other":{"t":[0,9000,1000,100)"));
-  row.escape_drive = Escape{{EvasiveManoeuvre::kBraking, kNow + 1.0, row.outcome.driven, 0.0}, {}};
+  row.evasion_drive =
+      Evasion{{EvasiveManoeuvre::kBraking, kNow + 1.0, row.outcome.driven, 0.0}, {}};
   EXPECT_THAT(plannerRecord(result, row, shown), HasSubstr(R"("escape":{"t":[0,100)"));
 }
 

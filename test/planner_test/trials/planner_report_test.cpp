@@ -105,8 +105,8 @@ TEST(PlannerReport, UnfairCollisionsAreNotCounted) {
 TEST(PlannerReport, CountsAvoidableCollisions) {
   auto all = results();
   EXPECT_EQ(rateOf(all, "escape").trials, 0);
-  all[0].rows[0].escape = AvoidabilitySummary{true, {}, EvasiveManoeuvre::kBraking, 1.0, 0.0};
-  all[1].rows[0].escape = AvoidabilitySummary{};
+  all[0].rows[0].evasion = AvoidabilitySummary{true, {}, EvasiveManoeuvre::kBraking, 1.0, 0.0};
+  all[1].rows[0].evasion = AvoidabilitySummary{};
   EXPECT_EQ(rateOf(all, "escape").trials, 2);
   EXPECT_DOUBLE_EQ(rateOf(all, "escape").value, 0.5);
 }

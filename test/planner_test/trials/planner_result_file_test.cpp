@@ -18,7 +18,7 @@ TEST(PlannerResultFile, ALineReadsBackAsTheSameLine) {
   result.rows[1].published_hit.reset();
   result.rows[1].attacker = {
       PolicyKind::kAdaptive, AttackerPhase::kDrivingOn, 7, "max_jerk 9 > 8", "somebody", true};
-  result.rows[1].escape = AvoidabilitySummary{true, {}, EvasiveManoeuvre::kBoth, 2.5, 0.25};
+  result.rows[1].evasion = AvoidabilitySummary{true, {}, EvasiveManoeuvre::kBoth, 2.5, 0.25};
   dropMotions(result);
   result.rows[1].is_fair = false;
   const std::string line = plannerResultLine(result);
@@ -38,10 +38,10 @@ TEST(PlannerResultFile, ALineReadsBackAsTheSameLine) {
   EXPECT_EQ(read.rows[1].attacker.policy, PolicyKind::kAdaptive);
   EXPECT_EQ(read.rows[1].attacker.phase, AttackerPhase::kDrivingOn);
   EXPECT_EQ(read.rows[1].attacker.broken_limit, "max_jerk 9 > 8");
-  EXPECT_TRUE(read.rows[0].escape);
+  EXPECT_TRUE(read.rows[0].evasion);
   EXPECT_TRUE(read.rows[0].is_fair);
-  ASSERT_TRUE(read.rows[1].escape);
-  EXPECT_EQ(read.rows[1].escape->last_after, 2.5);
+  ASSERT_TRUE(read.rows[1].evasion);
+  EXPECT_EQ(read.rows[1].evasion->last_after, 2.5);
   EXPECT_FALSE(read.rows[1].is_fair);
   EXPECT_EQ(plannerResultLine(read), line);
 }
@@ -52,7 +52,7 @@ TEST(PlannerResultFile, KeepsTheMotionsToTheMicrometre) {
   const TestPlan plan{{"idm"}, Background::kIdm, {PolicyKind::kAdaptive}, {}};
   PlannerTestResult result = testPlanners(one, plan, config(), config().planners);
   PlannerRow& row = result.rows.front();
-  ASSERT_TRUE(row.escape_drive);
+  ASSERT_TRUE(row.evasion_drive);
   Track& agent = row.outcome.others.emplace_back();
   agent.id = "reacts";
   agent.states = {{result.now, {1.0, 2.0, 0.0}, {3.0, 0.0}}};
@@ -74,10 +74,10 @@ TEST(PlannerResultFile, KeepsTheMotionsToTheMicrometre) {
   };
   expect_same(kept.outcome.driven, row.outcome.driven);
   expect_same(kept.outcome.attacker.points, row.outcome.attacker.points);
-  expect_same(kept.escape_drive->ego.motion, row.escape_drive->ego.motion);
-  expect_same(kept.escape_drive->attacker.points, row.escape_drive->attacker.points);
-  EXPECT_EQ(kept.escape_drive->ego.manoeuvre, row.escape_drive->ego.manoeuvre);
-  EXPECT_NEAR(kept.escape_drive->ego.start, row.escape_drive->ego.start, 1e-6);
+  expect_same(kept.evasion_drive->ego.motion, row.evasion_drive->ego.motion);
+  expect_same(kept.evasion_drive->attacker.points, row.evasion_drive->attacker.points);
+  EXPECT_EQ(kept.evasion_drive->ego.manoeuvre, row.evasion_drive->ego.manoeuvre);
+  EXPECT_NEAR(kept.evasion_drive->ego.start, row.evasion_drive->ego.start, 1e-6);
   ASSERT_EQ(kept.outcome.attacker_plans.size(), row.outcome.attacker_plans.size());
   EXPECT_EQ(kept.outcome.attacker_plans.back().phase, row.outcome.attacker_plans.back().phase);
   expect_same(kept.outcome.attacker_plans.back().points, row.outcome.attacker_plans.back().points);

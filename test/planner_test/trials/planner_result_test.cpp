@@ -52,10 +52,10 @@ TEST(PlannerResult, EachPolicyOfTheAttackerHasARowOfItsOwn) {
   const PlannerTestResult strict = testPlanners(one, plan, config(), config().planners);
   EXPECT_EQ(strict.rows[1].attacker.broken_limit, "") << "it drives by the limits of its class";
   EXPECT_TRUE(result.rows[1].attacker.as_asked) << "IDM, hit by an adaptive attacker";
-  ASSERT_TRUE(result.rows[1].escape);
-  EXPECT_TRUE(result.rows[1].escape->is_avoidable);
+  ASSERT_TRUE(result.rows[1].evasion);
+  EXPECT_TRUE(result.rows[1].evasion->is_avoidable);
   EXPECT_TRUE(result.rows[1].is_fair);
-  EXPECT_EQ(result.rows[0].escape.has_value(),
+  EXPECT_EQ(result.rows[0].evasion.has_value(),
             result.rows[0].outcome.contact && result.rows[0].outcome.contact->is_attacker);
 }
 
@@ -65,8 +65,8 @@ TEST(PlannerResult, AHitAvoidableForLessThanAvoidableForIsUnfair) {
   strict.adaptive.fairness.avoidable_for = one.request.tta;
   const PlannerTestResult result = testPlanners(one, {{"idm"}}, strict, strict.planners);
   ASSERT_TRUE(result.rows[0].outcome.contact);
-  ASSERT_TRUE(result.rows[0].escape);
-  EXPECT_LT(result.rows[0].escape->last_after, one.request.tta);
+  ASSERT_TRUE(result.rows[0].evasion);
+  EXPECT_LT(result.rows[0].evasion->last_after, one.request.tta);
   EXPECT_FALSE(result.rows[0].is_fair);
 }
 

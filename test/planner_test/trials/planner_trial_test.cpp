@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "collision_forge/planner_test/planners/planner_factory.h"
-#include "collision_forge/planner_test/trials/escape.h"
+#include "collision_forge/planner_test/trials/evasion.h"
 #include "planner_test/trials/rollout_scenes.h"
 
 namespace forge {
@@ -63,9 +63,9 @@ TEST(PlannerTrial, UsesFindEscapeOrTheDrivenMotionForAnAdaptiveAttacker) {
   setup.attacker = &attacker;
   const PlannerTrial hit = tryPlanner(*idm.planner, idm.driving, scenario, setup);
   ASSERT_TRUE(hit.outcome.contact && hit.outcome.contact->is_attacker);
-  const auto escape = findEvasion(scenario, hit.outcome.driven, setup);
-  ASSERT_TRUE(escape && hit.avoidability.last);
-  EXPECT_EQ(hit.avoidability.last->start, escape->ego.start);
+  const auto evasion = findEvasion(scenario, hit.outcome.driven, setup);
+  ASSERT_TRUE(evasion && hit.avoidability.last);
+  EXPECT_EQ(hit.avoidability.last->start, evasion->ego.start);
   EXPECT_TRUE(hit.avoidability.from_now.empty());
   const FixedAttacker away(straightDrive({40.0, 3.5, M_PI}, 5.0, 6.0));
   setup.attacker = &away;

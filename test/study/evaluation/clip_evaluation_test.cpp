@@ -20,10 +20,10 @@ struct Evaluation {
   std::shared_ptr<const LaneIndex> lanes =
       std::make_shared<const LaneIndex>(std::make_shared<const LaneMap>());
   EvaluationPlan plan;
-  PredictionModels foresight;  // without models
+  PredictionModels models;  // without models
 
   std::vector<ResultRow> rows(const CollideClip& clip) const {
-    return evaluateClip(clip, lanes, {builtInMethods(), foresight, config}, plan);
+    return evaluateClip(clip, lanes, {builtInMethods(), models, config}, plan);
   }
   ResultRow row(const CollideClip& clip, const std::string& method) const {
     for (const ResultRow& row : rows(clip)) {
@@ -147,7 +147,7 @@ TEST(ClipEvaluation, AnAdaptiveAttackerReactsToTheClip) {
 
 TEST(ClipEvaluation, NetworkMethodsAreMeasuredBesideTheSearchWithoutNetworks) {
   Evaluation evaluation;
-  evaluation.foresight = loadForesight(evaluation.config);
+  evaluation.models = loadPredictionModels(evaluation.config);
   const CollideClip clip =
       straightClip(CollisionType::kRearEnd, 0.0, 15, 8.0, {-20.0, 0.3, 0.0}, 10.0);
   evaluation.plan.method = "network+search";
@@ -159,14 +159,14 @@ TEST(ClipEvaluation, NetworkMethodsAreMeasuredBesideTheSearchWithoutNetworks) {
   EXPECT_EQ(without.status, "OK");
   EXPECT_EQ(with.status, "OK");
   EXPECT_NE(with.contact_after, without.contact_after);
-  evaluation.foresight = evaluation.foresight.withoutNetwork();
+  evaluation.models = evaluation.models.withoutNetwork();
   evaluation.plan.method = "search";
   EXPECT_EQ(evaluation.row(clip, "search").contact_after, without.contact_after);
 }
 
 TEST(ClipEvaluation, NetworkDrivesToItsLikeliestPattern) {
   Evaluation evaluation;
-  evaluation.foresight = loadForesight(evaluation.config);
+  evaluation.models = loadPredictionModels(evaluation.config);
   evaluation.plan.method = "network";
   evaluation.plan.is_seeded = false;
   evaluation.plan.mode = Mode::kReplay;

@@ -82,11 +82,11 @@ TEST(ClipQuestion, InvalidRequestsAreRejectedOnlyForSeededMethods) {
 
 TEST(ClipMethod, UsesModelsOfTheSceneOnlyWithSeenScenes) {
   const StudyConfig config = someConfig();
-  const PredictionModels foresight = loadForesight(config);
+  const PredictionModels models = loadPredictionModels(config);
   const MethodRegistry methods = builtInMethods();
-  const ClipEvaluationSetup setup{methods, foresight, config};
+  const ClipEvaluationSetup setup{methods, models, config};
   CollideClip clip = straightClip(CollisionType::kRearEnd, 0.0, 15, 8.0, {-20.0, 0.3, 0.0}, 10.0);
-  clip.scene = foresight.network->folds().back()->weights().left_out_scenes.front();
+  clip.scene = models.network->folds().back()->weights().left_out_scenes.front();
   const ClipQuestion question(clip, noLanes(), Mode::kHistory, config);
   const auto endWith = [&](const MethodMaker& maker) {
     return question.answer(maker, *maker.make(), 0).trajectory.points.back().pose.x;
@@ -94,7 +94,7 @@ TEST(ClipMethod, UsesModelsOfTheSceneOnlyWithSeenScenes) {
   const double unseen = endWith(clipMethod("network", clip, setup, false));
   const double seen = endWith(clipMethod("network", clip, setup, true));
   EXPECT_NE(unseen, seen);
-  const MethodMaker of_all("network", methods, config.attack, foresight);
+  const MethodMaker of_all("network", methods, config.attack, models);
   EXPECT_EQ(unseen, question.answer(of_all, *of_all.makeWithoutScene(clip.scene), 0)
                         .trajectory.points.back()
                         .pose.x);

@@ -8,18 +8,18 @@
 namespace forge {
 namespace {
 
-MethodPredictors predictorsOf(const AttackOptions& options, const PredictionModels& foresight) {
-  return {std::make_shared<NetworkEgoFutures>(options.ego_futures, foresight),
-          std::make_unique<NetworkPatternPredictor>(options, foresight)};
+MethodPredictors predictorsOf(const AttackOptions& options, const PredictionModels& models) {
+  return {std::make_shared<NetworkEgoFutures>(options.ego_futures, models),
+          std::make_unique<NetworkPatternPredictor>(options, models)};
 }
 
 }  // namespace
 
 MethodMaker::MethodMaker(const std::string& name, const MethodRegistry& methods,
-                         const AttackOptions& options, PredictionModels foresight)
+                         const AttackOptions& options, PredictionModels models)
     : options_(options),
-      foresight_(std::move(foresight)),
-      entry_(methods.at(name.empty() ? defaultMethod(foresight_.network != nullptr) : name)) {
+      models_(std::move(models)),
+      entry_(methods.at(name.empty() ? defaultMethod(models_.network != nullptr) : name)) {
   try {
     make();
   } catch (const std::invalid_argument& error) {
@@ -27,10 +27,10 @@ MethodMaker::MethodMaker(const std::string& name, const MethodRegistry& methods,
   }
 }
 
-std::unique_ptr<const AttackMethod> MethodMaker::makeOf(const PredictionModels& foresight) const {
+std::unique_ptr<const AttackMethod> MethodMaker::makeOf(const PredictionModels& models) const {
   MethodSetup setup{
-      options_, predictorsOf(options_, foresight.withoutNetwork()), {}, foresight.unseen_scene};
-  if (foresight.network) setup.networks = predictorsOf(options_, foresight);
+      options_, predictorsOf(options_, models.withoutNetwork()), {}, models.unseen_scene};
+  if (models.network) setup.networks = predictorsOf(options_, models);
   return entry_.make(setup);
 }
 

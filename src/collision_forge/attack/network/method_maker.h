@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "collision_forge/attack/network/foresight.h"
 #include "collision_forge/attack/network/network_ego_futures.h"
+#include "collision_forge/attack/network/prediction_models.h"
 #include "collision_forge/attack/search/method_registry.h"
 
 namespace forge {
@@ -16,32 +16,31 @@ class MethodMaker {
   /// An empty `name` selects defaultMethod(). Throws std::invalid_argument if `methods` has no such
   /// name or the method lacks a required input, such as a network.
   MethodMaker(const std::string& name, const MethodRegistry& methods, const AttackOptions& options,
-              PredictionModels foresight);
+              PredictionModels models);
 
   const std::string& name() const { return entry_.name; }
   bool isSeeded() const { return entry_.is_seeded; }
   const AttackOptions& options() const { return options_; }
 
-  std::unique_ptr<const AttackMethod> make() const { return makeOf(foresight_); }
+  std::unique_ptr<const AttackMethod> make() const { return makeOf(models_); }
   /// Returns the method with models trained without `scene`, where there are any.
   std::unique_ptr<const AttackMethod> makeWithoutScene(const std::string& scene) const {
-    return makeOf(foresight_.withoutScene(scene));
+    return makeOf(models_.withoutScene(scene));
   }
   /// Returns the sampler of ego futures.
   std::shared_ptr<const EgoFutureSampler> egoFutures() const {
-    return std::make_shared<NetworkEgoFutures>(options_.ego_futures, foresight_);
+    return std::make_shared<NetworkEgoFutures>(options_.ego_futures, models_);
   }
   /// Returns the sampler of ego futures with models trained without `scene`.
   std::shared_ptr<const EgoFutureSampler> egoFuturesWithoutScene(const std::string& scene) const {
-    return std::make_shared<NetworkEgoFutures>(options_.ego_futures,
-                                               foresight_.withoutScene(scene));
+    return std::make_shared<NetworkEgoFutures>(options_.ego_futures, models_.withoutScene(scene));
   }
 
  private:
-  std::unique_ptr<const AttackMethod> makeOf(const PredictionModels& foresight) const;
+  std::unique_ptr<const AttackMethod> makeOf(const PredictionModels& models) const;
 
   AttackOptions options_;
-  PredictionModels foresight_;
+  PredictionModels models_;
   MethodRegistry::Entry entry_;
 };
 

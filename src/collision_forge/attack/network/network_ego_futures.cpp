@@ -179,20 +179,20 @@ class StretchedForecast {
 
 }  // namespace
 
-NetworkEgoFutures::NetworkEgoFutures(const EgoFutureOptions& options, PredictionModels foresight)
-    : options_(options), foresight_(std::move(foresight)), kinematic_(options, foresight_.speeds) {}
+NetworkEgoFutures::NetworkEgoFutures(const EgoFutureOptions& options, PredictionModels models)
+    : options_(options), models_(std::move(models)), kinematic_(options, models_.speeds) {}
 
 std::vector<Track> NetworkEgoFutures::sample(const Snapshot& snapshot, const LaneIndex& lanes,
                                              double horizon, int count, std::uint64_t seed) const {
   checkSampleArguments(horizon, count);
-  const PatternNetwork* network = foresight_.network.get();
+  const PatternNetwork* network = models_.network.get();
   if (count == 0 || !network || network->weights().features.head != EgoHead::kRegionProposal ||
       isReversing(egoNow(snapshot.ego))) {
     return kinematic_.sample(snapshot, lanes, horizon, count, seed);
   }
   const PredictedScene scene(*network, snapshot, lanes, horizon);
   const EgoNow& ego = scene.ways().ego;
-  const Distributions distributions = distributionsOf(scene, horizon, foresight_.known_type);
+  const Distributions distributions = distributionsOf(scene, horizon, models_.known_type);
   std::mt19937_64 engine(seed);
   const std::vector<int> shares = shareOut(wayWeights(distributions), count, engine);
   std::vector<Track> tracks;
@@ -202,8 +202,7 @@ std::vector<Track> NetworkEgoFutures::sample(const Snapshot& snapshot, const Lan
     const EgoPath& path = scene.ways().paths[i];
     const DrivingSituation situation{ego.past_speeds, scene.ways().ahead[i]};
     const StretchedForecast stretched(
-        forecastSpeeds(foresight_.speeds.get(), situation, horizon, options_), ego, distributions,
-        i);
+        forecastSpeeds(models_.speeds.get(), situation, horizon, options_), ego, distributions, i);
     const auto profiles = drawProfiles(stretched.forecast(), shares[i], engine);
     const auto offsets = drawDifferences(shares[i], options_.offset_spread, engine);
     const auto turns = drawDifferences(shares[i], options_.turn_rate_spread, engine);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "collision_forge/attack/forecast/ego_futures.h"
-#include "collision_forge/attack/network/foresight.h"
+#include "collision_forge/attack/network/prediction_models.h"
 
 namespace forge {
 
@@ -11,14 +11,14 @@ namespace forge {
 /// a network with anchors on paths, and for a reversing ego, samples as KinematicEgoFutures.
 class NetworkEgoFutures : public EgoFutureSampler {
  public:
-  NetworkEgoFutures(const EgoFutureOptions& options, PredictionModels foresight);
+  NetworkEgoFutures(const EgoFutureOptions& options, PredictionModels models);
 
   std::vector<Track> sample(const Snapshot& snapshot, const LaneIndex& lanes, double horizon,
                             int count, std::uint64_t seed) const override;
 
  private:
   EgoFutureOptions options_;
-  PredictionModels foresight_;
+  PredictionModels models_;
   KinematicEgoFutures kinematic_;
 };
 

@@ -61,18 +61,18 @@ Pose2 egoAtImpact(const PredictedScene& scene, const CollisionRequest& request,
 }  // namespace
 
 NetworkPatternPredictor::NetworkPatternPredictor(const AttackOptions& options,
-                                                 PredictionModels foresight)
+                                                 PredictionModels models)
     : options_(options),
-      foresight_(std::move(foresight)),
-      kinematic_(options, std::make_shared<NetworkEgoFutures>(options.ego_futures, foresight_)) {}
+      models_(std::move(models)),
+      kinematic_(options, std::make_shared<NetworkEgoFutures>(options.ego_futures, models_)) {}
 
 PatternPrediction NetworkPatternPredictor::predict(const Snapshot& snapshot, const LaneIndex& lanes,
                                                    const CollisionRequest& request,
                                                    const Future* recorded) const {
   PatternPrediction prediction = kinematic_.predict(snapshot, lanes, request, recorded);
-  if (!foresight_.network || prediction.patterns.empty()) return prediction;
-  const PredictedScene scene(*foresight_.network, snapshot, lanes, request.tta);
-  const Pose2 ego = egoAtImpact(scene, request, recorded, snapshot.now, foresight_.known_type);
+  if (!models_.network || prediction.patterns.empty()) return prediction;
+  const PredictedScene scene(*models_.network, snapshot, lanes, request.tta);
+  const Pose2 ego = egoAtImpact(scene, request, recorded, snapshot.now, models_.known_type);
   const std::vector<const Track*> attackers = attackersOf(prediction.patterns, snapshot);
   const std::vector<CandidatePrediction> answers =
       scene.judge(attackers, ego, request.tta, request.type);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "collision_forge/attack/network/foresight.h"
+#include "collision_forge/attack/network/prediction_models.h"
 #include "collision_forge/attack/search/options.h"
 #include "collision_forge/attack/search/pattern_predictor.h"
 
@@ -14,14 +14,14 @@ class NetworkPatternPredictor : public PatternPredictor {
  public:
   /// Without a network it predicts as KinematicPatternPredictor. The ego pose is predicted without
   /// the requested type unless PredictionModels::known_type is set.
-  NetworkPatternPredictor(const AttackOptions& options, PredictionModels foresight);
+  NetworkPatternPredictor(const AttackOptions& options, PredictionModels models);
 
   PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
                             const CollisionRequest& request, const Future* recorded) const override;
 
  private:
   AttackOptions options_;
-  PredictionModels foresight_;
+  PredictionModels models_;
   KinematicPatternPredictor kinematic_;
 };
 

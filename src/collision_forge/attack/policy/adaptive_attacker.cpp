@@ -140,7 +140,7 @@ void AdaptiveAttacker::observe(const Frame& seen) {
 }
 
 Future AdaptiveAttacker::outlook() const {
-  Future future = foresee(scene_.snapshot());
+  Future future = predict(scene_.snapshot());
   std::vector<AgentState> ego = seen_ego_;
   for (const AgentState& state : future.ego.states) {
     if (state.time > ego.back().time + kTimeEpsilon) ego.push_back(state);
@@ -150,7 +150,7 @@ Future AdaptiveAttacker::outlook() const {
   return future;
 }
 
-Future AdaptiveAttacker::foresee(const Snapshot& snapshot) const {
+Future AdaptiveAttacker::predict(const Snapshot& snapshot) const {
   const double end = task_.plan.points.back().time - snapshot.now;
   // The plan may end less than a step from now.
   const double central = std::min(std::max(impact_ - snapshot.now, kPredictionStep), end);
@@ -209,7 +209,7 @@ Underway AdaptiveAttacker::underwayFrom(std::size_t from) const {
 
 void AdaptiveAttacker::replan(const Frame& seen, std::size_t from) {
   const Snapshot known = scene_.snapshot();
-  const Future future = foresee(known);
+  const Future future = predict(known);
   std::vector<const Track*> egos;
   for (const Track& ego : future.ego_samples) egos.push_back(&ego);
   if (egos.empty()) egos.push_back(&future.ego);
@@ -279,7 +279,7 @@ void AdaptiveAttacker::abortAttack(double seen, std::size_t from, const std::str
 }
 
 void AdaptiveAttacker::driveOnFrom(double seen, std::size_t from, const std::string& reason) {
-  Future future = foresee(scene_.snapshot());
+  Future future = predict(scene_.snapshot());
   if (last_ego_ < seen - kTimeEpsilon) future.ego.states.clear();  // unknown position
   const auto& points = task_.plan.points;
   const DriveState state = driveStateOf(points[from], limits_);

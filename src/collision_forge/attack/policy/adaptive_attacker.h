@@ -64,7 +64,7 @@ class AdaptiveAttacker : public AttackerPolicy {
   double timeOf(std::size_t index) const { return task_.plan.points[index].time; }
   std::size_t firstAfter(double time) const;
   bool hasJumped(const Frame& seen) const;
-  Future foresee(const Snapshot& snapshot) const;
+  Future predict(const Snapshot& snapshot) const;
   void replan(const Frame& seen, std::size_t from);
   bool touchesOthers(const Future& future, std::size_t from) const;
   void abortAttack(double seen, std::size_t from, const std::string& reason);

@@ -151,7 +151,7 @@ Status checkControls(const CollisionRequest& request) {
   }
   if (request.crash.believable && request.crash.limits == LimitSet::kStrict) {
     return refuse(StatusCode::kInvalidInput,
-                  "limits = strict requires believable = false: a believable attacker keeps "
+                  "limits = strict requires believable = false: a plausible attacker keeps "
                   "the limits of its vehicle class");
   }
   return {};

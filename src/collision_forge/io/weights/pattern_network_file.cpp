@@ -211,7 +211,7 @@ std::shared_ptr<const PatternNetwork> loadPatternNetwork(const std::string& path
   }
 }
 
-PredictionModels loadForesight(const ModelOptions& options) {
+PredictionModels loadPredictionModels(const ModelOptions& options) {
   return {loadSpeedForecaster(options), loadPatternNetwork(options.pattern_network), std::nullopt};
 }
 
@@ -223,7 +223,7 @@ MethodRegistry loadMethods(const ModelOptions& options) {
 
 MethodMaker loadMethod(const std::string& name, const ModelOptions& models,
                        const AttackOptions& attack) {
-  return {name, loadMethods(models), attack, loadForesight(models)};
+  return {name, loadMethods(models), attack, loadPredictionModels(models)};
 }
 
 }  // namespace forge

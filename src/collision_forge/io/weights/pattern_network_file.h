@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/attack/network/foresight.h"
 #include "collision_forge/attack/network/method_maker.h"
 #include "collision_forge/attack/network/pattern_network.h"
+#include "collision_forge/attack/network/prediction_models.h"
 #include "collision_forge/io/logs/options.h"
 
 namespace forge {
@@ -33,14 +33,14 @@ std::shared_ptr<const PatternNetwork> loadPatternNetwork(const std::string& path
 
 /// Loads the configured speed forecaster and pattern network. Throws as loadSpeedForecaster() and
 /// loadPatternNetwork().
-PredictionModels loadForesight(const ModelOptions& options);
+PredictionModels loadPredictionModels(const ModelOptions& options);
 
 /// Returns the built-in methods, the methods of `method_libraries` and the learned baselines
 /// (addGeneratorMethods()). Throws as methodsWith().
 MethodRegistry loadMethods(const ModelOptions& options);
 
-/// Returns a method of loadMethods() with loadForesight(); name "" is the package's own method.
-/// Throws as these and MethodMaker.
+/// Returns a method of loadMethods() with loadPredictionModels(); name "" is the package's own
+/// method. Throws as these and MethodMaker.
 MethodMaker loadMethod(const std::string& name, const ModelOptions& models,
                        const AttackOptions& attack);
 

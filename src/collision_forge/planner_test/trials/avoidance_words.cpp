@@ -10,10 +10,10 @@ std::string secondsText(double seconds) { return formatted("%.1f s", seconds); }
 
 }  // namespace
 
-std::string avoidanceText(EvasiveManoeuvre manoeuvre, double start, bool is_escape) {
+std::string avoidanceText(EvasiveManoeuvre manoeuvre, double start, bool is_evasion) {
   const bool is_at_once = start < kTimeEpsilon;
   if (manoeuvre == EvasiveManoeuvre::kKeeping) {
-    if (!is_escape) return "by driving as recorded";
+    if (!is_evasion) return "by driving as recorded";
     return is_at_once ? "by keeping its speed"
                       : "by keeping its speed from " + secondsText(start) + " after t0 on";
   }

@@ -113,10 +113,10 @@ void writeDrive(JsonLineWriter& writer, const PlannerRow& row, double now) {
                writeMotion(plan, "trajectory", points, origin);
              });
   writeAgents(writer, outcome.contact ? outcome.others : std::vector<Track>(), now);
-  if (row.escape_drive) {
+  if (row.evasion_drive) {
     writer.beginObject("escape");
-    writeMotion(writer, "ego", row.escape_drive->ego.motion, now);
-    writeMotion(writer, "attacker", row.escape_drive->attacker.points, now);
+    writeMotion(writer, "ego", row.evasion_drive->ego.motion, now);
+    writeMotion(writer, "attacker", row.evasion_drive->attacker.points, now);
     writer.endObject();
   } else {
     writer.null("escape");
@@ -137,16 +137,16 @@ void readDrive(JsonObject& object, PlannerRow& row, double now) {
     agent.id = entry.text("id");
     agent.states = toStates(readMotionFields(entry, now));
   }
-  auto escape = drive->objectOrNull("escape");
-  if (escape.has_value() != (row.escape && row.escape->is_avoidable)) {
+  auto evasion = drive->objectOrNull("escape");
+  if (evasion.has_value() != (row.evasion && row.evasion->is_avoidable)) {
     drive->fail("escape", "contradicts the field escape of the row");
   }
-  if (escape) {
-    Escape& read = row.escape_drive.emplace();
-    read.ego = {row.escape->last, now + row.escape->last_after, readMotion(*escape, "ego", now),
-                row.escape->off_road_share};
-    read.attacker.points = readMotion(*escape, "attacker", now);
-    escape->finish();
+  if (evasion) {
+    Evasion& read = row.evasion_drive.emplace();
+    read.ego = {row.evasion->last, now + row.evasion->last_after, readMotion(*evasion, "ego", now),
+                row.evasion->off_road_share};
+    read.attacker.points = readMotion(*evasion, "attacker", now);
+    evasion->finish();
   }
   drive->finish();
 }

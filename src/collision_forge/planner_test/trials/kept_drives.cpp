@@ -29,7 +29,7 @@ PlannerRow KeptDrives::rowOf(const PlannerCase& one, std::size_t index, const st
       attacker.points = std::move(points);
     };
     complete(row.outcome.attacker);
-    if (row.escape_drive) complete(row.escape_drive->attacker);
+    if (row.evasion_drive) complete(row.evasion_drive->attacker);
     return row;
   }
   throw std::out_of_range(where + ": has no row for planner " + rowName(planner, policy));

@@ -77,9 +77,9 @@ std::optional<double> fairCollision(const PlannerTestResult&, const PlannerRow& 
   return hitsAttacker(row.outcome) ? 1.0 : 0.0;
 }
 
-std::optional<double> canEscape(const PlannerTestResult&, const PlannerRow& row) {
-  if (hasFailed(row.outcome) || !row.escape) return std::nullopt;
-  return row.escape->is_avoidable ? 1.0 : 0.0;
+std::optional<double> canEvade(const PlannerTestResult&, const PlannerRow& row) {
+  if (hasFailed(row.outcome) || !row.evasion) return std::nullopt;
+  return row.evasion->is_avoidable ? 1.0 : 0.0;
 }
 
 std::optional<double> publishedHit(const PlannerTestResult&, const PlannerRow& row) {
@@ -136,7 +136,7 @@ std::vector<RolloutMeasure> rolloutMeasures() {
        fairCollision},
       {{"escape", "Avoidable collisions, share of collisions with the attacker", {}},
        kShare,
-       canEscape},
+       canEvade},
       {{"as_asked", "Collisions with the attacker of the requested type at the requested time", {}},
        kShare,
        ofAttackers([](const AttackerSummary& attacker) { return attacker.as_asked; })},

@@ -30,9 +30,9 @@ AvoidabilitySummary summaryOf(const Avoidability& found, double now) {
   return summary;
 }
 
-AvoidabilitySummary summaryOf(const std::optional<Escape>& escape, double now) {
+AvoidabilitySummary summaryOf(const std::optional<Evasion>& evasion, double now) {
   Avoidability found;
-  if (escape) found.last = escape->ego;
+  if (evasion) found.last = evasion->ego;
   return summaryOf(found, now);
 }
 
@@ -139,7 +139,7 @@ std::vector<std::string> rowNames(const TestPlan& plan) {
 }
 
 std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind policy,
-                                             const PredictionModels& foresight,
+                                             const PredictionModels& models,
                                              const AnswerOptions& options) {
   if (policy == PolicyKind::kFixed) return nullptr;
   const CrashScenario& scenario = one.scenario;
@@ -147,14 +147,14 @@ std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind 
       AttackerTask{scenario.snapshot, scenario.lanes, scenario.ego, one.request, one.pattern,
                    scenario.attacker, one.effort},
       AttackerSetup{std::make_shared<NetworkEgoFutures>(options.attack.ego_futures,
-                                                        foresight.withoutScene(one.scene)),
+                                                        models.withoutScene(one.scene)),
                     options.attack, options.adaptive});
 }
 
 PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, PolicyKind policy,
                        const TestPlan& plan, const AnswerOptions& options,
                        const TrialOptions& trials) {
-  const auto attacker = makeAttacker(one, policy, plan.foresight, options);
+  const auto attacker = makeAttacker(one, policy, plan.models, options);
   const RolloutSetup setup{trials,          options.attack, options.crash.types,
                            plan.background, true,           attacker.get()};
   PlannerRow row;
@@ -162,10 +162,10 @@ PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Polic
   row.outcome = drive(one, planner, setup);
   row.attacker = summaryOf(one, policy, plan.background, row.outcome, options);
   if (row.outcome.contact && row.outcome.contact->is_attacker) {
-    row.escape_drive = findEvasion(one.scenario, row.outcome.driven, setup);
-    row.escape = summaryOf(row.escape_drive, one.scenario.snapshot.now);
+    row.evasion_drive = findEvasion(one.scenario, row.outcome.driven, setup);
+    row.evasion = summaryOf(row.evasion_drive, one.scenario.snapshot.now);
     const FairnessOptions& fairness = options.adaptive.fairness;
-    row.is_fair = row.escape->is_avoidable && row.escape->last_after >= fairness.avoidable_for &&
+    row.is_fair = row.evasion->is_avoidable && row.evasion->last_after >= fairness.avoidable_for &&
                   (!fairness.avoidable_by ||
                    isAvoidedBy(row.outcome.careful_drivers, *fairness.avoidable_by));
   }
@@ -182,7 +182,7 @@ void dropMotions(PlannerTestResult& result) {
     row.outcome.others.clear();
     row.outcome.attacker = {};
     row.outcome.attacker_plans.clear();
-    row.escape_drive.reset();
+    row.evasion_drive.reset();
   }
 }
 

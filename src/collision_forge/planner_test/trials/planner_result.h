@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/attack/network/foresight.h"
+#include "collision_forge/attack/network/prediction_models.h"
 #include "collision_forge/attack/policy/attacker_policy.h"
 #include "collision_forge/planner_test/trials/avoidability.h"
-#include "collision_forge/planner_test/trials/escape.h"
+#include "collision_forge/planner_test/trials/evasion.h"
 #include "collision_forge/planner_test/trials/planner_case.h"
 #include "collision_forge/planner_test/trials/rollout.h"
 
@@ -28,7 +28,7 @@ struct TestPlan {
   std::vector<std::string> planners;
   Background background = Background::kReplay;
   std::vector<PolicyKind> policies = {PolicyKind::kFixed};
-  PredictionModels foresight = {};  ///< of adaptive attackers
+  PredictionModels models = {};  ///< of adaptive attackers
 };
 
 /// Returns the row title of a planner tested against such an attacker; the planner's own name for a
@@ -51,14 +51,14 @@ struct AttackerSummary {
 };
 
 /// Result of one planner in one case. dropMotions() removes the motions of the outcome and
-/// `escape_drive`.
+/// `evasion_drive`.
 struct PlannerRow {
   std::string planner;
   RolloutOutcome outcome;
   AttackerSummary attacker;
   /// Result of findEvasion(); set if the attacker hit the ego.
-  std::optional<AvoidabilitySummary> escape = {};
-  std::optional<Escape> escape_drive = {};  ///< with an escape
+  std::optional<AvoidabilitySummary> evasion = {};
+  std::optional<Evasion> evasion_drive = {};  ///< set if `evasion` is avoidable
   /// False for a hit without a known evasive manoeuvre that starts at least
   /// FairnessOptions::avoidable_for after t0, or that FairnessOptions::avoidable_by does not avoid.
   bool is_fair = true;
@@ -107,11 +107,11 @@ PlannerTestResult evaluateCase(const PlannerCase& one, const AnswerOptions& opti
 
 /// Creates the attacker's policy for a case; null for PolicyKind::kFixed.
 std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind policy,
-                                             const PredictionModels& foresight,
+                                             const PredictionModels& models,
                                              const AnswerOptions& options);
 
 /// Runs a planner through a case that evaluateCase() found OK. Uses only the background and the
-/// foresight of the plan. Throws std::invalid_argument for an unknown planner.
+/// models of the plan. Throws std::invalid_argument for an unknown planner.
 PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, PolicyKind policy,
                        const TestPlan& plan, const AnswerOptions& options,
                        const TrialOptions& trials);

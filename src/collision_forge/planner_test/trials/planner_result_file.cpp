@@ -173,7 +173,7 @@ PlannerRow readRow(JsonObject& object, double now) {
     row.outcome.contact = readContact(*contact, now);
   }
   row.outcome.careful_drivers = readCarefulDrivers(object, now);
-  if (auto escape = object.objectOrNull("escape")) row.escape = readAvoidability(*escape);
+  if (auto evasion = object.objectOrNull("escape")) row.evasion = readAvoidability(*evasion);
   row.is_fair = object.flag("fair");
   row.outcome.duration = object.number("duration");
   row.outcome.max_braking = object.number("max_braking");
@@ -291,8 +291,8 @@ void writePlannerRow(JsonLineWriter& writer, const PlannerRow& row, double now) 
     writer.null("contact");
   }
   writeCarefulDrivers(writer, outcome.careful_drivers, now);
-  if (row.escape) {
-    writeAvoidability(writer, "escape", *row.escape);
+  if (row.evasion) {
+    writeAvoidability(writer, "escape", *row.evasion);
   } else {
     writer.null("escape");
   }
@@ -384,7 +384,7 @@ std::vector<std::string> plannerResultCsvRows(const PlannerTestResult& result) {
         "%.3f,%.3f,%.3f,%.4f,%.3f,%.3f", outcome.duration, outcome.max_braking,
         outcome.hard_braking, outcome.off_road_share, outcome.progress, outcome.recorded_progress);
     rows.push_back(start + ',' + row.planner + ',' + csvAttacker(row.attacker) + ',' +
-                   (row.escape ? csvLast(*row.escape) : ",") + ',' +
+                   (row.evasion ? csvLast(*row.evasion) : ",") + ',' +
                    avoiders(row.outcome.careful_drivers, " ") + (row.is_fair ? ",1," : ",0,") +
                    toString(outcome.failure) + ',' + csvContact(outcome.contact, result.now) + ',' +
                    numbers + csvNuplan(outcome.nuplan) + ',' + csvHit(row.published_hit));

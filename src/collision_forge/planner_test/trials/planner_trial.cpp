@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "collision_forge/planner_test/trials/escape.h"
+#include "collision_forge/planner_test/trials/evasion.h"
 
 namespace forge {
 namespace {
@@ -45,7 +45,7 @@ Avoidability avoidabilityOf(const RolloutOutcome& outcome, const CrashScenario& 
                             const RolloutSetup& setup) {
   Avoidability found;
   if (outcome.contact) {
-    if (auto escape = findEvasion(scenario, outcome.driven, setup)) found.last = escape->ego;
+    if (auto evasion = findEvasion(scenario, outcome.driven, setup)) found.last = evasion->ego;
   } else if (outcome.failure == PlannerFailure::kNone) {
     found.last = Avoidance{EvasiveManoeuvre::kKeeping, scenario.snapshot.now, outcome.driven,
                            outcome.off_road_share};

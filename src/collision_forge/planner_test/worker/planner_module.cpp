@@ -29,11 +29,11 @@ std::string complaint(const std::exception& error) {
   std::istringstream text(error.what());
   const bool is_traced = text.str().find("Traceback of TorchScript") != std::string::npos;
   std::string line;
-  std::string told;
-  while (std::getline(text, line) && (is_traced || told.empty())) {
-    if (line.find_first_not_of(' ') != std::string::npos) told = line;
+  std::string last_line;
+  while (std::getline(text, line) && (is_traced || last_line.empty())) {
+    if (line.find_first_not_of(' ') != std::string::npos) last_line = line;
   }
-  return told;
+  return last_line;
 }
 
 torch::jit::Module loadModule(const std::string& file, const torch::Device& device) {

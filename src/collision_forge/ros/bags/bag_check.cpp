@@ -31,7 +31,7 @@ namespace {
 
 using Fields = std::map<std::string_view, std::string_view>;
 
-/// Damage of a bag: a length or a position that leads out of the file.
+/// Thrown for damage of a bag; `problem` completes "the record at byte N ".
 struct Damage {
   std::string problem;
 };
@@ -42,7 +42,8 @@ std::uint32_t numberAt(const char* at) {
   return number;
 }
 
-/// Takes what a length of four bytes says off the front.
+/// Removes and returns the block at the front: a length of four bytes, then so many bytes. `what`
+/// names it in errors.
 std::string_view takeBlock(std::string_view& bytes, const char* what) {
   constexpr std::size_t kLength = sizeof(std::uint32_t);
   if (bytes.size() < kLength) throw Damage{std::string("ends before the length of its ") + what};
@@ -91,8 +92,8 @@ struct Record {
 
 using Types = std::map<std::string, std::unique_ptr<const MessageFields>, std::less<>>;
 
-/// Readers of messages by md5sum. A reader allocates as many elements as an array claims to have,
-/// present or not.
+/// Returns checkers of messages by md5sum, for the types that this package deserialises: roscpp
+/// allocates as many elements as the length of an array says, present or not.
 Types readTypes() {
   Types types;
   const auto add = [&](auto message) {
@@ -111,7 +112,7 @@ Types readTypes() {
   return types;
 }
 
-/// The records of one bag, from front to back.
+/// Checks the records of one bag from front to back.
 class RecordWalk {
  public:
   explicit RecordWalk(std::string_view bag) : bag_(bag) {}
@@ -134,7 +135,7 @@ class RecordWalk {
       checkRecord(record);
     }
     if (!has_index && index != bag_.size()) {
-      throw Damage{"is the last, and none was at byte " + std::to_string(index) +
+      throw Damage{"is the last; none is at byte " + std::to_string(index) +
                    ", where the index should begin"};
     }
   }
@@ -157,7 +158,7 @@ class RecordWalk {
         if (!std::binary_search(
                 chunks_.begin(), chunks_.end(),
                 numberOf<std::uint64_t>(record.fields, rosbag::CHUNK_POS_FIELD_NAME))) {
-          throw Damage{"names a chunk where there is none"};
+          throw Damage{"refers to a chunk that does not exist"};
         }
         break;
       case rosbag::OP_CONNECTION:
@@ -168,11 +169,11 @@ class RecordWalk {
     }
   }
 
-  /// Leaves in places_ where an index may say that a message is.
+  /// Sets places_ to the offsets in the chunk to which an index may refer.
   void checkChunk(const Record& record) {
     const std::string_view chunk = unpacked(record);
     places_.clear();
-    std::size_t followed = 0;  // of the places, those with a message there or behind connections
+    std::size_t followed = 0;  // number of places up to the last message
     for (std::string_view rest = chunk; !rest.empty();) {
       places_.push_back(static_cast<std::uint32_t>(chunk.size() - rest.size()));
       const Record inner(rest);
@@ -211,15 +212,15 @@ class RecordWalk {
     const auto compression = record.fields.find(rosbag::COMPRESSION_FIELD_NAME);
     const std::string_view name = compression == record.fields.end() ? "" : compression->second;
     if (name == rosbag::COMPRESSION_NONE) {
-      if (size != record.data.size()) throw Damage{"has another size than it says"};
+      if (size != record.data.size()) throw Damage{"differs in size from its header"};
       return record.data;
     }
     constexpr std::uint64_t kLargestRatio = 255;  // of LZ4
     const bool is_lz4 = name == rosbag::COMPRESSION_LZ4;
     if (is_lz4 && size > kLargestRatio * record.data.size()) {
-      throw Damage{"cannot hold the " + std::to_string(size) + " bytes that it says"};
+      throw Damage{"cannot hold the " + std::to_string(size) + " bytes of its header"};
     }
-    if (!is_lz4 && name != rosbag::COMPRESSION_BZ2) throw Damage{"is of no known compression"};
+    if (!is_lz4 && name != rosbag::COMPRESSION_BZ2) throw Damage{"has an unknown compression"};
     unpacked_.reset(new std::uint8_t[size]);
     std::string packed(record.data);  // rosbag takes no constant bytes
     file_.decompress(is_lz4 ? rosbag::compression::LZ4 : rosbag::compression::BZ2, unpacked_.get(),
@@ -231,22 +232,24 @@ class RecordWalk {
   void checkIndex(const Record& record) const {
     constexpr std::size_t kEntry = 12;  // bytes: s, ns, place
     const std::size_t count = numberOf<std::uint32_t>(record.fields, rosbag::COUNT_FIELD_NAME);
-    if (record.data.size() != count * kEntry) throw Damage{"has another number of entries"};
+    if (record.data.size() != count * kEntry)
+      throw Damage{"has another number of entries than its header"};
     for (std::size_t i = 0; i < count; ++i) {
       const std::uint32_t place = numberAt(record.data.data() + i * kEntry + 8);
       if (!std::binary_search(places_.begin(), places_.end(), place)) {
-        throw Damage{"names byte " + std::to_string(place) +
-                     " of its chunk, where there is no message"};
+        throw Damage{"refers to byte " + std::to_string(place) +
+                     " of its chunk, where no message begins"};
       }
     }
   }
 
   std::string_view bag_;
-  std::size_t at_ = 0;                 ///< bytes before the record in hand
-  std::vector<std::uint64_t> chunks_;  ///< where they are; rising, as are the places
-  std::vector<std::uint32_t> places_;  ///< of messages in the newest chunk
+  std::size_t at_ = 0;                 ///< byte at which the current record begins
+  std::vector<std::uint64_t> chunks_;  ///< their offsets in the file, ascending
+  std::vector<std::uint32_t> places_;  ///< offsets in the newest chunk, ascending
   const Types types_ = readTypes();
-  std::map<std::uint32_t, const MessageFields*> connections_;  ///< null for types that nobody reads
+  std::map<std::uint32_t, const MessageFields*>
+      connections_;  ///< null for types that are not checked
   std::unique_ptr<std::uint8_t[]> unpacked_;
   rosbag::ChunkedFile file_;
 };
@@ -269,8 +272,8 @@ void checkBag(const std::string& path) {
   const ipc::mapped_region region(file, ipc::read_only);
   const std::string_view bag(static_cast<const char*>(region.get_address()), region.get_size());
   if (bag.substr(0, RecordWalk::kFirstLine.size()) != RecordWalk::kFirstLine) {
-    // rosbag takes any word behind "#ROS", and reads the older version, too.
-    throw BagError(path + ": is no bag of version 2.0");
+    // rosbag accepts any word after "#ROS", and also reads the older version.
+    throw BagError(path + ": is not a bag of version 2.0");
   }
   RecordWalk walk(bag);
   const auto fail = [&](const std::string& problem) {

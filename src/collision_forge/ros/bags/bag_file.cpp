@@ -1,5 +1,6 @@
 #include "collision_forge/ros/bags/bag_file.h"
 
+#include <filesystem>
 #include <mutex>
 
 #include "collision_forge/ros/bags/bag_check.h"
@@ -7,8 +8,8 @@
 namespace forge {
 namespace {
 
-/// A bag loads and unloads its encryption plugin when it is made and destroyed, and the plugin
-/// loader must not do that from two threads at a time.
+/// Guards construction and destruction of bags, which load and unload an encryption plugin: the
+/// plugin loader is not thread-safe.
 std::mutex& pluginMutex() {
   static std::mutex mutex;
   return mutex;
@@ -28,6 +29,7 @@ void dropBag(std::unique_ptr<rosbag::Bag>& bag) {
 
 OpenedBag::OpenedBag(const std::string& path) : bag_(makeBag()) {
   try {
+    if (!std::filesystem::exists(path)) throw BagError(path + ": there is no such file");
     checkBag(path);
     bag_->open(path, rosbag::bagmode::Read);
   } catch (...) {
@@ -52,7 +54,7 @@ NewBag::~NewBag() {
   try {
     close();
   } catch (const rosbag::BagException&) {
-    // Only an uncommitted bag gets here open, and its file goes away.
+    // Only an uncommitted bag is still open here, and its file is deleted.
   }
 }
 

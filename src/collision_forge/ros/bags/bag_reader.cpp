@@ -41,7 +41,7 @@ class SceneBuilder {
       }
       const Pose2 base = fromMessage(transform.transform);
       if (!base.isFinite()) {
-        ++skipped_["ego poses that are not a number"];
+        ++skipped_["ego poses that are not finite"];
         continue;
       }
       addEgo({transform.header.stamp.toSec(), compose(base, {center_offset_, 0.0, 0.0}),
@@ -53,14 +53,14 @@ class SceneBuilder {
     requireMapFrame(message.header, names::kAgents);
     const double time = message.header.stamp.toSec();
     if (!scene_.frame_times.empty() && !isLater(time, scene_.frame_times.back())) {
-      ++skipped_["frames of agents whose stamp is not after the one before"];
+      ++skipped_["frames of agents whose stamp is not later than the previous one"];
       return;
     }
     scene_.frame_times.push_back(time);
     for (Track& agent : fromMessage(message)) {
       if (!agent.states.front().pose.isFinite() ||
           !(agent.size.length > 0.0 && agent.size.width > 0.0)) {
-        ++skipped_["agents that are not a number or have no size"];
+        ++skipped_["agents that are not finite or have no size"];
         continue;
       }
       const auto [place, is_new] = places_.try_emplace(agent.id, scene_.agents.size());
@@ -114,14 +114,14 @@ class SceneBuilder {
                        [](const AgentState& state) { return state.velocity == Vector2::Zero(); });
   }
 
-  /// By more than one instant.
+  /// Returns true if `time` is later than `before` by more than the rounding of stamps.
   static bool isLater(double time, double before) {
     const std::int64_t time_us = microseconds(time);
     const std::int64_t before_us = microseconds(before);
     return time_us > before_us && !isSameInstant(time_us, before_us);
   }
 
-  /// Throws MessageError for a pose that contradicts the one before.
+  /// Throws MessageError for a pose at the time of the previous one but kSamePlace away from it.
   void addEgo(const AgentState& state) {
     if (!scene_.ego.states.empty()) {
       const AgentState& last = scene_.ego.states.back();
@@ -139,7 +139,7 @@ class SceneBuilder {
     if (track.states.empty() || isLater(state.time, track.states.back().time)) {
       track.states.push_back(state);
     } else if (isLater(track.states.back().time, state.time)) {
-      ++skipped_["poses whose stamp is before the last one's"];
+      ++skipped_["poses whose stamp is earlier than the previous one"];
     }
   }
 
@@ -166,7 +166,7 @@ void requireTopics(const std::string& path, const Scene& scene) {
                  "--topics (docs/foreign_bags.md)");
 }
 
-/// The last message on a topic, if there is one.
+/// Returns the last message on a topic; null if there is none.
 template <typename Message>
 boost::shared_ptr<Message> lastOn(const rosbag::Bag& bag, const char* name) {
   boost::shared_ptr<Message> last;
@@ -175,7 +175,7 @@ boost::shared_ptr<Message> lastOn(const rosbag::Bag& bag, const char* name) {
   return last;
 }
 
-/// Throws BagError where there is none.
+/// Returns the last message on a topic; throws BagError if there is none.
 template <typename Message>
 Message requiredOn(const rosbag::Bag& bag, const char* name, const std::string& path) {
   const auto last = lastOn<Message>(bag, name);
@@ -183,8 +183,8 @@ Message requiredOn(const rosbag::Bag& bag, const char* name, const std::string& 
   return *last;
 }
 
-/// Stamps are of nanoseconds, times of nuScenes of microseconds. Makes the scene's times the very
-/// numbers that its tables give.
+/// Rounds all times to microseconds: stamps have nanoseconds, but nuScenes tables have
+/// microseconds, and the times of both must be equal.
 void roundToMicroseconds(Scene& scene) {
   const auto round = [](double& time) { time = static_cast<double>(microseconds(time)) * 1e-6; };
   for (double& time : scene.frame_times) round(time);
@@ -195,7 +195,7 @@ void roundToMicroseconds(Scene& scene) {
   }
 }
 
-/// As it is written, and not yet held to the limits of input.
+/// Reads a bag without checking the input limits.
 Scene sceneIn(const std::string& path, const EgoVehicle& ego, std::vector<std::string>* warnings) {
   Scene scene = readOpened(path, [&](const rosbag::Bag& bag) {
     SceneBuilder builder(ego);

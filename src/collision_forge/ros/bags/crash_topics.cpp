@@ -30,7 +30,7 @@ std::string numberBytes(double value) {
   return bytes;
 }
 
-/// The attack with what is known of its contact: the report of its test, once that has come.
+/// Returns the attack; its report is replaced by `tested` if that belongs to it.
 collision_forge::Attack knownAttack(const collision_forge::Attack& attack,
                                     const std::optional<collision_forge::CollisionReport>& tested) {
   collision_forge::Attack known = attack;
@@ -99,7 +99,7 @@ void CrashTopics::take(const rosbag::MessageInstance& instance) {
   }
 }
 
-/// One without an attacker says that there is no attack any more.
+/// An attack without an attacker ends the current attack.
 void CrashTopics::takeAttack(const collision_forge::Attack& attack) {
   attack_.reset();
   if (attack.trajectory.attacker_id.empty()) return;
@@ -138,7 +138,7 @@ void CrashTopics::takeAgents(collision_forge::AgentArray agents, const ros::Time
   if (shown_end != all.end()) not_shown_[agents_] += static_cast<int>(all.end() - shown_end);
   all.erase(shown_end, all.end());
   frames_.addFrame(boost::make_shared<Frame>(Frame{agents.header, time, std::move(agents)}));
-  tell();
+  writePosed();
 }
 
 void CrashTopics::takeTransforms(const tf2_msgs::TFMessage& message, const ros::Time& time,
@@ -149,17 +149,17 @@ void CrashTopics::takeTransforms(const tf2_msgs::TFMessage& message, const ros::
   }
   places_.addTransforms(message, is_static);
   frames_.addTransforms(message, is_static);
-  tell();
+  writePosed();
 }
 
-void CrashTopics::tell() {
+void CrashTopics::writePosed() {
   while (const auto posed = places_.next()) {
     showSpeed(*posed->message, fromMessage(posed->pose));
   }
   while (const auto posed = frames_.next()) show(*posed->message, fromMessage(posed->pose));
 }
 
-/// From the pose before, if that is not too long ago.
+/// Writes the mean speed since the previous pose, unless that is older than kMaxGap.
 void CrashTopics::showSpeed(const Place& place, const Pose2& base) {
   if (!isWithin(base, limits_)) {
     ++not_shown_[names::kTf];
@@ -195,7 +195,7 @@ std::vector<std::string> CrashTopics::warnings() const {
   std::vector<std::string> lines;
   for (const auto& [topic, count] : not_shown_) {
     lines.push_back(std::to_string(count) + " entries of " + topic +
-                    " beyond the limits of input are not shown");
+                    " beyond the input limits are not shown");
   }
   return lines;
 }

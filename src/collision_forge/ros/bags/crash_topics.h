@@ -24,10 +24,12 @@ namespace forge {
 /// A generated topic of profile ros1; its channel is added with the first message.
 class MadeTopic {
  public:
-  /// `name`: from topic_names.h. Sets the encoding of `schema`.
+  /// `name`: from topic_names.h. `md5`: md5sum of the message type. `writer` must outlive the
+  /// object.
   MadeTopic(McapWriter& writer, const char* name, McapSchema schema, const char* md5,
             bool latched = false);
 
+  /// Writes a message, serialised as in ROS 1, at `time` of the bag.
   void write(const ros::Time& time, const std::string& message);
 
  private:
@@ -39,18 +41,19 @@ class MadeTopic {
 
 /// Generates the additional topics of an MCAP file from the messages of its bag: map and frames of
 /// agents as 3D scenes, with the attack as known at that time, and the speeds of ego and attacker
-/// (m/s). A frame waits until the ego's pose at its stamp is known. Messages outside the input
-/// limits are skipped and counted.
+/// (m/s). A frame waits until the ego's pose at its stamp is known. Maps, attacks, agents and ego
+/// poses outside the input limits are skipped and counted.
 class CrashTopics {
  public:
-  /// `agents`: topic of the frames in the bag.
+  /// `agents`: topic of the frames in the bag, with its leading slash. `writer` must outlive the
+  /// object.
   CrashTopics(McapWriter& writer, const EgoVehicle& ego, const InputLimits& limits,
               std::string agents);
 
   /// Processes a message of the bag; call in the order of time.
   void take(const rosbag::MessageInstance& instance);
 
-  /// Returns one line per topic with skipped messages.
+  /// Returns one line per topic with the number of entries that were skipped.
   std::vector<std::string> warnings() const;
 
  private:
@@ -73,7 +76,7 @@ class CrashTopics {
   void takeTransforms(const tf2_msgs::TFMessage& message, const ros::Time& time, bool is_static);
   void takeAttack(const collision_forge::Attack& attack);
   void takeAgents(collision_forge::AgentArray agents, const ros::Time& time);
-  void tell();
+  void writePosed();
   void showSpeed(const Place& place, const Pose2& base);
   void show(const Frame& frame, const Pose2& base);
 

@@ -349,7 +349,7 @@ NuScenesRecording readForeignBag(const std::string& path, const TopicMapping& ma
     }
     for (const std::string& topic : {ego_topic, agents_topic}) {
       if (topics.count(topic) > 0) continue;
-      throw BagError(path + ": no message on " + topic + " but on " + topicsOf(bag));
+      throw BagError(path + ": no message on " + topic + "; the bag has " + topicsOf(bag));
     }
     for (const rosbag::MessageInstance& instance : view) add(instance, instance.getTopic());
     try {

@@ -52,7 +52,7 @@ class ForeignLogs : public SceneReader {
                    "; --map gives the map, --without-lanes converts without one");
   }
 
-  /// Read once.
+  /// Returns the lanes of the map file, read at the first call.
   std::shared_ptr<const LaneIndex> lanesOfMap() {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (lanes_) return lanes_;

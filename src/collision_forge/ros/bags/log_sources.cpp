@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 bool isBag(const fs::path& path) { return path.extension() == ".bag" && fs::is_regular_file(path); }
 
-/// Sorted.
+/// Returns the paths of the bag or of the bags in the folder, sorted.
 std::vector<fs::path> bagsAt(const std::string& path) {
   if (isBag(path)) return {path};
   std::vector<fs::path> bags;

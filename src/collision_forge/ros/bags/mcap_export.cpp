@@ -27,7 +27,8 @@ constexpr char kLibrary[] = "collision_forge";
 
 using Connections = std::vector<const rosbag::ConnectionInfo*>;
 
-/// In a bag that was recorded live the attacker is in frames of their own.
+/// Returns the topic of the frames that contain the attacker: in a bag recorded live,
+/// injected_agents.
 std::string agentsTopic(const Connections& connections) {
   const std::string injected = bagTopic(names::kInjectedAgents);
   const bool is_live = std::any_of(connections.begin(), connections.end(),
@@ -43,7 +44,7 @@ std::map<std::string, std::string> metadataOf(const rosbag::ConnectionInfo& conn
   return metadata;
 }
 
-/// One bag on its way into an MCAP file.
+/// Converts one bag to an MCAP file.
 class BagConversion {
  public:
   BagConversion(rosbag::View& bag, McapWriter& writer, const DataOptions& options)
@@ -89,9 +90,9 @@ class BagConversion {
   rosbag::View& bag_;
   McapWriter& writer_;
   CrashTopics crash_;
-  /// By the header of their connection, which is shared.
+  /// Numbers of channels by the header of their connection, which all its messages share.
   std::map<boost::shared_ptr<ros::M_string>, std::uint16_t> channels_;
-  std::string message_;  ///< the one that is being copied
+  std::string message_;  ///< buffer of the message being copied
 };
 
 std::vector<std::string> convert(const std::string& in, const std::string& out,
@@ -99,7 +100,7 @@ std::vector<std::string> convert(const std::string& in, const std::string& out,
                                  const std::function<void(double)>& on_progress) {
   const rosbag::Bag bag(in, rosbag::bagmode::Read);
   if (hasMessageAtZero(in))
-    throw BagError("has messages at time 0, which means that they have none");
+    throw BagError("has messages at time 0, which ROS reserves for \"no time\"");
   rosbag::View view(bag);
   if (view.size() == 0) throw BagError("has no messages");
   AsideFile file(out);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
 constexpr char kCompression[] = "lz4";
-constexpr std::size_t kChunkSize = 1U << 20U;  // bytes from which on a chunk is full
+constexpr std::size_t kChunkSize = 1U << 20U;  // bytes; a chunk of this size or more is written
 
 enum class Opcode : std::uint8_t {
   kHeader = 0x01,
@@ -31,7 +31,7 @@ enum class Opcode : std::uint8_t {
   kDataEnd = 0x0F,
 };
 
-/// Little-endian, as all numbers of a file.
+/// Appends a number, little-endian.
 template <typename Integer>
 void append(std::string& bytes, Integer value) {
   for (std::size_t i = 0; i < sizeof value; ++i) {
@@ -76,7 +76,7 @@ std::uint32_t crcOf(std::string_view bytes, std::uint32_t before = 0) {
       crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-/// As one LZ4 frame.
+/// Returns the bytes as one LZ4 frame.
 std::string compressed(const std::string& bytes) {
   LZ4F_preferences_t preferences = LZ4F_INIT_PREFERENCES;
   preferences.frameInfo.blockSizeID = LZ4F_max1MB;
@@ -110,7 +110,7 @@ std::string channelRecord(std::size_t number, const McapChannel& channel) {
 
 std::uint16_t checkedNumber(std::size_t number, const char* what) {
   if (number >= std::numeric_limits<std::uint16_t>::max()) {
-    throw std::length_error(std::string("MCAP has no room for so many ") + what);
+    throw std::length_error(std::string("MCAP allows at most 65,535 ") + what);
   }
   return static_cast<std::uint16_t>(number);
 }
@@ -160,7 +160,7 @@ void McapWriter::write(std::uint16_t channel, std::uint64_t time, std::string_vi
   places_[channel].emplace_back(time, chunk_.size());
   std::string head;
   append(head, channel);
-  append(head, counts_[channel]++);  // the message's place in the sequence
+  append(head, counts_[channel]++);  // sequence number
   append(head, time);
   append(head, time);
   append(chunk_, static_cast<std::uint8_t>(Opcode::kMessage));
@@ -244,7 +244,7 @@ std::string McapWriter::recordOf(const ChunkEntry& chunk) {
   return record(Opcode::kChunkIndex, content);
 }
 
-/// Returns the offsets of its groups, as records.
+/// Writes the summary; returns the SummaryOffset records of its groups.
 std::string McapWriter::writeSummary() {
   std::string offsets;
   const auto put_group = [&](Opcode opcode, const std::string& records) {
@@ -284,7 +284,7 @@ void McapWriter::finish() {
   append(footer, static_cast<std::uint64_t>(2 * sizeof summary + sizeof crc_));
   append(footer, summary);
   append(footer, summary_offsets);
-  put(footer);  // the CRC is of all up to here
+  put(footer);  // the CRC covers the summary up to here
   std::string summary_crc;
   append(summary_crc, crc_);
   put(summary_crc);

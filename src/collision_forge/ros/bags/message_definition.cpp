@@ -9,8 +9,8 @@
 namespace forge {
 namespace {
 
-constexpr int kMaxDepth = 32;           // types within types; real ones have a handful
-constexpr std::size_t kLengthSize = 4;  // bytes, of the length of an array or a string
+constexpr int kMaxDepth = 32;           // levels of nested types; messages in use have about five
+constexpr std::size_t kLengthSize = 4;  // bytes of the length of an array or a string
 constexpr std::size_t kManyBytes = std::size_t{1} << 40U;  // more than any message has
 
 struct BuiltinName {
@@ -35,7 +35,7 @@ const BuiltinName* builtinOf(const std::string& name) {
   return found == std::end(kBuiltins) ? nullptr : found;
 }
 
-/// A type as a field of a message of `package` names it, with its package.
+/// Returns package/Type for a type as written in a field of a message of `package`.
 std::string fullName(const std::string& type, const std::string& package) {
   if (type == "Header") return "std_msgs/Header";
   return type.find('/') == std::string::npos ? package + "/" + type : type;
@@ -46,9 +46,11 @@ std::size_t product(std::size_t count, std::size_t size) {
   return kManyBytes;
 }
 
-/// "float64[9] values" without its comment.
+/// Parses a line such as "float64[9] values", without a comment.
 MessageField fieldOf(const std::string& line, const std::string& type) {
-  const auto fail = [&] { throw BagError(type + ": its definition has a line '" + line + "'"); };
+  const auto fail = [&] {
+    throw BagError(type + ": cannot parse the line '" + line + "' of its definition");
+  };
   MessageField field;
   std::istringstream words(line);
   std::string rest;
@@ -126,8 +128,9 @@ void MessageDefinition::measure(MessageType& type, int depth) {
       if (depth < kMaxDepth) measure(types_.at(field.message->name), depth + 1);
       height = std::max(height, field.message->height + 1);
       if (depth >= kMaxDepth || height > kMaxDepth) {
-        throw BagError(type.name + ": its field " + field.name + " holds types within types, " +
-                       std::to_string(kMaxDepth) + " deep or more; does one hold itself?");
+        throw BagError(type.name + ": its field " + field.name + " nests types " +
+                       std::to_string(kMaxDepth) +
+                       " levels deep or more; does a type contain itself?");
       }
       field.min_size = field.message->min_size;
       field.is_fixed_size = field.message->is_fixed_size;

@@ -22,7 +22,7 @@ bool isNumber(BuiltinType type) {
   return type >= BuiltinType::kBool && type <= BuiltinType::kFloat64;
 }
 
-/// True for what is read as one text.
+/// Returns true for an array of uint8, which kText reads as one text.
 bool isBytes(const MessageField& field) {
   return field.message == nullptr && field.builtin == BuiltinType::kUint8 &&
          field.shape != Shape::kSingle;
@@ -53,10 +53,10 @@ std::string namesOf(const MessageType& type) {
   return names.empty() ? "none" : names;
 }
 
-/// One name of a path: "size[0]".
+/// One element of a path, as "size[0]".
 struct PathPart {
   std::string name;
-  std::optional<std::string> element;  ///< what is within the brackets, with the closing one
+  std::optional<std::string> element;  ///< text after the opening bracket, as "0]"
 };
 
 std::vector<PathPart> partsOf(const std::string& path) {
@@ -70,7 +70,7 @@ std::vector<PathPart> partsOf(const std::string& path) {
   return parts;
 }
 
-/// The number in "0]".
+/// Returns the index in `element`, 0 for "0]"; nullopt if there is none.
 std::optional<std::size_t> indexIn(const std::string& element) {
   std::size_t index = 0;
   const char* const end = element.data() + element.size();
@@ -81,7 +81,7 @@ std::optional<std::size_t> indexIn(const std::string& element) {
 
 }  // namespace
 
-/// A message on its way from its bytes to rows.
+/// Reads one message into rows.
 class MessageFields::Cursor {
  public:
   Cursor(const std::vector<Way>& ways, const MessageType& message, const std::uint8_t* bytes,
@@ -103,7 +103,7 @@ class MessageFields::Cursor {
   }
 
  private:
-  using Taken = std::vector<std::size_t>;  ///< the ways that lead here, by their index
+  using Taken = std::vector<std::size_t>;  ///< indices of the paths through the current field
 
   const Step& stepOf(std::size_t way, std::size_t depth) const { return ways_[way].steps[depth]; }
 
@@ -234,7 +234,7 @@ class MessageFields::Cursor {
     return text;
   }
 
-  /// ROS's bytes are little-endian, as are the machines that it runs on.
+  /// Reads a number. ROS serialises little-endian, like the machines that it supports.
   template <typename Number>
   Number take() {
     Number number{};
@@ -261,7 +261,7 @@ class MessageFields::Cursor {
   const MessageType& message_;
   const std::uint8_t* place_;
   std::size_t left_;                         ///< bytes
-  std::vector<const MessageField*> fields_;  ///< that the cursor is in
+  std::vector<const MessageField*> fields_;  ///< nested fields that contain the cursor
   std::vector<FieldRows> rows_;
 };
 
@@ -290,16 +290,16 @@ MessageFields::Way MessageFields::wayOf(const FieldPath& path) const {
     const auto found = std::find_if(type->fields.begin(), type->fields.end(),
                                     [&](const auto& known) { return known.name == part.name; });
     if (found == type->fields.end()) {
-      fail(type->name + " has no field '" + part.name + "' but " + namesOf(*type));
+      fail(type->name + " has no field '" + part.name + "'; its fields are " + namesOf(*type));
     }
     field = &*found;
     Step step;
     step.field = static_cast<std::size_t>(found - type->fields.begin());
     const bool is_text = &part == &parts.back() && path.kind == FieldKind::kText && isBytes(*field);
     if (part.element) {
-      if (field->shape == Shape::kSingle) fail(part.name + " is no array");
+      if (field->shape == Shape::kSingle) fail(part.name + " is not an array");
       const auto index = indexIn(*part.element);
-      if (!index && *part.element != "]") fail("'[" + *part.element + "' is no element");
+      if (!index && *part.element != "]") fail("'[" + *part.element + "' is not an index");
       if (index && field->shape == Shape::kFixedArray && *index >= field->count) {
         fail(part.name + " has " + std::to_string(field->count) + " elements");
       }

@@ -34,9 +34,8 @@ std::optional<RecordedAttack> readRecordedAttack(const std::string& path) {
 
 std::string refusalOf(const RecordedAttack& attack, const std::string& path) {
   const std::string name = std::filesystem::path(path).filename().string();
-  return name + " has an attack already, by " + shortId(attack.tested_report.attacker_id) +
-         ": replay the recording that it was made from" +
-         (attack.source.empty() ? "" : ", " + attack.source);
+  return name + " already has an attack, by " + shortId(attack.tested_report.attacker_id) +
+         ": replay the recording without it" + (attack.source.empty() ? "" : ", " + attack.source);
 }
 
 }  // namespace forge

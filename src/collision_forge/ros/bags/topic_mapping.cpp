@@ -15,14 +15,14 @@ namespace {
 
 const std::set<std::string> kTransformTypes = {"tf2_msgs/TFMessage", "tf/tfMessage"};
 
-/// A text that is not empty.
+/// Returns the text of a key; throws ConfigError if it is empty.
 std::string wordIn(Section& section, const std::string& key) {
   std::string word = section.text(key);
   if (word.empty()) section.refuse(key, "is empty");
   return word;
 }
 
-/// A number, or a path with what stands before it.
+/// Returns the number of a key, or `prefix` and the path.
 NumberSource numberIn(Section& section, const std::string& key, const std::string& prefix) {
   const std::string word = wordIn(section, key);
   double number = 0.0;
@@ -100,7 +100,7 @@ EgoMapping egoIn(Section section, const std::string& map_frame) {
 AgentClass classIn(Section& section, const std::string& key) {
   const std::string word = section.text(key);
   const auto found = agentClassFromString(word);
-  if (!found) section.refuse(key, "'" + word + "' is no class of agents");
+  if (!found) section.refuse(key, "'" + word + "' is not an agent class");
   return *found;
 }
 
@@ -132,7 +132,7 @@ AgentsMapping agentsIn(Section section) {
   agents.fields = topicIn(section);
   const std::string objects = wordIn(section, "objects");
   if (objects.find('[') != std::string::npos) {
-    section.refuse("objects", objects + " is to be the array itself, without brackets");
+    section.refuse("objects", objects + " must be the path of the array, without brackets");
   }
   const std::string each = objects + "[].";
   agents.id = each + wordIn(section, "id");

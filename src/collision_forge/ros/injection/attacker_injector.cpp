@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-/// The point of the trajectory at a time within it, interpolated.
+/// Returns the interpolated point of the trajectory at a time within it.
 TrajectoryPoint pointAt(const AttackerTrajectory& trajectory, double time) {
   const auto after = std::find_if(trajectory.points.begin(), trajectory.points.end(),
                                   [=](const TrajectoryPoint& point) { return point.time >= time; });
@@ -24,7 +24,7 @@ TrajectoryPoint pointAt(const AttackerTrajectory& trajectory, double time) {
   return point;
 }
 
-/// Where an attacker that was added was at a time in its past; empty beyond it.
+/// Returns the state of an added attacker at a time in its past; empty outside of it.
 std::optional<AgentState> pastAt(const collision_forge::AttackerTrajectory& trajectory,
                                  double time) {
   Track past;
@@ -61,7 +61,7 @@ void AttackerInjector::remember(const collision_forge::AgentArray& recorded) {
   if (!trajectory_.past.empty() && !is_remembered_) rememberLike(recorded);
 }
 
-/// Takes height and z from the vehicle that is most like an attacker that was added.
+/// Takes height and z for an added attacker from the nearest vehicle, of its class if possible.
 void AttackerInjector::rememberLike(const collision_forge::AgentArray& recorded) {
   const auto unlike = [this](const collision_forge::Agent& agent) {
     const Pose2 now = forge::fromMessage(trajectory_.past.back().pose);
@@ -80,7 +80,7 @@ void AttackerInjector::rememberLike(const collision_forge::AgentArray& recorded)
   is_remembered_ = true;
 }
 
-/// In place of the recorded attacker, if it is there.
+/// Replaces the recorded attacker, or adds it if the frame lacks it.
 void AttackerInjector::put(const AgentState& state, collision_forge::AgentArray& agents) const {
   collision_forge::Agent attacker = attacker_;
   attacker.pose = toPoseMessage(state.pose);

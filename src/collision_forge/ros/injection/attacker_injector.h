@@ -16,7 +16,6 @@ namespace forge {
 class AttackerInjector {
  public:
   /// After the end of the trajectory the attacker brakes to a standstill, by the limits `options`.
-  /// Throws MessageError like fromMessage() of the trajectory.
   AttackerInjector(collision_forge::AttackerTrajectory trajectory,
                    const DriveLimitOptions& options);
 
@@ -33,7 +32,8 @@ class AttackerInjector {
 
   /// Returns `agents` with the attacker. Up to the trajectory's start, only an added attacker is
   /// inserted, in the frames of its past. Later, the attacker has the pose of its trajectory or its
-  /// crash, also if it is missing in the recorded frame. Other agents are unchanged.
+  /// crash, also if it is missing in the recorded frame. Other agents are unchanged. Throws
+  /// MessageError like fromMessage() of the trajectory, at a time after its end.
   collision_forge::AgentArray inject(collision_forge::AgentArray agents);
 
  private:

@@ -18,8 +18,8 @@
 #include "collision_forge/ros/injection/attacker_injector.h"
 #include "collision_forge/ros/injection/finite_parts.h"
 #include "collision_forge/ros/injection/frame_between.h"
+#include "collision_forge/ros/injection/post_crash_ego.h"
 #include "collision_forge/ros/injection/record_clock.h"
-#include "collision_forge/ros/injection/sliding_ego.h"
 #include "collision_forge/ros/markers/marker_parts.h"
 #include "collision_forge/ros/markers/markers.h"
 #include "collision_forge/ros/messages/conversions.h"
@@ -42,29 +42,29 @@ constexpr const char* kAttackTopics[] = {names::kAttack,        names::kTestedRe
                                          names::kAttackEgoPath, names::kAttackMarkers};
 
 constexpr double kMapInterval = 1.0;  // s between two messages of map_markers
-constexpr double kWordsReach = 40.0;  // m from the contact; the words stand nearer
+constexpr double kWordsReach = 40.0;  // m from the contact; the text is nearer
 
 using Header = boost::shared_ptr<ros::M_string>;
 
-/// The connection's header with the mark of frames in between.
+/// Returns the connection's header with the caller id of additional frames.
 Header markedInBetween(const Header& recorded) {
   auto header = boost::make_shared<ros::M_string>(*recorded);
   (*header)["callerid"] = names::kInBetween;
   return header;
 }
 
-/// A frame of agents with the attack in it.
+/// A frame of agents with the attacker.
 struct AttackedFrame {
-  ros::Time recorded;  ///< when it is in the bag
+  ros::Time recorded;  ///< record time
   collision_forge::AgentArray agents;
   bool is_recorded = true;
-  bool is_mended = false;  ///< something that was not finite is gone
+  bool is_mended = false;  ///< non-finite agents were removed
 };
-/// By stamp, and of several with one stamp by when they were recorded.
+/// Sorted by header stamp, then by record time.
 using AttackedFrames = std::map<std::pair<ros::Time, ros::Time>, AttackedFrame>;
 
-/// The shares of the time between two frames at which there are frames in between: evenly, and at
-/// the contact, which is at `contact_share` if that is between the frames.
+/// Returns the times of the additional frames between two frames, as shares of their interval:
+/// evenly spaced, and the contact at `contact_share` if it is between the frames.
 std::vector<double> sharesBetween(double gap, double frame_rate, double contact_share) {
   std::vector<double> shares;
   const double steps = std::ceil(gap * frame_rate - kSameTime);
@@ -78,7 +78,7 @@ std::vector<double> sharesBetween(double gap, double frame_rate, double contact_
   return shares;
 }
 
-/// One bag with an attack on its way to another.
+/// Copies one bag to another and inserts the attack.
 class Injection {
  public:
   Injection(const rosbag::Bag& source, NewBag& target, const BagAttack& attack,
@@ -119,7 +119,7 @@ class Injection {
     std::vector<std::string> warnings;
     for (const auto& [topic, count] : left_out_) {
       warnings.push_back(std::to_string(count) + " entries of " + topic +
-                         " that are not finite left out");
+                         " are not finite and left out");
     }
     return warnings;
   }
@@ -167,7 +167,7 @@ class Injection {
     frames_.erase(frames_.upper_bound({end_, ros::TIME_MAX}), frames_.end());
   }
 
-  /// The places of the others near the contact from now on, which the words leave free.
+  /// Returns the boxes of other agents near the contact from now on; the text avoids them.
   void findWordsObstacles() {
     const Vector2 contact = fromMessage(shown_.report.attacker_at_contact).position();
     for (const auto& [stamp, frame] : frames_) {
@@ -251,7 +251,7 @@ class Injection {
     return found == agents.agents.end() ? nullptr : &*found;
   }
 
-  /// Where the ego is, as the bag has it.
+  /// Returns the ego's pose according to the bag.
   std::optional<Pose2> egoAt(double time) const {
     if (crash_ && time > crash_->contactTime()) return crash_->egoAt(time).pose;
     const auto state = stateAt(recording_.ego, time);
@@ -302,8 +302,8 @@ class Injection {
     return message ? headerStamp(*message) : std::nullopt;
   }
 
-  /// The header stamp of a message that shows agents or the ego, else the stamp that messages
-  /// recorded at that time have.
+  /// Returns the header stamp of a message that shows agents or the ego; for other messages, the
+  /// stamp that corresponds to the record time.
   ros::Time stampIn(const rosbag::MessageInstance& instance) const {
     const std::string& topic = instance.getTopic();
     std::optional<ros::Time> stamp;
@@ -323,7 +323,7 @@ class Injection {
                   instance.getConnectionHeader());
   }
 
-  /// False for a message that stays as it is.
+  /// Returns false for a message to copy unchanged.
   bool copyChanged(const rosbag::MessageInstance& instance, const ros::Time& stamp) {
     const std::string& topic = instance.getTopic();
     if (topic == bagTopic(names::kLaneMap)) makeMapMarkers(instance);
@@ -362,7 +362,7 @@ class Injection {
     return true;
   }
 
-  /// Copies the markers of the newest frame: messages of one time come in any order.
+  /// Copies the markers of the newest frame. The order of messages of one time is arbitrary.
   bool copyAnnotationMarkers(const rosbag::MessageInstance& instance, const ros::Time& stamp) {
     markers_header_ = instance.getConnectionHeader();
     const auto after = frames_.upper_bound({stamp, ros::TIME_MAX});
@@ -376,7 +376,7 @@ class Injection {
   static bool isEmpty(const tf2_msgs::TFMessage& message) { return message.transforms.empty(); }
   static bool isEmpty(const nav_msgs::Odometry& /*message*/) { return true; }
 
-  /// The ego at the contact, before the first message that comes later.
+  /// Writes the ego's pose at the contact before the first later message.
   template <typename Message>
   void writeAtContact(const rosbag::MessageInstance& next, const Message& message) {
     const auto made = ego_->atContact(message);
@@ -411,18 +411,18 @@ class Injection {
   RecordClock clock_;                           ///< of the frames of agents
   std::optional<PostCrashMotion> crash_;        ///< with AfterContact::kStop and a contact
   std::optional<PostCrashEgo> ego_;             ///< the same
-  std::map<std::string, ros::Time> ego_times_;  ///< by topic: when its last message was recorded
+  std::map<std::string, ros::Time> ego_times_;  ///< by topic: record time of its last message
   AttackedFrames frames_;
-  AttackedFrames::const_iterator next_frame_;  ///< that is not yet shown
-  std::vector<OrientedBox> words_obstacles_;   ///< of every picture
-  std::map<std::string, int> left_out_;        ///< by topic
+  AttackedFrames::const_iterator next_frame_;  ///< first frame not yet written
+  std::vector<OrientedBox> words_obstacles_;   ///< of all frames
+  std::map<std::string, int> left_out_;        ///< by topic: number of dropped messages
   Header agents_header_;
-  Header markers_header_;  ///< null until markers of annotations have come
+  Header markers_header_;  ///< null until the first markers of annotations
   bool is_attack_written_ = false;
   bool is_report_written_ = false;
-  ros::Time report_time_;  ///< when the report is recorded
+  ros::Time report_time_;  ///< record time of the report
   std::optional<visualization_msgs::MarkerArray> map_markers_;
-  ros::Time map_markers_time_;  ///< record time from which on they are due again
+  ros::Time map_markers_time_;  ///< record time of the next ones
 };
 
 }  // namespace
@@ -443,8 +443,8 @@ void requireNoAttack(const std::string& path) {
     for (const char* name : kAttackTopics) {
       const std::string topic = bagTopic(name);
       if (rosbag::View(bag, rosbag::TopicQuery(topic)).size() == 0) continue;
-      throw BagError(path + ": has an attack already, on " + topic +
-                     "; inject into the recording that it was made from");
+      throw BagError(path + ": already has an attack, on " + topic +
+                     "; use the recording without it");
     }
   } catch (const rosbag::BagException& error) {
     throw BagError(path + ": cannot be read: " + error.what());

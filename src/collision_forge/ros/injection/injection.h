@@ -57,9 +57,8 @@ void requireNoAttack(const std::string& path);
 /// - Report against the recording: added at the contact, or at the end of the trajectory.
 /// - Markers of map (every second), ego and attack: added.
 /// - /agent_objects: written with every frame of agents; replaces an existing topic.
-/// - /tf, odom: rewritten after the contact if `after_contact` is kStop, with one additional
-/// message
-///   at the contact.
+/// - /tf, odom: rewritten after the contact if `after_contact` is kStop; one message is added at
+///   the contact.
 /// All other messages are copied byte by byte with their connections. Non-finite agents, transforms
 /// and odometry are dropped (ros/injection/finite_parts.h); returns one line per topic with such
 /// values. `on_progress` receives the completed share 0..1. Throws BagError.

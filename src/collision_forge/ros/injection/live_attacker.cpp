@@ -13,7 +13,7 @@
 namespace forge {
 namespace {
 
-constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 bool isSame(const AttackerTrajectory& one, const AttackerTrajectory& other) {
   return std::equal(one.points.begin(), one.points.end(), other.points.begin(), other.points.end(),
@@ -76,7 +76,7 @@ void LiveAttacker::watch(double clock) {
   if (!driven_ || !driven_->policy || driven_->policy->phase() == AttackerPhase::kDrivingOn) return;
   const double gone = clock - came_;
   if (gone > driven_->setup.adaptive.lost_after) {
-    show({frames_.back().time + gone, {kNowhere, kNowhere, kNowhere}, {}});
+    show({frames_.back().time + gone, {kUnknown, kUnknown, kUnknown}, {}});
   }
 }
 

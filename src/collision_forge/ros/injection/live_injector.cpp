@@ -11,7 +11,7 @@
 namespace forge {
 namespace {
 
-constexpr std::size_t kMostWait = 10000;  // frames that may wait for the ego's poses
+constexpr std::size_t kMostWait = 10000;  // frames waiting for the ego's poses at most
 
 double secondsFrom(const collision_forge::AgentArray::ConstPtr& from, const ros::Time& to) {
   return (to - from->header.stamp).toSec();
@@ -74,7 +74,7 @@ void LiveInjector::send() {
   }
 }
 
-/// False where none is due.
+/// Returns false if no additional frame is due.
 bool LiveInjector::sendInBetween() {
   if (!injector_ || !last_) return false;
   const double since = std::max({published_.toSec(), begun_at_, now_});
@@ -86,7 +86,7 @@ bool LiveInjector::sendInBetween() {
   return true;
 }
 
-/// Seconds after the last recorded frame up to which there may be frames in between.
+/// Returns the time after the last recorded frame during which additional frames are allowed, s.
 double LiveInjector::lastAhead() const {
   if (!waiting_.empty()) {
     const double gap = secondsFrom(last_, waiting_.front()->header.stamp);
@@ -96,7 +96,7 @@ double LiveInjector::lastAhead() const {
   return (gap < kMaxGap ? gap : kFrameInterval) - step_;
 }
 
-/// False where it has to wait, or there is none.
+/// Returns false if the first waiting frame must wait further, or if none is waiting.
 bool LiveInjector::sendRecorded() {
   if (waiting_.empty()) return false;
   const auto frame = waiting_.front();

@@ -40,13 +40,14 @@ std::string countdownWords(const collision_forge::Attack& attack, const ros::Tim
 
 std::string outcomeWords(const collision_forge::CollisionReport& tested) {
   if (!tested.contact) return "no contact";
-  return tested.verified ? "contact as asked" : "contact not as asked: " + shortcoming(tested);
+  return tested.verified ? "contact as requested"
+                         : "contact not as requested: " + shortcoming(tested);
 }
 
 std::string verdictWords(const collision_forge::CollisionReport& tested) {
   std::string words = outcomeWords(tested);
   if (tested.contact) words += formatted("\nimpact %.1f m/s", tested.impact_speed);
-  return words + (tested.believable ? "\nbelievable" : "\nnot believable: " + tested.unbelievable);
+  return words + (tested.believable ? "\nplausible" : "\nnot plausible: it " + tested.unbelievable);
 }
 
 std::string crashWords(const collision_forge::Attack& attack,

@@ -15,9 +15,9 @@ constexpr double kGhostInterval = 0.5;   // s
 constexpr double kTimeTolerance = 1e-6;  // s
 constexpr float kGhostAlpha = 0.16F;
 constexpr double kIdLetterHeight = 1.0;  // m, at letterScale() 1
-constexpr double kEgoWay = 40.0;         // m before the contact that words leave free
-// What most words of an attack fill: letters and lines.
-constexpr char kMostWords[] = "contact not as asked:\n\n";
+constexpr double kEgoWay = 40.0;  // m of the ego's path before the contact that texts do not cover
+// Text with the length and height of most texts of an attack.
+constexpr char kMostWords[] = "contact not as requested:\n\n";
 
 /// Returns the boxes of an attack that its text must not cover.
 std::vector<OrientedBox> obstaclesOf(const collision_forge::Attack& attack,

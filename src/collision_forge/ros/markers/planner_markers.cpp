@@ -15,8 +15,8 @@
 namespace forge {
 namespace {
 
-constexpr double kWayStep = 0.5;           // s between the places that words leave free
-constexpr double kProposalHeight = 4.4;    // m, under the ways
+constexpr double kWayStep = 0.5;           // s between the boxes that texts do not cover
+constexpr double kProposalHeight = 4.4;    // m, below the paths
 constexpr double kProposalWidth = 0.12;    // m
 constexpr double kProposalDiameter = 0.5;  // m, of the disc at its end
 
@@ -65,7 +65,7 @@ std::string words(const ShownRollout& shown, const std::string& planner) {
   }
   const std::optional<Avoidance>& last = shown.trial.avoidability.last;
   if (!last && outcome.failure != PlannerFailure::kNone) return text;
-  if (!last) return text + "\nno way to avoid it was found";
+  if (!last) return text + "\nno evasive manoeuvre found";
   return text + "\navoidable " + avoidanceText(last->manoeuvre, last->start - now, false);
 }
 
@@ -74,7 +74,7 @@ colors::MarkerColor colorOf(const Track& agent, const std::string& attacker_id) 
   return colors::agentColor(static_cast<std::uint8_t>(agent.agent_class));
 }
 
-/// Where an agent is in the picture; empty where nobody knows.
+/// Returns the pose of an agent in the picture; empty if it is unknown.
 std::optional<Pose2> shownPose(const Track& agent, const ShownRollout& shown, double time) {
   if (shown.crash && agent.id == shown.crash->other.id && time > shown.end()) {
     return shown.crash->motion.attackerAt(time).pose;
@@ -117,7 +117,7 @@ OrientedBox outcomeBox(const ShownRollout& shown, double scale) {
   return {{middle.x(), middle.y(), 0.0}, size};
 }
 
-/// The vehicles touch at the end of the rollout.
+/// Adds the contact, which is at the end of the rollout.
 void addContactOf(const ShownRollout& shown, MarkerList& markers) {
   if (!shown.crash) return;
   const PostCrashMotion& motion = shown.crash->motion;

@@ -184,7 +184,7 @@ std::vector<AgentState> pastIn(const collision_forge::AttackerTrajectory& messag
       throw MessageError(name + " is not finite");
     }
     if (past.size() > 1 && past.back().time <= past[past.size() - 2].time) {
-      throw MessageError(name + ".stamp is not after the one before");
+      throw MessageError(name + ".stamp is not later than the previous one");
     }
   }
   return past;
@@ -600,7 +600,7 @@ AttackerTrajectory fromMessage(const collision_forge::AttackerTrajectory& messag
       fail("] is not finite");
     }
     if (points.size() > 1 && newest.time <= points[points.size() - 2].time) {
-      fail("].stamp is not after the one before");
+      fail("].stamp is not later than the previous one");
     }
   }
   return trajectory;

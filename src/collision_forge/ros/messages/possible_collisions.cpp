@@ -56,7 +56,7 @@ std::string commonestReason(const std::vector<collision_forge::CollisionAnswer>&
   };
   const auto first = std::find_if(answers.begin(), answers.end(), is_commonest);
   if (first == answers.end()) return {};
-  return "nothing is possible; " + std::to_string(counts[first->code]) + " of " +
+  return "no collision is possible; " + std::to_string(counts[first->code]) + " of " +
          std::to_string(answers.size()) +
          " requests: " + toString(static_cast<StatusCode>(first->code)) + ", as " + first->message;
 }
@@ -68,8 +68,8 @@ std::variant<std::vector<CollisionRequest>, Status> requestsForEach(
     std::vector<double> ttas, const std::vector<double>& usual_ttas, const CrashDefinition& crash) {
   if (!request.collision_type.empty() || request.tta != 0.0) {
     return Status{StatusCode::kInvalidInput,
-                  "request.collision_type and request.tta are left empty and 0: collision_types "
-                  "and ttas say what is asked for"};
+                  "request.collision_type and request.tta must be empty and 0: set "
+                  "collision_types and ttas instead"};
   }
   const auto types = typesNamed(names, request.manoeuvre);
   if (const Status* unknown = std::get_if<Status>(&types)) return *unknown;

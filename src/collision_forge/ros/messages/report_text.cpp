@@ -33,8 +33,8 @@ std::string lineOf(const collision_forge::CollisionReport& report) {
   const ros::Time& now = report.header.stamp;
   std::ostringstream line;
   line << std::fixed << std::setprecision(2)
-       << (report.verified ? "crash as asked" : "contact, not as asked") << ", "
-       << (report.contact_time - now).toSec() << " s from now, relative heading "
+       << (report.verified ? "crash as requested" : "contact, not as requested") << ", "
+       << (report.contact_time - now).toSec() << " s after t0, relative heading "
        << report.relative_heading * kDegrees << " degrees, attacker's " << report.attacker_side
        << " to ego's " << report.ego_side << ", impact speed " << report.impact_speed
        << " m/s, overlap " << 100.0 * report.overlap << " %, " << severityText(report) << ", "

@@ -19,8 +19,8 @@ AttackFinder::AttackFinder(ros::NodeHandle& node, const ros::NodeHandle& private
                            const Config& config)
     : config_(config),
       methods_(loadMethods(config)),
-      foresight_(loadForesight(config)),
-      default_method_(forge::defaultMethod(foresight_.network != nullptr)),
+      models_(loadPredictionModels(config)),
+      default_method_(forge::defaultMethod(models_.network != nullptr)),
       map_(node, config.input_limits),
       predict_(node.resolveName(names::kPredictPattern), config.live.answer_within),
       realize_(node.resolveName(names::kRealizeTrajectory), config.live.answer_within) {
@@ -49,7 +49,7 @@ std::variant<Moment, Status> AttackFinder::momentOf(
     return momentAt(*recording_, *frame, config_.attack.prediction.history_frames);
   }
   Moment moment{std::move(snapshot), std::nullopt, map_.lanesOfScene()};
-  if (!moment.lanes) return Status{StatusCode::kNoScene, "no usable lane_map has come yet"};
+  if (!moment.lanes) return Status{StatusCode::kNoScene, "no usable lane_map received yet"};
   return moment;
 }
 
@@ -58,7 +58,7 @@ Attack AttackFinder::answer(const Moment& moment, const CollisionRequest& reques
                             const PatternPredictorService::OnPrediction& on_prediction) const {
   if (!method.empty() && !methods_.has(method)) {
     return rejection({StatusCode::kInvalidInput,
-                      "method = \"" + method + "\" is none of the topic attack_methods"});
+                      "method = \"" + method + "\" is not listed on the topic attack_methods"});
   }
   const Status recorded = checkRecording(moment, request);
   if (recorded.code != StatusCode::kOk) return rejection(recorded);
@@ -73,7 +73,7 @@ Attack AttackFinder::find(const Moment& moment, const CollisionRequest& request,
                           const PatternPredictorService::OnPrediction& on_prediction) const {
   const PredictionOptions& prediction = config_.attack.prediction;
   if (!method.empty() && method != default_method_) {
-    const MethodMaker maker(method, methods_, config_.attack, foresight_);
+    const MethodMaker maker(method, methods_, config_.attack, models_);
     return generateCollision(*maker.make(), moment, request, prediction);
   }
   const SearchMethod search(
@@ -92,8 +92,9 @@ Status AttackFinder::checkRecording(const Moment& moment, const CollisionRequest
   }
   if (is_needed && !moment.recorded) {
     return {StatusCode::kNoRecording,
-            "recording \"" + recording_->scene.name + "\" has no such frame at now = " +
-                numberText(moment.snapshot.now) + " s: is another bag playing?"};
+            "recording \"" + recording_->scene.name +
+                "\" has no frame with this ego pose at t0 = " + numberText(moment.snapshot.now) +
+                " s: is another bag playing?"};
   }
   if (!moment.recorded) return {};
   const Status status = checkRequest(withFullId(request, moment.snapshot), moment.snapshot,
@@ -103,7 +104,7 @@ Status AttackFinder::checkRecording(const Moment& moment, const CollisionRequest
   if (request.tta <= left) return {};
   return {StatusCode::kBeyondRecording, formatted("tta = %.1f s, but the recording", request.tta) +
                                             " \"" + recording_->scene.name +
-                                            formatted("\" ends %.1f s from now", left)};
+                                            formatted("\" ends %.1f s after t0", left)};
 }
 
 /// Rejects an attack whose contact, later than requested, is after the end of the recording.
@@ -113,8 +114,8 @@ Status AttackFinder::checkContact(const Moment& moment, const CollisionReport& r
   const double contact = report.contact_time - moment.snapshot.now;
   if (contact <= left) return {};
   return {StatusCode::kBeyondRecording,
-          formatted("the contact would come %.1f s from now, but the recording", contact) + " \"" +
-              recording_->scene.name + formatted("\" ends %.1f s from now", left)};
+          formatted("the contact would be %.1f s after t0, but the recording", contact) + " \"" +
+              recording_->scene.name + formatted("\" ends %.1f s after t0", left)};
 }
 
 /// Returns the time (s) of the recorded frame that `snapshot` shows, matched by time and ego

@@ -23,12 +23,14 @@ namespace forge {
 /// recording ends before the contact or already contains an attack. Thread-safe.
 class AttackFinder {
  public:
-  /// `config` must outlive the object. Propagates the exceptions of loading methods and weights.
+  /// `node` resolves the services and topics. `config` must outlive the object. Throws as
+  /// loadMethods() and the loaders of weights. A recording that cannot be read is logged; replay
+  /// mode is then rejected.
   AttackFinder(ros::NodeHandle& node, const ros::NodeHandle& private_node, const Config& config);
 
   const MethodRegistry& methods() const { return methods_; }
   const std::string& defaultMethod() const { return default_method_; }
-  const PredictionModels& foresight() const { return foresight_; }
+  const PredictionModels& models() const { return models_; }
 
   /// Returns the moment of `scene`, or the reason of rejection. Throws MessageError and InputError
   /// for an unusable scene.
@@ -55,7 +57,7 @@ class AttackFinder {
 
   const Config& config_;
   MethodRegistry methods_;
-  PredictionModels foresight_;
+  PredictionModels models_;
   std::string default_method_;
   std::optional<IndexedScene> recording_;
   std::string attack_in_recording_;  // reason of rejection; empty: the bag has no attack

@@ -214,7 +214,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
          answer.pattern,
          answer.trajectory,
          answer.effort},
-        {std::make_shared<NetworkEgoFutures>(config_.attack.ego_futures, finder_->foresight()),
+        {std::make_shared<NetworkEgoFutures>(config_.attack.ego_futures, finder_->models()),
          config_.attack, config_.adaptive});
   }
 
@@ -263,7 +263,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
   bool reset(std_srvs::Trigger::Request& /*message*/, std_srvs::Trigger::Response& response) {
     const std::lock_guard<std::mutex> lock(shown_);
     response.success = static_cast<std::uint8_t>(true);
-    response.message = forget() ? "the attack is forgotten" : "there was no attack";
+    response.message = forget() ? "the attack was removed" : "there was no attack";
     return true;
   }
 

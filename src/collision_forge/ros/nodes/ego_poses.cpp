@@ -26,19 +26,19 @@ void EgoPoses::receive(const tf2_msgs::TFMessage& message) {
     }
   }
   poses_.addTransforms(message, false);
-  tell();
+  reportPoses();
 }
 
 void EgoPoses::receiveStatic(const tf2_msgs::TFMessage& message) {
   poses_.addTransforms(message, true);
-  tell();
+  reportPoses();
 }
 
 void EgoPoses::receiveVehicle(const collision_forge::EgoVehicle& message) {
   ego_.size = egoSizeOf(message).value_or(ego_.size);
 }
 
-void EgoPoses::tell() {
+void EgoPoses::reportPoses() {
   while (const auto posed = poses_.next()) {
     const double time = posed->message->header.stamp.toSec();
     const Pose2 middle = compose(fromMessage(posed->pose), {ego_.center_offset, 0.0, 0.0});

@@ -29,7 +29,7 @@ class EgoPoses {
   void receive(const tf2_msgs::TFMessage& message);
   void receiveStatic(const tf2_msgs::TFMessage& message);
   void receiveVehicle(const collision_forge::EgoVehicle& message);
-  void tell();
+  void reportPoses();
 
   EgoVehicle ego_;
   Callback callback_;

@@ -72,7 +72,7 @@ void ExternalPlanner::awaitAnswer(const collision_forge::PlanningState& state) {
     if (!answers_.empty()) return;
     if (is_gone) throw PlannerTimeout("the node behind " + subscriber_.getTopic() + " is gone");
     if (deadline.isPast()) {
-      throw PlannerTimeout("no answer on " + subscriber_.getTopic() + " within " +
+      throw PlannerTimeout("no response on " + subscriber_.getTopic() + " within " +
                            seconds(options_.timeout));
     }
     if (is_first && repetition.isPast()) {
@@ -91,7 +91,7 @@ std::vector<TrajectoryPoint> ExternalPlanner::plan(const Observation& observatio
   answers_.pop_front();
   if (current_ == first_) answers_.clear();  // replies to repeated states
   if (answer->header.stamp != state.header.stamp) {
-    throw LatePlan("the stamp of planned_trajectory differs from that of planning_state by " +
+    throw LatePlan("the stamps of planned_trajectory and planning_state differ by " +
                    seconds((answer->header.stamp - state.header.stamp).toSec()));
   }
   std::vector<TrajectoryPoint> plan = fromMessage(*answer);

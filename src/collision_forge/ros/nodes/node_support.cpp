@@ -70,7 +70,7 @@ std::variant<CheckedRequest, Status> checkedRequest(
                          std::get<CollisionRequest>(parsed)};
   checkSnapshot(checked.snapshot, config.input_limits, "scene");
   checked.request = withFullId(checked.request, checked.snapshot);
-  if (!checked.lanes) return Status{StatusCode::kNoScene, "no usable lane_map has come yet"};
+  if (!checked.lanes) return Status{StatusCode::kNoScene, "no usable lane_map received yet"};
   const Status status = checkRequest(checked.request, checked.snapshot, config.attack.prediction);
   if (status.code != StatusCode::kOk) return status;
   return checked;

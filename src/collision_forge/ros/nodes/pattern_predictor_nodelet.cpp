@@ -17,8 +17,9 @@ class PatternPredictorNodelet : public QueuedNodelet {
  private:
   void start(ros::NodeHandle node) override {
     config_ = loadNodeConfig(getPrivateNodeHandle());
-    predictor_ = loadLogged("foresight", [&] {
-      return std::make_unique<NetworkPatternPredictor>(config_.attack, loadForesight(config_));
+    predictor_ = loadLogged("prediction models", [&] {
+      return std::make_unique<NetworkPatternPredictor>(config_.attack,
+                                                       loadPredictionModels(config_));
     });
     map_ = std::make_unique<LaneMapSubscriber>(node, config_.input_limits);
     service_ = std::make_unique<OwnThreadService>(node, names::kPredictPattern,

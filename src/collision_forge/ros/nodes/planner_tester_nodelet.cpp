@@ -43,7 +43,8 @@ using Response = collision_forge::TestPlanner::Response;
 /// user's shell.
 void requireAbsolute(const std::string& parameter, const std::string& path) {
   if (path.empty() || std::filesystem::path(path).is_absolute()) return;
-  throw std::invalid_argument("parameter " + parameter + " = \"" + path + "\" is no absolute path");
+  throw std::invalid_argument("parameter " + parameter + " = \"" + path +
+                              "\" is not an absolute path");
 }
 
 Background backgroundOf(const std::string& name) {
@@ -77,7 +78,7 @@ class PlannerTesterNodelet : public QueuedNodelet {
     config_ = loadNodeConfig(own);
     planners_text_ = config_.folder.text("planners.yaml");
     loadLogged("scenarios", [&] { openSources(own); });
-    loadLogged("network", [&] { foresight_ = loadForesight(config_); });
+    loadLogged("network", [&] { models_ = loadPredictionModels(config_); });
     external_ =
         std::make_unique<ExternalPlanner>(node, config_.planners.external, config_.input_limits);
     outcomes_ = node.advertise<collision_forge::PlannerOutcome>(names::kPlannerOutcome, 1, true);
@@ -152,7 +153,7 @@ class PlannerTesterNodelet : public QueuedNodelet {
     const CrashScenario& scenario = one.scenario;
     PlannerUnderTest made = makeByName(request.planner, options, scenario.attacker.attacker_id);
     showPlace(scenario);
-    const auto attacker = makeAttacker(one, policy, foresight_, config_);
+    const auto attacker = makeAttacker(one, policy, models_, config_);
     const PlannerTrial trial = tryPlanner(
         made.planner ? *made.planner : *external_, made.driving, scenario,
         {options, config_.attack, config_.crash.types, background, true, attacker.get()});
@@ -218,7 +219,7 @@ class PlannerTesterNodelet : public QueuedNodelet {
     }
     if (!is_given && (!newest || newest->trajectory.points.empty())) {
       refuse(Response::NO_SCENARIO,
-             "neither scenario nor trajectory is given, and no attack has come yet");
+             "neither scenario nor trajectory is given, and no attack was received yet");
     }
     const auto& message = is_given ? request.trajectory : newest->trajectory;
     const bool is_newest = newest && newest->header.stamp == message.header.stamp;
@@ -231,8 +232,8 @@ class PlannerTesterNodelet : public QueuedNodelet {
     const bool is_other = !is_given && *parsed != fromMessage(newest->pattern).type;
     if (is_other && policy == PolicyKind::kAdaptive) {
       refuse(Response::INVALID_INPUT, "collision_type = \"" + type +
-                                          "\" is not that of the newest attack, which an adaptive "
-                                          "attacker is after");
+                                          "\" differs from the type of the newest attack, "
+                                          "which an adaptive attacker keeps");
     }
     const AttackerTrajectory trajectory = fromMessage(message);
     checkTrajectory(trajectory, config_.input_limits, "trajectory");
@@ -275,7 +276,7 @@ class PlannerTesterNodelet : public QueuedNodelet {
   Config config_;
   std::string planners_text_;
   std::unique_ptr<TrialScenarios> scenarios_;
-  PredictionModels foresight_;  // of adaptive attackers
+  PredictionModels models_;  // of adaptive attackers
   std::unique_ptr<ExternalPlanner> external_;
   std::mutex mutex_;
   collision_forge::AttackConstPtr attack_;  // the newest, behind the mutex

@@ -68,7 +68,7 @@ class SceneEncoderNodelet : public QueuedNodelet {
       if (frame->dropped > 0) {
         NODELET_WARN_STREAM_THROTTLE(1.0, frame->dropped << " frames before "
                                                          << frame->message->header.stamp
-                                                         << " left out: no transform came");
+                                                         << " left out: no transform received");
       }
       try {
         add(*frame);
@@ -86,11 +86,11 @@ class SceneEncoderNodelet : public QueuedNodelet {
     Frame frame;
     frame.time = message.header.stamp.toSec();
     if (history_->isLate(frame.time)) {
-      throw std::invalid_argument("it is no later than the one before");
+      throw std::invalid_argument("its stamp is not later than the previous one");
     }
     frame.ego = compose(fromMessage(posed.pose), {config_.ego_vehicle.center_offset, 0.0, 0.0});
     if (!isWithin(frame.ego, config_.input_limits)) {
-      throw std::invalid_argument("the ego's pose is beyond the limits of input");
+      throw std::invalid_argument("the ego's pose is beyond the input limits");
     }
     frame.agents = fromMessage(message);
     std::vector<std::string> warnings;
@@ -100,7 +100,7 @@ class SceneEncoderNodelet : public QueuedNodelet {
     }
     if (const int dropped = history_->add(std::move(frame))) {
       NODELET_WARN_STREAM_THROTTLE(1.0, dropped << " agents at " << message.header.stamp
-                                                << " are not a number or have no size");
+                                                << " are not finite or have no size");
     }
   }
 

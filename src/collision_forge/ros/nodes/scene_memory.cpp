@@ -37,7 +37,7 @@ std::variant<SceneMemory::Scene, Status> SceneMemory::newest(double clock) const
   if (age <= options_.max_scene_age) return scenes_.back();
   return Status{
       StatusCode::kStaleScene,
-      formatted("the newest scene, stamp %.3f, came %.1f s ago, and max_scene_age is %g s: are "
+      formatted("the newest scene, stamp %.3f, arrived %.1f s ago, and max_scene_age is %g s: are "
                 "agents and /tf still published?",
                 scenes_.back()->header.stamp.toSec(), age, options_.max_scene_age)};
 }

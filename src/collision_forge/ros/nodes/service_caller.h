@@ -33,7 +33,7 @@ class ServiceCaller {
         isAnswered(freshConnection<Service>(), service)) {
       return {static_cast<StatusCode>(service.response.code), service.response.message};
     }
-    return {StatusCode::kNodeUnavailable, "the node behind " + name_ + " does not answer"};
+    return {StatusCode::kNodeUnavailable, "the node behind " + name_ + " does not respond"};
   }
 
  private:

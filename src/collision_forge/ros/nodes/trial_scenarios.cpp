@@ -120,8 +120,8 @@ std::string TrialScenarios::numberedLine(const std::string& number) const {
   }
   std::ifstream file(sources_.scenarios, std::ios::binary);
   if (!file) {
-    throw TestRefusal(Codes::NO_SCENARIO, "parameter scenarios = \"" + sources_.scenarios +
-                                              "\" is no file that can be read");
+    throw TestRefusal(Codes::NO_SCENARIO,
+                      "parameter scenarios = \"" + sources_.scenarios + "\" cannot be read");
   }
   std::size_t count = 0;
   for (std::string line; hasMore(file);) {

@@ -36,7 +36,7 @@ QString titleOf(const collision_forge::Attack& attack) {
          escaped(shortId(attacker.attacker_id));
 }
 
-QString believableText(const collision_forge::CollisionReport& report) {
+QString plausibleText(const collision_forge::CollisionReport& report) {
   return report.believable ? QString("yes") : "no: it " + escaped(report.unbelievable);
 }
 
@@ -49,7 +49,7 @@ QString attackText(const collision_forge::Attack& attack) {
   return titleOf(attack) + "<br><i>Predicted</i><table>" +
          row("Contact after",
              number((report.contact_time - attack.header.stamp).toSec(), 2, " s")) +
-         row("Manoeuvre", escaped(report.manoeuvre)) + row("Believable", believableText(report)) +
+         row("Manoeuvre", escaped(report.manoeuvre)) + row("Plausible", plausibleText(report)) +
          row("Confidence", number(100.0 * report.confidence, 0, " %")) +
          row("Sides", escaped(report.attacker_side + " to ego's " + report.ego_side) +
                           number(report.relative_heading * kDegrees, 0, " deg").prepend(", ")) +

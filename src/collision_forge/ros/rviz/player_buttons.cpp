@@ -33,7 +33,7 @@ class SliderStyle : public QProxyStyle {
 /// Returns the reason of a failed command; empty on success.
 template <typename Answer>
 QString problemOf(const Answer& answer) {
-  if (!answer) return "The player does not answer.";
+  if (!answer) return "The player does not respond.";
   return answer->success ? QString() : QString::fromStdString(answer->message);
 }
 

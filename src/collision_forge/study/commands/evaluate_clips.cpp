@@ -74,14 +74,14 @@ int evaluateClips(const EvaluationArguments& arguments) {
   const std::vector<std::string> paths = listClips(arguments, config);
   const OutputLocks locks = lockFolders({arguments.out});
   CityMaps maps(arguments.logs.path, config);
-  const PredictionModels foresight = loadForesight(config);
+  const PredictionModels models = loadPredictionModels(config);
   const MethodRegistry methods = loadMethods(config);
   const MethodMaker checked(arguments.plan.method, clipMethods(methods, nullptr, config.evaluation),
-                            config.attack, foresight);
+                            config.attack, models);
   const auto rows_of = [&](std::size_t index) {
     const CollideClip clip = readCollideClip(paths[index], config.input_limits);
     const auto lanes = maps.at(clip.city);
-    return evaluateClip(clip, lanes, {methods, foresight, config}, arguments.plan);
+    return evaluateClip(clip, lanes, {methods, models, config}, arguments.plan);
   };
   const std::vector<ResultRow> rows = runEvaluation(
       {arguments.out, runOptions(arguments, config, paths), arguments.plan.protocol, RowsOf::kClips,

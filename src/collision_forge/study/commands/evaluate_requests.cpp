@@ -130,8 +130,8 @@ int evaluateRequests(const EvaluationArguments& arguments) {
   const OutputLocks locks = lockFolders({arguments.out});
   SceneSource scenes(arguments.logs, wanted.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1, printWarnings, showReading());
-  const RequestEvaluator evaluator(scenes, config, loadForesight(config), loadMethods(config),
-                                   plan);
+  const RequestEvaluator evaluator(scenes, config, loadPredictionModels(config),
+                                   loadMethods(config), plan);
   SearchTimes times;
   const auto rows_of = [&](std::size_t index) {
     EvaluatedRequest evaluated = evaluator.evaluate(wanted.lines[index], wanted.requests[index]);

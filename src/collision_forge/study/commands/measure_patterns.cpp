@@ -166,8 +166,8 @@ void print(const std::vector<ClipResult>& results) {
 
 int measure(const Arguments& arguments) {
   const StudyConfig config = loadStudyConfig(arguments.config);
-  const PredictionModels foresight = loadForesight(config);
-  if (!foresight.network) {
+  const PredictionModels models = loadPredictionModels(config);
+  if (!models.network) {
     throw std::runtime_error("models.yaml: pattern_network is empty; name a network file");
   }
   CityMaps lanes(arguments.dataroot, config);
@@ -176,8 +176,7 @@ int measure(const Arguments& arguments) {
   const auto paths = listCollideClips(arguments.collide, arguments.split);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const CollideClip clip = readCollideClip(paths[i], config.input_limits);
-    const PredictionModels known =
-        arguments.seen_scenes ? foresight : foresight.withoutScene(clip.scene);
+    const PredictionModels known = arguments.seen_scenes ? models : models.withoutScene(clip.scene);
     const auto& left_out = known.network->weights().left_out_scenes;
     if (arguments.unseen &&
         std::find(left_out.begin(), left_out.end(), clip.scene) == left_out.end()) {

@@ -19,11 +19,11 @@ CrashDefinition clipCrash(CrashDefinition crash) {
 
 MethodMaker clipMethod(const std::string& name, const CollideClip& clip,
                        const ClipEvaluationSetup& setup, bool seen_scenes) {
-  const PredictionModels foresight =
-      seen_scenes ? PredictionModels{setup.foresight.speeds, setup.foresight.network, clip.type}
-                  : setup.foresight.withoutScene(clip.scene);
+  const PredictionModels models =
+      seen_scenes ? PredictionModels{setup.models.speeds, setup.models.network, clip.type}
+                  : setup.models.withoutScene(clip.scene);
   return {name, clipMethods(setup.methods, &clip, setup.study.evaluation), setup.study.attack,
-          foresight};
+          models};
 }
 
 ClipQuestion::ClipQuestion(const CollideClip& clip, std::shared_ptr<const LaneIndex> lanes,

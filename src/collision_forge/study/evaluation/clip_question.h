@@ -16,7 +16,7 @@ namespace forge {
 /// References to the inputs of an evaluation on clips, which must outlive it.
 struct ClipEvaluationSetup {
   const MethodRegistry& methods;  ///< configured methods; clipMethods() adds more
-  const PredictionModels& foresight;
+  const PredictionModels& models;
   const StudyOptions& study;
 };
 
@@ -41,7 +41,8 @@ class ClipQuestion {
   /// Returns the clip as a scene, the source of the snapshot and the future of moment().
   const Scene& recording() const { return recording_; }
 
-  /// Returns the status of checkRequest() for seeded methods, kOk for all others.
+  /// Returns the status of checkRequest() for a seeded method (MethodMaker::isSeeded()), kOk for
+  /// any other.
   Status check(const MethodMaker& maker) const;
   /// Runs the method with `seed` and returns its attack, verified or not.
   Attack ask(const AttackMethod& method, std::uint64_t seed) const;

@@ -45,9 +45,9 @@ CollisionRequest asBaseline(CollisionRequest request) {
 }
 
 std::vector<MethodMaker> baselinesOf(const MethodRegistry& methods, const AttackOptions& options,
-                                     const PredictionModels& foresight) {
+                                     const PredictionModels& models) {
   std::vector<MethodMaker> makers;
-  for (const std::string& name : kBaselines) makers.emplace_back(name, methods, options, foresight);
+  for (const std::string& name : kBaselines) makers.emplace_back(name, methods, options, models);
   return makers;
 }
 
@@ -177,14 +177,14 @@ std::size_t rowsPerRequest(const EvaluationPlan& plan) {
 }
 
 RequestEvaluator::RequestEvaluator(SceneSource& scenes, const StudyOptions& study,
-                                   const PredictionModels& foresight, const MethodRegistry& methods,
+                                   const PredictionModels& models, const MethodRegistry& methods,
                                    const EvaluationPlan& plan)
     : scenes_(scenes),
       study_(withPlan(study, plan)),
       plan_(plan),
       rows_(methodRows(plan)),
-      baselines_(baselinesOf(methods, study.attack, foresight)),
-      method_(plan.method, methods, study.attack, foresight) {
+      baselines_(baselinesOf(methods, study.attack, models)),
+      method_(plan.method, methods, study.attack, models) {
   if (plan.protocol != Protocol::kStrict) {
     throw std::invalid_argument("protocol = " + std::string(toString(plan.protocol)) +
                                 " is not supported for requests; use strict");

@@ -61,9 +61,8 @@ class RequestEvaluator {
 
   /// `scenes` must outlive the evaluator. Throws std::invalid_argument for a plan with another
   /// protocol than kStrict, a wrong `plan.is_seeded`, or an unknown method.
-  RequestEvaluator(SceneSource& scenes, const StudyOptions& study,
-                   const PredictionModels& foresight, const MethodRegistry& methods,
-                   const EvaluationPlan& plan);
+  RequestEvaluator(SceneSource& scenes, const StudyOptions& study, const PredictionModels& models,
+                   const MethodRegistry& methods, const EvaluationPlan& plan);
 
   /// Evaluates one request; `name` is the column `name` of its rows. Throws the exceptions of
   /// SceneSource::at().

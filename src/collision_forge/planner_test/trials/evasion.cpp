@@ -1,4 +1,4 @@
-#include "collision_forge/planner_test/trials/escape.h"
+#include "collision_forge/planner_test/trials/evasion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ class Search {
         drives_(scenario, options_, setup.planners.planning.route, setup.attack),
         ignored_(agentsOverlappingEgoAtT0(scenario)) {}
 
-  std::optional<Escape> run(const std::vector<TrajectoryPoint>& driven) const {
+  std::optional<Evasion> run(const std::vector<TrajectoryPoint>& driven) const {
     const std::vector<Traffic> moments = momentsOf(driven);
     for (auto moment = moments.rbegin(); moment != moments.rend(); ++moment) {
       const auto here = std::find_if(driven.begin(), driven.end(), [&](const auto& point) {
@@ -58,13 +58,13 @@ class Search {
     return {kEgoId, AgentClass::kCar, scenario_.ego.size, toStates({point})};
   }
 
-  std::optional<Escape> searchFrom(const Traffic& moment, const TrajectoryPoint& from) const {
+  std::optional<Evasion> searchFrom(const Traffic& moment, const TrajectoryPoint& from) const {
     const AgentState state = toStates({from}).front();
     for (Trial& trial : trialsFrom(moment, state)) {
       Traffic traffic = moment;
       const auto report = drive(traffic, trial.points);
       if (!report || !EvasiveDrives::isEvasion(*report)) continue;
-      return Escape{
+      return Evasion{
           {trial.manoeuvre, state.time, trial.points, drives_.shareOff(trial.points, *report)},
           traffic.attacker().trajectory()};
     }
@@ -163,20 +163,20 @@ class Search {
 
 }  // namespace
 
-std::optional<Escape> findEvasion(const CrashScenario& scenario,
-                                  const std::vector<TrajectoryPoint>& driven,
-                                  const RolloutSetup& setup) {
+std::optional<Evasion> findEvasion(const CrashScenario& scenario,
+                                   const std::vector<TrajectoryPoint>& driven,
+                                   const RolloutSetup& setup) {
   checkScenario(scenario);
   return Search(scenario, setup).run(driven);
 }
 
 std::vector<TrajectoryPoint> wholeEvasion(const std::vector<TrajectoryPoint>& driven,
-                                          const Avoidance& escape) {
+                                          const Avoidance& evasion) {
   std::vector<TrajectoryPoint> whole;
   for (const TrajectoryPoint& point : driven) {
-    if (point.time < escape.start - kTimeEpsilon) whole.push_back(point);
+    if (point.time < evasion.start - kTimeEpsilon) whole.push_back(point);
   }
-  whole.insert(whole.end(), escape.motion.begin(), escape.motion.end());
+  whole.insert(whole.end(), evasion.motion.begin(), evasion.motion.end());
   return whole;
 }
 

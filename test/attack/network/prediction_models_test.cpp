@@ -8,9 +8,9 @@
 namespace forge {
 namespace {
 
-std::vector<Track> sampled(const PredictionModels& foresight) {
+std::vector<Track> sampled(const PredictionModels& models) {
   const Snapshot snapshot = junctionSnapshot();
-  return NetworkEgoFutures(shippedEgoFutureOptions(), foresight)
+  return NetworkEgoFutures(shippedEgoFutureOptions(), models)
       .sample(snapshot, lanesOf(snapshot), 6.0, 32, 0);
 }
 
@@ -35,31 +35,31 @@ TEST(PredictionModels, ATestSceneUsesTheNetworkTrainedWithoutIt) {
   fold.left_out_scenes = {"scene-x"};
   const auto both =
       std::make_shared<const PatternNetwork>(randomWeights(5), std::vector<PatternWeights>{fold});
-  const PredictionModels foresight{nullptr, both, {}};
+  const PredictionModels models{nullptr, both, {}};
   const PredictionModels alone{nullptr, std::make_shared<const PatternNetwork>(fold), {}};
-  EXPECT_TRUE(areSame(sampled(foresight.withoutScene("scene-x")), sampled(alone)));
-  EXPECT_TRUE(areSame(sampled(foresight.withoutScene("scene-y")), sampled(foresight)));
-  EXPECT_FALSE(areSame(sampled(foresight), sampled(alone)));
+  EXPECT_TRUE(areSame(sampled(models.withoutScene("scene-x")), sampled(alone)));
+  EXPECT_TRUE(areSame(sampled(models.withoutScene("scene-y")), sampled(models)));
+  EXPECT_FALSE(areSame(sampled(models), sampled(alone)));
 }
 
 TEST(PredictionModels, WithoutSceneCopiesNothingAndKeepsTheType) {
   PatternWeights fold = randomWeights(7);
   fold.left_out_scenes = {"scene-x"};
-  const PredictionModels foresight{
+  const PredictionModels models{
       nullptr,
       std::make_shared<const PatternNetwork>(randomWeights(5), std::vector<PatternWeights>{fold}),
       CollisionType::kLtap};
-  const PredictionModels without = foresight.withoutScene("scene-x");
-  EXPECT_EQ(without.network, foresight.network->folds()[0]);
-  EXPECT_EQ(foresight.withoutScene("scene-y").network, foresight.network);
+  const PredictionModels without = models.withoutScene("scene-x");
+  EXPECT_EQ(without.network, models.network->folds()[0]);
+  EXPECT_EQ(models.withoutScene("scene-y").network, models.network);
   EXPECT_EQ(without.known_type, CollisionType::kLtap);
 }
 
 TEST(PredictionModels, ATestSceneUsesTheSpeedModelFittedWithoutIt) {
   const auto drivers = std::make_shared<const DriversOfAScene>();
-  const PredictionModels foresight{drivers, nullptr, {}};
-  EXPECT_NE(foresight.withoutScene("scene-x").speeds, drivers);
-  EXPECT_EQ(foresight.withoutScene("scene-y").speeds, drivers);
+  const PredictionModels models{drivers, nullptr, {}};
+  EXPECT_NE(models.withoutScene("scene-x").speeds, drivers);
+  EXPECT_EQ(models.withoutScene("scene-y").speeds, drivers);
   EXPECT_EQ(PredictionModels{}.withoutScene("scene-x").speeds, nullptr);
 }
 

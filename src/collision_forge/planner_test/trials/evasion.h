@@ -9,7 +9,7 @@
 namespace forge {
 
 /// An evasive manoeuvre against an adaptive attacker.
-struct Escape {
+struct Evasion {
   Avoidance ego;  ///< until its start the ego drives as in the rollout; kKeeping: at its speed at
                   ///< the start
   AttackerTrajectory attacker;  ///< its reaction to that motion, from t0 on
@@ -27,13 +27,13 @@ struct Escape {
 ///   end: continuous contact and every limit of the ego. Agents that overlap the ego at t0, except
 ///   the attacker, are ignored.
 /// Deterministic. Throws as checkScenario() and routeOf().
-std::optional<Escape> findEvasion(const CrashScenario& scenario,
-                                  const std::vector<TrajectoryPoint>& driven,
-                                  const RolloutSetup& setup);
+std::optional<Evasion> findEvasion(const CrashScenario& scenario,
+                                   const std::vector<TrajectoryPoint>& driven,
+                                   const RolloutSetup& setup);
 
 /// Returns the ego's whole motion: `driven` up to the start of the evasive manoeuvre, then
-/// `escape`.
+/// `evasion`.
 std::vector<TrajectoryPoint> wholeEvasion(const std::vector<TrajectoryPoint>& driven,
-                                          const Avoidance& escape);
+                                          const Avoidance& evasion);
 
 }  // namespace forge

@@ -1,4 +1,4 @@
-#include "collision_forge/ros/injection/sliding_ego.h"
+#include "collision_forge/ros/injection/post_crash_ego.h"
 
 #include <algorithm>
 
@@ -28,7 +28,7 @@ bool PostCrashEgo::isEgo(const geometry_msgs::TransformStamped& transform) {
 PostCrashEgo::PostCrashEgo(const PostCrashMotion& crash, double center_offset)
     : crash_(crash), center_offset_(center_offset) {}
 
-/// Nothing where the contact is not between the two stamps.
+/// Returns an empty value if the contact is not between the two stamps.
 std::optional<double> PostCrashEgo::ratioOfContact(const ros::Time& before,
                                                    const ros::Time& after) const {
   const ros::Time contact = stampOf(crash_.contactTime());

@@ -1,4 +1,4 @@
-#include "collision_forge/attack/network/foresight.h"
+#include "collision_forge/attack/network/prediction_models.h"
 
 namespace forge {
 

@@ -1,4 +1,4 @@
-#include "collision_forge/ros/injection/sliding_ego.h"
+#include "collision_forge/ros/injection/post_crash_ego.h"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ tf2_msgs::TFMessage messageAt(double time) {
   return message;
 }
 
-TEST(PostCrashEgo, MovesBaseLinkAloneAndOnlyAfterTheContact) {
+TEST(PostCrashEgo, MovesOnlyBaseLinkAndOnlyAfterTheContact) {
   PostCrashEgo ego(sideways({7.0, 1.0, 0.0}), 1.5);
   EXPECT_EQ(ego.changed(messageAt(9.9)), messageAt(9.9));
   EXPECT_EQ(ego.changed(messageAt(10.0)), messageAt(10.0));
@@ -78,7 +78,7 @@ TEST(PostCrashEgo, OdometryHasTheVelocityInBaseLink) {
   EXPECT_DOUBLE_EQ(changed.pose.pose.position.y, 1.5);
 }
 
-TEST(PostCrashEgo, IsThereAtTheContactOnceBetweenTwoMessages) {
+TEST(PostCrashEgo, AddsOneMessageAtTheContact) {
   PostCrashEgo ego(sideways({7.0, 1.0, M_PI / 2}), 1.5);
   EXPECT_FALSE(ego.atContact(messageAt(10.3))) << "nothing before tells of its height";
   ego.changed(messageAt(9.9));

@@ -1,4 +1,4 @@
-#include "collision_forge/planner_test/trials/escape.h"
+#include "collision_forge/planner_test/trials/evasion.h"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ std::vector<TrajectoryPoint> straightOn(const CrashScenario& scenario, double sp
   return points;
 }
 
-TEST(Escape, AWitnessAvoidsTheAttackerInClosedLoop) {
+TEST(Evasion, AWitnessAvoidsTheAttackerInClosedLoop) {
   PlannerCase one = rearEnd();
   one.request.crash.limits = LimitSet::kDrivable;
   const auto attacker = makeAttacker(one, PolicyKind::kAdaptive, {}, config());
@@ -66,23 +66,23 @@ TEST(Escape, AWitnessAvoidsTheAttackerInClosedLoop) {
   const PlannerUnderTest idm = makePlanner("idm", config().planners, "");
   const RolloutOutcome hit = rollout(*idm.planner, idm.driving, one.scenario, setup);
   ASSERT_TRUE(hit.contact && hit.contact->is_attacker);
-  const auto escape = findEvasion(one.scenario, hit.driven, setup);
-  ASSERT_TRUE(escape);
-  EXPECT_LT(escape->ego.start, hit.contact->time);
-  EXPECT_GT(escape->ego.start, hit.contact->time - 2.0) << "a follower can be avoided late";
+  const auto evasion = findEvasion(one.scenario, hit.driven, setup);
+  ASSERT_TRUE(evasion);
+  EXPECT_LT(evasion->ego.start, hit.contact->time);
+  EXPECT_GT(evasion->ego.start, hit.contact->time - 2.0) << "a follower can be avoided late";
 
-  Reader reader(wholeEvasion(hit.driven, escape->ego));
-  const RolloutOutcome escaped = rollout(reader, kExact, one.scenario, setup);
-  EXPECT_EQ(escaped.failure, PlannerFailure::kNone) << escaped.failure_message;
-  EXPECT_FALSE(escaped.contact);
-  const auto& told = escape->attacker.points;
-  ASSERT_EQ(told.size(), escaped.attacker.points.size());
-  for (std::size_t i = 0; i < told.size(); ++i) {
-    EXPECT_NEAR(told[i].pose.x, escaped.attacker.points[i].pose.x, 1e-6);
+  Reader reader(wholeEvasion(hit.driven, evasion->ego));
+  const RolloutOutcome evaded = rollout(reader, kExact, one.scenario, setup);
+  EXPECT_EQ(evaded.failure, PlannerFailure::kNone) << evaded.failure_message;
+  EXPECT_FALSE(evaded.contact);
+  const auto& reaction = evasion->attacker.points;
+  ASSERT_EQ(reaction.size(), evaded.attacker.points.size());
+  for (std::size_t i = 0; i < reaction.size(); ++i) {
+    EXPECT_NEAR(reaction[i].pose.x, evaded.attacker.points[i].pose.x, 1e-6);
   }
 }
 
-TEST(Escape, AnAttackerAlwaysAtTheEgoIsUnavoidable) {
+TEST(Evasion, AnAttackerAlwaysAtTheEgoIsUnavoidable) {
   const CrashScenario scenario = roadScenario(10.0, straightDrive({15.0, 0.0, 0.0}, 0.0, 3.0));
   const Clinger attacker(scenario.attacker);
   RolloutSetup setup = shippedSetup();
@@ -93,7 +93,7 @@ TEST(Escape, AnAttackerAlwaysAtTheEgoIsUnavoidable) {
   EXPECT_FALSE(findEvasion(scenario, hit.driven, setup));
 }
 
-TEST(Escape, MatchesFindAvoidabilityForAFixedAttacker) {
+TEST(Evasion, MatchesFindAvoidabilityForAFixedAttacker) {
   // Contact comes at (40 - 4.342) / 10 = 3.57 s.
   const CrashScenario scenario = roadScenario(10.0, straightDrive({40.0, 0.0, 0.0}, 0.0, 7.0));
   const FixedAttacker attacker(scenario.attacker);
@@ -102,11 +102,11 @@ TEST(Escape, MatchesFindAvoidabilityForAFixedAttacker) {
   Reader reader(straightOn(scenario, 10.0));
   const RolloutOutcome hit = rollout(reader, kExact, scenario, setup);
   ASSERT_TRUE(hit.contact);
-  const auto escape = findEvasion(scenario, hit.driven, setup);
+  const auto evasion = findEvasion(scenario, hit.driven, setup);
   const Avoidability known = findAvoidability(scenario, setup.planners.avoidability,
                                               setup.planners.planning.route, setup.attack);
-  ASSERT_TRUE(escape && known.last);
-  EXPECT_NEAR(escape->ego.start, known.last->start, 1e-6);
+  ASSERT_TRUE(evasion && known.last);
+  EXPECT_NEAR(evasion->ego.start, known.last->start, 1e-6);
 }
 
 }  // namespace
