@@ -243,7 +243,7 @@ class RecordingBuilder {
           !(agent.size.minCoeff() > 0.0) || !agent.size.allFinite()) {
         count("agents that are not a number or have no size");
       } else if (!ids.insert(agent.instance).second) {
-        count("agents without an id, or with that of another one or the ego");
+        count("agents without an id, or with the id of the ego or of another agent");
       } else {
         frame.annotations.push_back(std::move(agent));
       }
