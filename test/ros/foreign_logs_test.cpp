@@ -108,8 +108,7 @@ TEST_F(ForeignLogsTest, ABagWithoutLanesNeedsAMap) {
     open()->recording("three");
     FAIL();
   } catch (const BagError& error) {
-    EXPECT_THAT(error.what(),
-                HasSubstr("three.bag: no message on /lane_map; name a map with --map"));
+    EXPECT_THAT(error.what(), HasSubstr("three.bag: no message on /lane_map; --map gives the map"));
   }
   how_.map = kMaps + "embedded-right.json";
   EXPECT_EQ(open()->recording("three").recording.frames.size(), 1U);

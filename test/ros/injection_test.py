@@ -413,7 +413,7 @@ class BadBagTest(road.RoadTest):
             return message
         result = self.inject(self.changed(change))
         self.assertIn('warning', result.stderr)
-        self.assertIn('not a number', result.stderr)
+        self.assertIn('not finite', result.stderr)
         if road.code_of(result) == 'OK':
             self.assertNotIn(road.read_one(self.path('out.bag'), '/attack').report.attacker_id, broken)
 

@@ -2,6 +2,7 @@
 """forge test: on scenarios over embedded logs and on clips made here, how it goes on, and what it does with bad input."""
 import csv
 import json
+import subprocess
 import sys
 from pathlib import Path
 
@@ -154,7 +155,7 @@ class TestPlannersTest(road.RoadTest):
         ego = next(result for result in lines_of(self.expected) if result['status'] == 'OK')
         touching['attacker']['trajectory'][0].update(self.ego_pose(parsed))
         scenarios.write_text('\n'.join([
-            attack.replace('"version":6', '"version":7'),
+            attack.replace('"version":7', '"version":8'),
             attack.replace(parsed['scene'], 'scene-9999'),
             attack.replace('"now":16', '"now":17'),
             json.dumps(touching),

@@ -129,7 +129,7 @@ int convert(const Arguments& arguments) {
       std::count_if(scenes.begin(), scenes.end(),
                     [&](const std::string& scene) { return isConverted(arguments, scene); }));
   std::cerr << counted(scenes.size() - before, "scene") << " to convert, " << before
-            << " converted before\n";
+            << " already converted\n";
   PickleWorkers workers;
   const auto convertOne = [&](std::size_t index) -> std::string {
     const std::string& scene = scenes[index];

@@ -32,7 +32,7 @@ TEST(LogSource, ARos2BagIsNamed) {
 
 TEST(LogSource, ASourceOfNoKindIsDescribed) {
   const TemporaryFolder folder;
-  EXPECT_THAT(unknownSourceText(folder.path()), HasSubstr("nor a bag (.bag); the folder is empty"));
+  EXPECT_THAT(unknownSourceText(folder.path()), HasSubstr("scenario (.xml); the folder is empty"));
   EXPECT_THAT(unknownSourceText(folder.write("notes.txt", "x")), HasSubstr("file of another kind"));
   EXPECT_THAT(unknownSourceText(folder.write("none.txt", "")), HasSubstr("the file is empty"));
   folder.write("waymo/scene.pkl", "");

@@ -43,10 +43,10 @@ TEST(MapFile, AnotherJsonObjectIsRefusedAsAMapExpansion) {
 }
 
 TEST(MapFile, OtherFilesAreNamedByTheirContentWithTheKindsThatCanBeRead) {
-  EXPECT_THAT(
-      [] { readText("x,y\n1,2\n"); },
-      refusedWith("is neither a JSON object nor XML; the maps that can be read are: "
-                  "nuScenes map expansion ({), Lanelet2 (<osm>), CommonRoad (<commonRoad>)"));
+  EXPECT_THAT([] { readText("x,y\n1,2\n"); },
+              refusedWith("is neither a JSON object nor XML; the maps that can be read are: "
+                          "nuScenes map expansion ({), OpenDRIVE (<OpenDRIVE>), Lanelet2 (<osm>), "
+                          "CommonRoad (<commonRoad>)"));
   EXPECT_THAT([] { readText("# Title<br>"); }, refusedWith("neither a JSON object nor XML"));
   EXPECT_THAT([] { readText("\xEF\xBB\xBF<net/>"); }, refusedWith("the root element <net>"));
   EXPECT_THAT([] { readText(""); }, refusedWith("neither a JSON object nor XML"));

@@ -95,7 +95,7 @@ class RecordingBuilder {
     const auto message = instance.instantiate<tf2_msgs::TFMessage>();
     if (!message) return;
     const auto transforms = usableTransforms(*message);
-    count("transforms that are not a number", message->transforms.size() - transforms.size());
+    count("transforms that are not finite", message->transforms.size() - transforms.size());
     for (const geometry_msgs::TransformStamped& transform : transforms) {
       const bool in_ego_topic =
           !mapping_.ego.in_transforms && transform.child_frame_id == ego_frame_;
@@ -124,7 +124,7 @@ class RecordingBuilder {
     if (transform.header.stamp.isZero()) {
       count("ego poses whose stamp is not set");
     } else if (!isSameInstant(time_us(transform), time_us(last_move_))) {
-      count("ego poses whose stamp is before the last one's");
+      count("ego poses whose stamp is earlier than the previous one");
     } else {
       requireSamePlace({x - last.x, y - last.y, z - last.z}, time_us(transform));
     }
@@ -180,7 +180,7 @@ class RecordingBuilder {
                          ego_values_.vector(mapping_.ego.pose.position, 0),
                          ego_values_.rotation(mapping_.ego.pose, 0)};
     if (!pose.translation.allFinite() || !pose.rotation.coeffs().allFinite()) {
-      count("ego poses that are not a number");
+      count("ego poses that are not finite");
       return;
     }
     if (pose.timestamp_us == 0) {
@@ -214,7 +214,7 @@ class RecordingBuilder {
     } else if (base.timestamp_us > last) {
       poses.push_back(base);
     } else {
-      count("ego poses whose stamp is before the last one's");
+      count("ego poses whose stamp is earlier than the previous one");
     }
   }
 
@@ -228,7 +228,7 @@ class RecordingBuilder {
       return;
     }
     if (frame.timestamp_us <= last_frame_us_ || isSameInstant(frame.timestamp_us, last_frame_us_)) {
-      count("frames of agents whose stamp is not after the one before");
+      count("frames of agents whose stamp is not later than the previous one");
       return;
     }
     last_frame_us_ = frame.timestamp_us;
@@ -241,9 +241,9 @@ class RecordingBuilder {
       }
       if (!agent.translation.allFinite() || !agent.rotation.coeffs().allFinite() ||
           !(agent.size.minCoeff() > 0.0) || !agent.size.allFinite()) {
-        count("agents that are not a number or have no size");
+        count("agents that are not finite or have no size");
       } else if (!ids.insert(agent.instance).second) {
-        count("agents without an id, or with the id of the ego or of another agent");
+        count("agents without an id, or with the id of another agent or the ego");
       } else {
         frame.annotations.push_back(std::move(agent));
       }
