@@ -220,10 +220,10 @@ int inject(const Arguments& arguments) {
                                              maker.name(), arguments, config);
   const Track& recorded_ego = moment.recorded->ego;
   const bool is_untested = endsBeforeContact(recorded_ego, attack.pattern, tested);
-  std::cout << "now: " << now - scene.frame_times.front() << " s from the first frame\n"
+  std::cout << "t0: " << now - scene.frame_times.front() << " s after the first frame\n"
             << "generated: " << summaryOf(written.attack) << "\n"
             << "against the recording: "
-            << (is_untested ? formatted("it ends %.2f s from now, before the contact",
+            << (is_untested ? formatted("it ends %.2f s after t0, before the contact",
                                         recorded_ego.states.back().time - now)
                             : lineOf(written.tested_report))
             << "\n"
