@@ -230,7 +230,7 @@ class PlannerTesterTest(road.RoadTest):
     def test_bad_lines(self):
         line = self.lines[self.tested[0] - 1]
         scene = json.loads(line)['scene']
-        for code, scenario, word in (('UNREADABLE', line.replace('"version":6', '"version":7'), 'version'),
+        for code, scenario, word in (('UNREADABLE', line.replace('"version":7', '"version":8'), 'version'),
                                      ('UNREADABLE', line.replace(scene, 'scene-9999'), 'scene-9999'),
                                      ('UNREADABLE', line[:100], 'scenario'),
                                      ('UNREADABLE', line + 16000000 * ' ', 'scenario: length = 160'),

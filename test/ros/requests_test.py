@@ -198,7 +198,7 @@ class RequestsTest(AttackedTest):
         self.ask_for_code('UNKNOWN_TYPE', 'rear_ned')
         self.ask_for_code('UNKNOWN_ATTACKER', attacker='nobody')
         self.ask_for_code('INVALID_INPUT', mode='hystory')
-        self.assertIn('forgotten', rospy.ServiceProxy('/reset', Trigger)().message)
+        self.assertIn('removed', rospy.ServiceProxy('/reset', Trigger)().message)
         self.assert_forgotten()  # by the reset alone
         self.assertEqual(len(self.heard['/attack'].all()), 1)
 

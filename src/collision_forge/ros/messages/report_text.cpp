@@ -42,7 +42,7 @@ std::string lineOf(const collision_forge::CollisionReport& report) {
        << (report.first_other_id.empty() ? "" : ", touches " + report.first_other_id + " first")
        << ", " << 100.0 * report.off_road_share << " % off road, " << report.manoeuvre << " from "
        << (report.manoeuvre_begin - now).toSec() << " s on, "
-       << (report.believable ? "believable" : "not believable: it " + report.unbelievable);
+       << (report.believable ? "plausible" : "not plausible: it " + report.unbelievable);
   if (!report.careful_drivers.empty()) line << ", " << avoidanceText(report.careful_drivers);
   return line.str();
 }
