@@ -83,15 +83,15 @@ class OneCrash : public testing::Test {
     BagAttack attack;
     attack.attack = message_;
     attack.tested_report = toMessage(report_, kAttacker, now_);
-    injectIntoBag(
-        recorded_, attacked_, attack,
-        {recording_.scene.ego, config_.ego_vehicle.center_offset, limits(), config_.attacked_bag});
+    injectIntoBag(recorded_, attacked_, attack,
+                  {recording_.scene.ego, config_.ego_vehicle.center_offset,
+                   config_.attack.verification, config_.attacked_bag});
   }
 
-  const DriveLimitOptions& limits() const { return config_.attack.verification.drivable; }
   double time() const { return report_.contact_time + kAfter; }
   std::optional<PostCrashMotion> motion() const {
-    return motionAfterContact(report_, answer_.trajectory, moment_.recorded->ego, limits());
+    return motionAfterContact(report_, answer_.trajectory, moment_.recorded->ego,
+                              config_.attack.verification.severity);
   }
 
   template <typename Message>

@@ -289,7 +289,7 @@ TEST_F(InjectIntoBagTest, TheEgoHasAPoseAtTheContact) {
 TEST_F(InjectIntoBagTest, TheBagEndsSomeSecondsAfterBothStand) {
   writeRecording({8.5, 9.0, 9.5, 10.0, 10.5, 11.0, 11.5, 12.0, 12.5, 13.0, 13.5, 14.0, 14.5, 15.0});
   const double stand = motionAfterContact(kContact, fromMessage(attack_.attack.trajectory), ego_,
-                                          config_.attack.verification.drivable)
+                                          config_.attack.verification.severity)
                            ->standTime();
   for (const double seconds : {0.0, 1.0}) {
     seconds_after_stand_ = seconds;

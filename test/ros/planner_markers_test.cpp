@@ -35,7 +35,7 @@ PlannerTrial standing() {
 }
 
 ShownRollout shown(const PlannerTrial& trial, const std::string& planner = "idm") {
-  return shownRollout(trial, scenario(), planner, shippedOptions().verification.drivable);
+  return shownRollout(trial, scenario(), planner, shippedOptions().verification.severity);
 }
 
 std::vector<Marker> inNamespace(const MarkerArray& array, const std::string& name_space) {

@@ -17,6 +17,7 @@
 #include "collision_forge/attack/verify/untested_contact.h"
 #include "collision_forge/attack/verify/verification.h"
 #include "collision_forge/base/files/output_lock.h"
+#include "collision_forge/base/scene/find_track.h"
 #include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/io/batch/printable.h"
 #include "collision_forge/io/batch/progress_line.h"
@@ -52,16 +53,17 @@ struct Arguments {
 };
 
 /// Returns a sentence on the content of the output bag after the contact with the recorded ego.
-std::string aftermathOf(AfterContact after, bool has_contact, bool is_untested,
-                        const AttackedBagOptions& options) {
+std::string aftermathOf(AfterContact after, const std::optional<PostCrashMotion>& crash,
+                        bool is_untested, const AttackedBagOptions& options) {
   if (is_untested) return "the bag ends before the contact; the ego drives as recorded";
-  if (!has_contact) return "no contact: the bag continues, the ego drives as recorded";
+  if (!crash) return "no contact: the bag continues, the ego drives as recorded";
   std::ostringstream text;
   text << "after the contact: ";
   switch (after) {
     case AfterContact::kStop:
-      text << "both brake to a standstill; /tf and odom are rewritten; the bag ends "
-           << options.seconds_after_stand << " s after both have stopped";
+      text << "both stand " << formatted("%.1f", crash->standTime() - crash->contactTime())
+           << " s later; /tf and odom are rewritten; the bag ends " << options.seconds_after_stand
+           << " s after both have stopped";
       break;
     case AfterContact::kEnd:
       text << "the bag ends " << options.end_time << " s later";
@@ -71,6 +73,19 @@ std::string aftermathOf(AfterContact after, bool has_contact, bool is_untested,
       break;
   }
   return text.str();
+}
+
+/// Returns a line per agent that ego or attacker touch after the contact, each after a line break.
+std::string secondaryContactText(const PostCrashMotion& crash, const std::string& attacker,
+                                 const std::vector<Track>& agents) {
+  std::string text;
+  for (const SecondaryContact& contact : secondaryContacts(crash, attacker, agents)) {
+    text += formatted("\n%.1f s after the contact ", contact.time - crash.contactTime()) +
+            (contact.is_ego ? "the ego" : "the attacker") + " touches " +
+            toString(findTrack(agents, contact.agent_id)->agent_class) + " " +
+            printable(contact.agent_id) + ", which drives as recorded";
+  }
+  return text;
 }
 
 /// Returns the exit code after the bag was written. If the attack does not hit the recorded ego as
@@ -180,8 +195,8 @@ BagAttack writeAttackedBag(const TestedAttack& attack, const Scene& scene,
   ProgressLine progress("writing");
   const std::vector<std::string> warnings =
       injectIntoBag(arguments.bag, arguments.out, bag_attack,
-                    {scene.ego, config.ego_vehicle.center_offset,
-                     config.attack.verification.drivable, config.attacked_bag},
+                    {scene.ego, config.ego_vehicle.center_offset, config.attack.verification,
+                     config.attacked_bag},
                     [&](double share) { progress.show(share); });
   printWarnings(arguments.out, warnings);
   return bag_attack;
@@ -220,6 +235,8 @@ int inject(const Arguments& arguments) {
                                              maker.name(), arguments, config);
   const Track& recorded_ego = moment.recorded->ego;
   const bool is_untested = endsBeforeContact(recorded_ego, attack.pattern, tested);
+  const auto crash = motionAfterContact(tested, attack.trajectory, recorded_ego,
+                                        config.attack.verification.severity);
   std::cout << "t0: " << now - scene.frame_times.front() << " s after the first frame\n"
             << "generated: " << summaryOf(written.attack) << "\n"
             << "against the recording: "
@@ -227,14 +244,16 @@ int inject(const Arguments& arguments) {
                                         recorded_ego.states.back().time - now)
                             : lineOf(written.tested_report))
             << "\n"
-            << aftermathOf(arguments.after_contact, tested.contact, is_untested,
-                           config.attacked_bag)
+            << aftermathOf(arguments.after_contact, crash, is_untested, config.attacked_bag)
+            << (arguments.after_contact == AfterContact::kStop && crash
+                    ? secondaryContactText(*crash, attack.trajectory.attacker_id,
+                                           moment.recorded->agents)
+                    : "")
             << "\nwrote " << arguments.out << "\n";
   if (!arguments.draw.empty()) {
     ScenarioView view{scene.name,       request.tta,    request.mode,      moment.snapshot,
                       *moment.recorded, attack.pattern, attack.trajectory, tested};
-    view.crash = motionAfterContact(tested, attack.trajectory, moment.recorded->ego,
-                                    config.attack.verification.drivable);
+    view.crash = crash;
     view.seconds_after_stand = seconds_after_stand;
     view.lights = scene.lights;
     drawScenarioPng(arguments.draw + ".png", view, config.drawing);
@@ -271,14 +290,14 @@ void addInject(CommandLine& line) {
   addMethod(app, arguments->method, arguments->config);
   addMode(app, arguments->mode, true);
   addSeed(app, request.seed, "random seed of the candidates");
-  addChoice<AfterContact>(
-      app, "--after-contact", arguments->after_contact,
-      {{"stop", AfterContact::kStop},
-       {"end", AfterContact::kEnd},
-       {"drive_on", AfterContact::kDriveOn}},
-      "content of the bag after the contact; stop: both vehicles brake to a standstill, the ego's "
-      "/tf and odom are rewritten; end: the bag ends shortly after; drive_on: the ego continues as "
-      "recorded");
+  addChoice<AfterContact>(app, "--after-contact", arguments->after_contact,
+                          {{"stop", AfterContact::kStop},
+                           {"end", AfterContact::kEnd},
+                           {"drive_on", AfterContact::kDriveOn}},
+                          "content of the bag after the contact; stop: both vehicles move by the "
+                          "impact until they stand, the ego's /tf and odom are rewritten; end: the "
+                          "bag ends shortly after; drive_on: the ego continues as "
+                          "recorded");
   app.add_option("--seconds-after-stand", arguments->seconds_after_stand,
                  "time, s, that bag and animation continue after both vehicles have stopped; "
                  "default: seconds_after_stand of attacked_bag.yaml")

@@ -47,7 +47,7 @@ ScenarioView viewOfCollision(const PlannerCase& one, const PlannerRow& row, cons
   report.overlap = sideOverlap({report.ego_at_contact, view.future.ego.size}, report.ego_side,
                                {report.attacker_at_contact, scenario.attacker.size});
   view.crash = motionAfterContact(report, outcome.attacker, view.future.ego,
-                                  config.attack.verification.drivable);
+                                  config.attack.verification.severity);
   view.seconds_after_stand = config.attacked_bag.seconds_after_stand;
   return view;
 }

@@ -125,7 +125,7 @@ TEST_F(DrawGif, EgoAndAttackerComeToRestAfterTheContact) {
   const Color& ego = options_.ego_color;
   const Color& attacker = options_.attacker_color;
   for (const std::size_t frame : {kContactFrame + 10, kContactFrame + 15}) {
-    EXPECT_TRUE(looksLike(animation.at(frame, pixelOf({13.875, -0.6})), ego));
+    EXPECT_TRUE(looksLike(animation.at(frame, pixelOf({13.7, -0.6})), ego));
     EXPECT_TRUE(looksLike(animation.at(frame, pixelOf({9.375, -0.6})), attacker));
   }
   EXPECT_TRUE(looksLike(animation.at(kContactFrame, pixelOf({10.0, -0.6})), ego));

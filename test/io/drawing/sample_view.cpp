@@ -82,16 +82,17 @@ ScenarioView sampleView() {
 
 ScenarioView sampleCrash() {
   ScenarioView view = sampleView();
-  DriveLimitOptions limits;
-  for (DriveLimits& row : limits.rows) row.max_braking = 7.75;
-  // With areas of 8 and 10 m2 both continue at (4 * 5 + 5 * 9.95) / 9 = 7.75 m/s.
+  // A plastic impact of equal masses: both continue at 7.475 m/s, and stand after about 1 s.
+  SeverityOptions options;
+  for (BodyOptions& body : options.bodies) body.mass = body.least_mass = 1000.0;
+  options.after_impact = {1.0, 1.0, 0.01, 100.0, 0.0, 7.475};
   const CrashedVehicle ego{AgentClass::kCar,
                            view.future.ego.size,
                            {kContactTime, view.report.ego_at_contact, {5.0, 0.0}}};
   const CrashedVehicle attacker{AgentClass::kCar,
                                 view.trajectory.size,
                                 {kContactTime, view.report.attacker_at_contact, {9.95, 0.0}}};
-  view.crash.emplace(ego, attacker, limits);
+  view.crash.emplace(ego, attacker, options);
   return view;
 }
 

@@ -14,7 +14,7 @@ namespace forge {
 /// PostCrashMotion, and an animation continues for 0.5 s.
 ScenarioView sampleView();
 
-/// As sampleView(); after the contact both decelerate and stand 1 s later, 3.875 m farther along x.
+/// As sampleView(); after the contact both brake and stand about 1 s later, 3.7 m farther along x.
 ScenarioView sampleCrash();
 
 /// Small pictures with colours that are easy to tell apart.

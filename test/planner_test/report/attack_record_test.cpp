@@ -40,7 +40,7 @@ ShownCrash crash() {
   const double time = kNow + 10.0;
   return {PostCrashMotion({AgentClass::kCar, size, {time, {20.0, 0.0, 0.0}, {4.0, 0.0}}},
                           {AgentClass::kCar, size, {time, {16.0, 0.0, 0.0}, {8.0, 0.0}}},
-                          shippedOptions().drivable),
+                          shippedOptions().severity),
           2.0};
 }
 

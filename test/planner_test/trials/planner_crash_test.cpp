@@ -7,7 +7,7 @@
 namespace forge {
 namespace {
 
-const DriveLimitOptions& limits() { return shippedConfig().attack.verification.drivable; }
+const SeverityOptions& severity() { return shippedConfig().attack.verification.severity; }
 
 /// A car stands in the ego's path; the attacker comes from far behind.
 CrashScenario blocked() {
@@ -32,21 +32,20 @@ RolloutOutcome outcomeWith(const std::string& id, const CrashScenario& scenario)
 TEST(PlannerCrash, PushesAnotherTouchedVehicleAndTheEgo) {
   const CrashScenario scenario = blocked();
   const auto crash = crashOf(outcomeWith("parked", scenario), scenario.ego.size,
-                             scenario.recorded.agents, limits());
+                             scenario.recorded.agents, severity());
   ASSERT_TRUE(crash);
   EXPECT_EQ(crash->other.id, "parked");
   EXPECT_EQ(crash->motion.contactTime(), kNow + 0.5);
   const double stand = crash->motion.standTime();
   EXPECT_GT(crash->motion.attackerAt(stand).pose.x, 10.5);
-  EXPECT_NEAR(crash->motion.attackerAt(stand).pose.x - 10.0,
-              crash->motion.egoAt(stand).pose.x - 4.0, 1e-9);
+  EXPECT_GT(crash->motion.attackerAt(stand).pose.x, crash->motion.egoAt(stand).pose.x + 4.0);
 }
 
 TEST(PlannerCrash, UsesTheSimulatedMotionOfAReactiveVehicle) {
   const CrashScenario scenario = blocked();
   RolloutOutcome outcome = outcomeWith("parked", scenario);
   outcome.others = {futureTrack("parked", kCarSize, {12.0, 0.0, 0.0}, 0.0)};
-  EXPECT_EQ(crashOf(outcome, scenario.ego.size, scenario.recorded.agents, limits())
+  EXPECT_EQ(crashOf(outcome, scenario.ego.size, scenario.recorded.agents, severity())
                 ->motion.attackerAt(kNow)
                 .pose.x,
             12.0);
@@ -55,7 +54,7 @@ TEST(PlannerCrash, UsesTheSimulatedMotionOfAReactiveVehicle) {
 TEST(PlannerCrash, UsesTheSimulatedMotionOfTheAttacker) {
   const CrashScenario scenario = blocked();
   const auto crash = crashOf(outcomeWith(scenario.attacker.attacker_id, scenario),
-                             scenario.ego.size, scenario.recorded.agents, limits());
+                             scenario.ego.size, scenario.recorded.agents, severity());
   ASSERT_TRUE(crash);
   EXPECT_NEAR(crash->motion.attackerAt(kNow + 0.5).pose.x, -57.5, 1e-6);
 }
@@ -63,9 +62,9 @@ TEST(PlannerCrash, UsesTheSimulatedMotionOfTheAttacker) {
 TEST(PlannerCrash, IsEmptyWithoutAContactAndForAnUnknownAgent) {
   const CrashScenario scenario = blocked();
   RolloutOutcome outcome = outcomeWith("nobody", scenario);
-  EXPECT_FALSE(crashOf(outcome, scenario.ego.size, scenario.recorded.agents, limits()));
+  EXPECT_FALSE(crashOf(outcome, scenario.ego.size, scenario.recorded.agents, severity()));
   outcome.contact.reset();
-  EXPECT_FALSE(crashOf(outcome, scenario.ego.size, scenario.recorded.agents, limits()));
+  EXPECT_FALSE(crashOf(outcome, scenario.ego.size, scenario.recorded.agents, severity()));
 }
 
 }  // namespace

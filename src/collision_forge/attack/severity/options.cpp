@@ -42,6 +42,15 @@ void readPart(Section& section, RestitutionOptions& restitution) {
   restitution.decay = section.nonNegative("decay");
 }
 
+void readPart(Section& section, AfterImpactOptions& after) {
+  after.tyre_friction = section.positive("tyre_friction");
+  after.ground_friction = section.positive("ground_friction");
+  after.rolling_drag = section.positive("rolling_drag");
+  after.locking_delta_v = section.nonNegative("locking_delta_v");
+  after.braking_delay = section.nonNegative("braking_delay");
+  after.braking = section.nonNegative("braking");
+}
+
 void readPart(Section& section, OccupantCurve& curve) {
   readList(section, "mais2", -kMaxCoefficient, curve.mais2);
   readList(section, "mais3", -kMaxCoefficient, curve.mais3);
@@ -96,6 +105,7 @@ void readOptions(Section& section, SeverityOptions& options) {
   options.engagement = section.nonNegative("engagement");
   options.friction = section.nonNegative("friction");
   readUnder(section, "restitution", options.restitution);
+  readUnder(section, "after_impact", options.after_impact);
   readUnder(section, "occupants", options.occupants);
   readUnder(section, "vulnerable", options.vulnerable);
   Section classes = section.section("iso_26262");

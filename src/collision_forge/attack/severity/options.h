@@ -51,6 +51,16 @@ struct VulnerableOptions {
   double motorcycle_shift = 0.0;  ///< km/h
 };
 
+/// Motion on the road after the impact, until both parties stand.
+struct AfterImpactOptions {
+  double tyre_friction = 0.0;    ///< of a tyre that slides, over its load
+  double ground_friction = 0.0;  ///< of people, fallen riders and objects, over their weight
+  double rolling_drag = 0.0;     ///< of a wheel that rolls, over its load
+  double locking_delta_v = 0.0;  ///< m/s; from here on the wheels of the struck end are locked
+  double braking_delay = 0.0;    ///< s from the contact until the driver brakes
+  double braking = 0.0;          ///< m/s2 of a driver after the delay
+};
+
 /// Bounds of delta-v (km/h) from which S1, S2 and S3 of ISO 26262 apply.
 struct SeverityBounds {
   std::array<double, 3> lower = {};
@@ -63,6 +73,7 @@ struct SeverityOptions {
   double engagement = 0.0;             ///< s
   double friction = 0.0;
   RestitutionOptions restitution;
+  AfterImpactOptions after_impact;
   OccupantOptions occupants;
   VulnerableOptions vulnerable;
   SeverityBounds head_on;

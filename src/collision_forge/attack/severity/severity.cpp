@@ -40,20 +40,6 @@ Vector2 outwards(const OrientedBox& box, Side side) {
   return {ahead.y(), -ahead.x()};
 }
 
-Vector2 normalOf(const OrientedBox& first, const OrientedBox& second) {
-  constexpr double kParallel = 1e-6;
-  const Side first_side = touchedSide(first, second);
-  const Side second_side = touchedSide(second, first);
-  if (isEnd(first_side) && isEnd(second_side)) {
-    const Vector2 mean = outwards(first, first_side) - outwards(second, second_side);
-    if (mean.norm() > kParallel) return mean.normalized();
-  }
-  const auto gaps = axisGaps(first, second);
-  return std::max_element(gaps.begin(), gaps.end(),
-                          [](const AxisGap& a, const AxisGap& b) { return a.gap < b.gap; })
-      ->axis;
-}
-
 double logistic(double value) { return 1.0 / (1.0 + std::exp(-value)); }
 
 double classBy(const std::array<double, 3>& bounds, double delta_v) {
@@ -134,6 +120,20 @@ OrientedBox boxAfter(const CrashedVehicle& party, double duration) {
 
 }  // namespace
 
+Vector2 contactNormal(const OrientedBox& first, const OrientedBox& second) {
+  constexpr double kParallel = 1e-6;
+  const Side first_side = touchedSide(first, second);
+  const Side second_side = touchedSide(second, first);
+  if (isEnd(first_side) && isEnd(second_side)) {
+    const Vector2 mean = outwards(first, first_side) - outwards(second, second_side);
+    if (mean.norm() > kParallel) return mean.normalized();
+  }
+  const auto gaps = axisGaps(first, second);
+  return std::max_element(gaps.begin(), gaps.end(),
+                          [](const AxisGap& a, const AxisGap& b) { return a.gap < b.gap; })
+      ->axis;
+}
+
 ImpactBody bodyOf(const CrashedVehicle& party, const SeverityOptions& options) {
   const BodyOptions& body = options.bodies[static_cast<std::size_t>(party.agent_class)];
   const double length = party.size.length;
@@ -151,7 +151,7 @@ Impact impactOf(const CrashedVehicle& first, const CrashedVehicle& second,
   ImpactBody one = bodyOf(first, options);
   ImpactBody two = bodyOf(second, options);
   ImpactContact contact;
-  contact.normal = normalOf(first_box, second_box);
+  contact.normal = contactNormal(first_box, second_box);
   contact.friction = options.friction;
   const OrientedBox first_engaged = boxAfter(first, options.engagement);
   const OrientedBox second_engaged = boxAfter(second, options.engagement);

@@ -2,6 +2,7 @@
 
 #include "collision_forge/attack/severity/impact.h"
 #include "collision_forge/attack/severity/options.h"
+#include "collision_forge/base/geometry/oriented_box.h"
 #include "collision_forge/base/scene/crash_severity.h"
 #include "collision_forge/base/scene/track.h"
 
@@ -14,13 +15,16 @@ struct CrashedVehicle {
   AgentState state;  ///< box centre, global map frame
 };
 
+/// Returns the unit normal of the contact plane of two touching or overlapping boxes, in either
+/// direction: that of the touched face; the mean of both faces if both are a front or a rear.
+Vector2 contactNormal(const OrientedBox& first, const OrientedBox& second);
+
 /// Returns the party as a rigid body with its mass at the box centre and without yaw rate.
 ImpactBody bodyOf(const CrashedVehicle& party, const SeverityOptions& options);
 
 /// Returns the impact of two parties at their first touch: planarImpact() at the middle of the
-/// overlap after `engagement`, or at touchPoint() if they do not overlap then. The normal belongs
-/// to the touched face; if both are touched in front or at the rear, it is the mean of both faces.
-/// Throws as planarImpact().
+/// overlap after `engagement`, or at touchPoint() if they do not overlap then, along
+/// contactNormal(). Throws as planarImpact().
 Impact impactOf(const CrashedVehicle& first, const CrashedVehicle& second,
                 const SeverityOptions& options);
 

@@ -56,7 +56,7 @@ std::optional<PostCrashMotion> ContactWatch::crashBefore(const AgentState& ego) 
   Track predicted = ego_;
   predicted.states.push_back(ego);
   deriveVelocities(predicted);
-  return motionAfterContact(*contact, trajectory_, predicted, options_.drivable);
+  return motionAfterContact(*contact, trajectory_, predicted, options_.severity);
 }
 
 Track ContactWatch::between(const AgentState& from, const AgentState& to) const {
@@ -73,7 +73,7 @@ std::optional<double> ContactWatch::contactWith(const Track& ego) const {
 
 /// Keeps the earlier crash if the poses around the contact are gone, after a replay went back.
 void ContactWatch::setCrash(double contact_time) {
-  const auto crash = motionAfterContact(contact_time, crashed_, ego_, options_.drivable);
+  const auto crash = motionAfterContact(contact_time, crashed_, ego_, options_.severity);
   if (crash) crash_ = crash;
   const auto& states = ego_.states;
   is_complete_ = states.size() > 1 && std::prev(states.end(), 2)->time >= contact_time;

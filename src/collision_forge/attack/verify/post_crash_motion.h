@@ -1,9 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "collision_forge/attack/severity/severity.h"
-#include "collision_forge/attack/verify/braking_slide.h"
+#include "collision_forge/base/scene/attack.h"
 
 namespace forge {
 
@@ -11,49 +14,72 @@ namespace forge {
 /// contact only. Bags, images, pages, exports and the live display all use this class, so a crash
 /// ends the same way in all of them.
 ///
-/// Both vehicles move with their common velocity (momentum kept, with the box area as mass),
-/// without turning, and decelerate with the lower of their two maximum brakings. This illustrates a
-/// crash; it is not a crash model.
+/// Both keep their velocities for SeverityOptions::engagement, while their boxes overlap as much as
+/// the vehicles deform. Then the impact of impactOf() changes their velocities and yaw rates, and
+/// each moves as a SlidingBody; its driver brakes after AfterImpactOptions::braking_delay. If they
+/// press against each other again, a plastic planarImpact() ends that. There is no suspension,
+/// steering or roll-over.
 class PostCrashMotion {
  public:
-  /// Both states must have the contact time.
+  /// Both states must have the contact time. Throws as planarImpact().
   PostCrashMotion(const CrashedVehicle& ego, const CrashedVehicle& attacker,
-                  const DriveLimitOptions& options);
+                  const SeverityOptions& options);
 
   /// s, same clock as the states
-  double contactTime() const { return braking_.begin; }
+  double contactTime() const { return steps_->front().time; }
   /// Time at which both vehicles stop, s.
-  double standTime() const { return braking_.standTime(); }
+  double standTime() const { return steps_->back().time; }
 
   /// Returns the ego's state at `time` (s); before the contact, its state at the contact.
   AgentState egoAt(double time) const;
   /// As egoAt() for the attacker.
   AgentState attackerAt(double time) const;
 
- private:
-  AgentState stateAfter(const Pose2& contact, double time) const;
+  const BoxSize& egoSize() const { return ego_size_; }
+  const BoxSize& attackerSize() const { return attacker_size_; }
 
-  Pose2 ego_;  ///< at the contact, like attacker_
-  Pose2 attacker_;
-  StraightBraking braking_;
+ private:
+  /// Both at one time; yaws are continuous.
+  struct Step {
+    double time = 0.0;  ///< s
+    AgentState ego;
+    AgentState attacker;
+  };
+
+  AgentState stateAt(double time, AgentState Step::*of) const;
+
+  BoxSize ego_size_;
+  BoxSize attacker_size_;
+  std::shared_ptr<const std::vector<Step>> steps_;  ///< at least one
 };
 
 /// Returns the motion after a contact of `ego` and `other` at `contact_time` (s); empty if one of
 /// the two tracks has no state at that time.
 std::optional<PostCrashMotion> motionAfterContact(double contact_time, const Track& other,
-                                                  const Track& ego,
-                                                  const DriveLimitOptions& options);
+                                                  const Track& ego, const SeverityOptions& options);
 
 /// As above for the attacker of `trajectory`.
 std::optional<PostCrashMotion> motionAfterContact(double contact_time,
                                                   const AttackerTrajectory& trajectory,
-                                                  const Track& ego,
-                                                  const DriveLimitOptions& options);
+                                                  const Track& ego, const SeverityOptions& options);
 
 /// As above for the contact of `report`; empty if the report has no contact.
 std::optional<PostCrashMotion> motionAfterContact(const CollisionReport& report,
                                                   const AttackerTrajectory& trajectory,
-                                                  const Track& ego,
-                                                  const DriveLimitOptions& options);
+                                                  const Track& ego, const SeverityOptions& options);
+
+/// The first touch of another agent by a crashed vehicle.
+struct SecondaryContact {
+  double time = 0.0;    ///< s, same clock as the motion
+  bool is_ego = false;  ///< the ego touches the agent, else the attacker
+  std::string agent_id;
+};
+
+/// Returns the agents that ego or attacker touch between the contact and standTime() if they move
+/// as their tracks, sorted by time. `other_id` names the attacker, which is left out, as are agents
+/// that the vehicle overlaps at the contact already.
+std::vector<SecondaryContact> secondaryContacts(const PostCrashMotion& motion,
+                                                const std::string& other_id,
+                                                const std::vector<Track>& agents);
 
 }  // namespace forge

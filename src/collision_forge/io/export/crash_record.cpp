@@ -100,7 +100,7 @@ class RecordBuilder {
       attacker.pose = overlapping(ego.pose, attacker.pose);
       crash_.emplace(CrashedVehicle{scene_.ego.agent_class, scene_.ego.size, ego},
                      CrashedVehicle{drive_.agent_class, drive_.size, attacker},
-                     context_.verification.drivable);
+                     context_.verification.severity);
     }
     const double end = contact_ ? *contact_ + context_.options.tail : last;
     const double steps = (end - begin_) / step_;

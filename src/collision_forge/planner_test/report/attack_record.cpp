@@ -104,6 +104,15 @@ void writeCrash(JsonLineWriter& writer, const ShownCrash& crash, double now) {
     other.insert(other.begin(), before.begin(), before.end());
   }
   writeTrajectory(writer, "other", other, now);
+  writer.beginArray("secondary_contacts");
+  for (const SecondaryContact& contact : crash.secondary_contacts) {
+    writer.beginObject();
+    writer.number("t", contact.time - now);
+    writer.flag("is_ego", contact.is_ego);
+    writer.text("agent", contact.agent_id);
+    writer.endObject();
+  }
+  writer.endArray();
   writer.endObject();
 }
 

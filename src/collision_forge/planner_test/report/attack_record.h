@@ -17,6 +17,7 @@ struct ShownCrash {
   PostCrashMotion motion;
   double seconds_after_stand = 0.0;  ///< s shown after both have stopped
   std::optional<Track> other = {};   ///< the touched vehicle's motion; empty for the attacker
+  std::vector<SecondaryContact> secondary_contacts = {};
 };
 
 /// Result of an attack replayed against the recorded ego.

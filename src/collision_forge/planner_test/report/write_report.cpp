@@ -192,9 +192,13 @@ class ReportBuilder {
   }
 
   /// Returns nothing if there is no contact.
-  std::optional<ShownCrash> shownCrash(const std::optional<PostCrashMotion>& motion) const {
+  /// `other_id`: the touched vehicle.
+  std::optional<ShownCrash> shownCrash(const std::optional<PostCrashMotion>& motion,
+                                       const std::string& other_id,
+                                       const std::vector<Track>& agents) const {
     if (!motion) return std::nullopt;
-    return ShownCrash{*motion, settings_.seconds_after_stand};
+    return ShownCrash{
+        *motion, settings_.seconds_after_stand, {}, secondaryContacts(*motion, other_id, agents)};
   }
 
   /// Returns nothing if the recording has no frame at t0.
@@ -208,7 +212,8 @@ class ReportBuilder {
     const StrictOutcome outcome = strictOutcome(
         crash.attacker, {crash.snapshot, crash.recorded, one.request, *crash.lanes}, options);
     return Judgement{outcome, shownCrash(motionAfterContact(outcome.report, crash.attacker,
-                                                            crash.recorded.ego, options.drivable))};
+                                                            crash.recorded.ego, options.severity),
+                                         crash.attacker.attacker_id, crash.recorded.agents)};
   }
 
   void addPlannerTest(const std::string& where, const std::string& text,
@@ -265,11 +270,11 @@ class ReportBuilder {
     outcome.attacker = attack.attacker;
     outcome.attacker.points = points;
     const std::vector<Track> no_agents;
+    const std::vector<Track>& agents = scenes_ ? scenes_->at(scene)->scene.agents : no_agents;
     const auto crash =
-        forge::crashOf(outcome, attack.ego, scenes_ ? scenes_->at(scene)->scene.agents : no_agents,
-                       settings_.options.attack.verification.drivable);
+        forge::crashOf(outcome, attack.ego, agents, settings_.options.attack.verification.severity);
     if (!crash) return std::nullopt;
-    std::optional<ShownCrash> shown = shownCrash(crash->motion);
+    std::optional<ShownCrash> shown = shownCrash(crash->motion, crash->other.id, agents);
     if (!outcome.contact->is_attacker) shown->other = crash->other;
     return shown;
   }

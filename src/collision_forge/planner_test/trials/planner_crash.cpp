@@ -16,7 +16,7 @@ const Track* findOther(const RolloutOutcome& outcome, const std::vector<Track>& 
 
 std::optional<PlannerCrash> crashOf(const RolloutOutcome& outcome, const BoxSize& ego_size,
                                     const std::vector<Track>& recorded,
-                                    const DriveLimitOptions& options) {
+                                    const SeverityOptions& options) {
   if (!outcome.contact) return std::nullopt;
   const AttackerTrajectory& driven = outcome.attacker;
   const Track attacker{driven.attacker_id, driven.agent_class, driven.size,

@@ -18,6 +18,6 @@ struct PlannerCrash {
 /// without a contact, and if the touched vehicle has no state at contact.
 std::optional<PlannerCrash> crashOf(const RolloutOutcome& outcome, const BoxSize& ego_size,
                                     const std::vector<Track>& recorded,
-                                    const DriveLimitOptions& options);
+                                    const SeverityOptions& options);
 
 }  // namespace forge

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "collision_forge/attack/verify/braking_slide.h"
 #include "collision_forge/ros/messages/conversions.h"
 
 namespace forge {

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "collision_forge/attack/verify/drive_limits.h"
 #include "collision_forge/attack/verify/post_crash_motion.h"
 #include "collision_forge/base/geometry/pose2.h"
 

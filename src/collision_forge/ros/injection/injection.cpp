@@ -137,7 +137,7 @@ class Injection {
   void findCrash() {
     if (attack_.after_contact != AfterContact::kStop || !hasContact()) return;
     crash_ = motionAfterContact(attack_.tested_report.contact_time.toSec(), trajectory_,
-                                recording_.ego, recording_.limits);
+                                recording_.ego, recording_.verification.severity);
     if (crash_) ego_.emplace(*crash_, recording_.center_offset);
   }
 
@@ -149,7 +149,7 @@ class Injection {
   }
 
   void makeFrames() {
-    AttackerInjector injector(attack_.attack.trajectory, recording_.limits);
+    AttackerInjector injector(attack_.attack.trajectory, recording_.verification.drivable);
     injector.setCrash(crash_);
     collision_forge::AgentArray::Ptr before;
     const rosbag::TopicQuery topic(bagTopic(names::kAgents));

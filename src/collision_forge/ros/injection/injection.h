@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "collision_forge/attack/verify/drive_limits.h"
+#include "collision_forge/attack/verify/options.h"
 #include "collision_forge/base/scene/scene.h"
 #include "collision_forge/io/logs/options.h"
 
@@ -42,7 +42,7 @@ struct BagAttack {
 struct RecordingContext {
   const Track& ego;      ///< recorded track
   double center_offset;  ///< m, as in EgoVehicle
-  const DriveLimitOptions& limits;
+  const VerificationOptions& verification;
   const AttackedBagOptions& options;
 };
 

@@ -129,9 +129,9 @@ void addContactOf(const ShownRollout& shown, MarkerList& markers) {
 }  // namespace
 
 ShownRollout shownRollout(const PlannerTrial& trial, const CrashScenario& scenario,
-                          const std::string& planner, const DriveLimitOptions& limits) {
+                          const std::string& planner, const SeverityOptions& severity) {
   ShownRollout shown{trial, scenario, planner,
-                     crashOf(trial.outcome, scenario.ego.size, scenario.recorded.agents, limits)};
+                     crashOf(trial.outcome, scenario.ego.size, scenario.recorded.agents, severity)};
   shown.words_side =
       freestSide(egoBox(shown, shown.standTime()), textSize(words(shown, ""), kWordsLetterHeight),
                  waysOf(shown), kFarRings);

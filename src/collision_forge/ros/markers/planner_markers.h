@@ -32,9 +32,9 @@ struct ShownRollout {
   double standTime() const { return crash ? crash->motion.standTime() : end(); }
 };
 
-/// `limits` bound the post-crash deceleration. The text is placed beside the paths of all vehicles.
+/// The text is placed beside the paths of all vehicles.
 ShownRollout shownRollout(const PlannerTrial& trial, const CrashScenario& scenario,
-                          const std::string& planner, const DriveLimitOptions& limits);
+                          const std::string& planner, const SeverityOptions& severity);
 
 /// Returns the picture at `time`, s on the scenario's clock: the boxes of the planner's ego, the
 /// attacker and the other agents, and as text the time since t0 or, from end() on, the outcome.

@@ -22,8 +22,8 @@ std_msgs::Header mapHeader() {
 
 }  // namespace
 
-PlannerPlayback::PlannerPlayback(ros::NodeHandle node, const DriveLimitOptions& drivable)
-    : drivable_(drivable),
+PlannerPlayback::PlannerPlayback(ros::NodeHandle node, const SeverityOptions& severity)
+    : severity_(severity),
       ways_(node, names::kPlannerMarkers),
       scenes_(node.advertise<visualization_msgs::MarkerArray>(names::kPlannerSceneMarkers, 1)),
       areas_(node.advertise<geometry_msgs::PolygonStamped>(names::kShownArea, 1)),
@@ -38,7 +38,7 @@ PlannerPlayback::PlannerPlayback(ros::NodeHandle node, const DriveLimitOptions& 
 void PlannerPlayback::play(const PlannerTrial& trial, const CrashScenario& scenario,
                            const std::string& planner) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  shown_ = shownRollout(trial, scenario, planner, drivable_);
+  shown_ = shownRollout(trial, scenario, planner, severity_);
   begin_ = moved_ = ros::WallTime::now();
   clock_ = ros::Time::now();
   was_still_ = false;

@@ -17,8 +17,7 @@ namespace forge {
 /// /clock) continues; over a running replay it plays once. Thread-safe.
 class PlannerPlayback {
  public:
-  /// `drivable` bounds the post-crash deceleration.
-  PlannerPlayback(ros::NodeHandle node, const DriveLimitOptions& drivable);
+  PlannerPlayback(ros::NodeHandle node, const SeverityOptions& severity);
 
   /// Replaces the shown test.
   void play(const PlannerTrial& trial, const CrashScenario& scenario, const std::string& planner);
@@ -31,7 +30,7 @@ class PlannerPlayback {
   void clear();
   void publishShownState();
 
-  DriveLimitOptions drivable_;
+  SeverityOptions severity_;
   RepeatedMarkers ways_;
   ros::Publisher scenes_;
   ros::Publisher areas_;

@@ -82,7 +82,7 @@ class PlannerTesterNodelet : public QueuedNodelet {
     external_ =
         std::make_unique<ExternalPlanner>(node, config_.planners.external, config_.input_limits);
     outcomes_ = node.advertise<collision_forge::PlannerOutcome>(names::kPlannerOutcome, 1, true);
-    playback_ = std::make_unique<PlannerPlayback>(node, config_.attack.verification.drivable);
+    playback_ = std::make_unique<PlannerPlayback>(node, config_.attack.verification.severity);
     paths_ = node.advertise<nav_msgs::Path>(names::kPlannerPath, 1, true);
     maps_ = node.advertise<collision_forge::LaneMap>(names::kTestedMap, 1, true);
     subscribers_ = {node.subscribe(names::kAttack, 1, &PlannerTesterNodelet::receiveAttack, this)};

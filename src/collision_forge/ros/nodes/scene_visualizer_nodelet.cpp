@@ -38,7 +38,7 @@ class SceneVisualizerNodelet : public QueuedNodelet {
     limits_ = config.input_limits;
     after_contact_ =
         loadLogged("choice", [this] { return nodeAfterContact(getPrivateNodeHandle()); });
-    drivable_ = config.attack.verification.drivable;
+    severity_ = config.attack.verification.severity;
     watch_.emplace(config.ego_vehicle.size, config.live.maxAttackAge(), config.attack.verification);
     map_markers_ = RepeatedMarkers(node, names::kMapMarkers);
     light_markers_ = RepeatedMarkers(node, names::kLightMarkers);
@@ -218,7 +218,7 @@ class SceneVisualizerNodelet : public QueuedNodelet {
     const CrashedVehicle attacker{AgentClass::kCar,
                                   sizeOf(live.attack->trajectory.size),
                                   {time, fromMessage(live.verdict->attacker_at_contact)}};
-    return PostCrashMotion(standing_ego, attacker, drivable_);
+    return PostCrashMotion(standing_ego, attacker, severity_);
   }
 
   /// Publishes only if something changed.
@@ -241,7 +241,7 @@ class SceneVisualizerNodelet : public QueuedNodelet {
   enum class Shown { kNothing, kPlan, kPast, kOutdated };
 
   InputLimits limits_;
-  DriveLimitOptions drivable_;
+  SeverityOptions severity_;
   AfterContact after_contact_ = AfterContact::kStop;
   std::optional<ContactWatch> watch_;
   std::unique_ptr<EgoPoses> ego_poses_;

@@ -128,7 +128,13 @@ function list(name, entries) {
 
 const held = (holds) => (holds ? 'passed' : 'missed');
 
-function reportList(name, report) {
+/** Returns "ego touches AGENT 1.2 s after the contact; ...", or "" if neither vehicle touches another agent. */
+function secondaryContacts(crash, contactT) {
+  return (crash ? crash.secondary_contacts : []).map(({t, is_ego: isEgo, agent}) =>
+    `${isEgo ? 'ego' : 'other'} touches ${agent} ${amount(t - contactT, 1, 's')} after the contact`).join('; ');
+}
+
+function reportList(name, report, crash) {
   if (!report.contact) {
     return list(name, [['Contact', 'none', 'missed'], ['Broken limit', report.broken_limit, 'missed']]);
   }
@@ -141,6 +147,7 @@ function reportList(name, report) {
     ['Manoeuvre', title(report.manoeuvre) + ' from ' + amount(report.manoeuvre_begin_t, 1, 's')],
     ['Limits', report.limits_kept ? 'all kept' : report.broken_limit, held(report.limits_kept)],
     ['Other agents touched', report.first_other || 'none', held(!report.first_other)],
+    ['After the contact', secondaryContacts(crash, report.contact_t)],
     ['Believable', report.unbelievable || 'yes', held(!report.unbelievable)],
     ['Use of the road', `on a lane ${percent(report.on_lane)}, wrong way ${percent(report.wrong_way)}, `
       + `walkway ${percent(report.on_walkway)}, off the road ${percent(report.off_road_share)}`],
@@ -212,6 +219,7 @@ function testList(test) {
     contact && ['Where', `ego ${contact.ego_side}, other ${contact.other_side}, ${contact.place}`],
     contact && ['Impact speed', amount(contact.impact_speed, 1, 'm/s')],
     ...(contact ? severityEntries(contact.severity, 'other agent') : []),
+    contact && ['After the contact', secondaryContacts(test.drive && test.drive.crash, contact.t)],
     contact && ['Speed of the ego', amount(contact.ego_speed, 1, 'm/s')],
     contact && ['At fault', `${yesOrNo(contact.at_fault)} (${contact.cause})`, held(!contact.at_fault)],
     ['Avoidable', avoidance(test.avoidability)],
@@ -307,7 +315,7 @@ export class Detail {
         attack && ['Seed', String(attack.request.seed)],
       ]),
       test && testList(test),
-      attack && attack.recorded ? reportList('In the recording', attack.recorded) : null,
+      attack && attack.recorded ? reportList('In the recording', attack.recorded, attack.crash) : null,
       attack && reportList(attack.recorded ? 'As generated' : 'Attack', attack.report),
       list('Careful drivers in the ego\'s place',
         carefulEntries(test ? test.careful_drivers : attack ? attack.report.careful_drivers : [])),

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+
+#include "collision_forge/attack/severity/severity.h"
+
+namespace forge {
+
+/// Motion of a crashed vehicle or person on the road after an impact: a rigid body on four wheels
+/// that roll, brake or are locked, each with Coulomb friction against its local sliding velocity. A
+/// person, a rider or an object has no wheels and slides on its four corners.
+class SlidingBody {
+ public:
+  /// `party`: at the impact, without yaw rate.
+  SlidingBody(const CrashedVehicle& party, const SeverityOptions& options);
+
+  /// Adds the change of motion by an impact. The wheels of the end of the vehicle (front or rear)
+  /// that faces `point` (m, map frame) are locked from then on if the change is at least
+  /// AfterImpactOptions::locking_delta_v.
+  void hit(const ImpactChange& change, const Vector2& point);
+
+  /// Moves the body by `duration` (s, at most 0.01 for a stable integration). `is_braking`: the
+  /// driver brakes all wheels.
+  void move(double duration, bool is_braking);
+
+  bool stands() const;
+
+  const ImpactBody& body() const { return body_; }
+  /// Pose of the box centre, which is the centre of mass; global map frame. The yaw is not wrapped.
+  const Pose2& pose() const { return pose_; }
+
+ private:
+  Vector2 wheelForce(const Vector2& velocity, double load, bool is_locked, bool is_braking) const;
+
+  ImpactBody body_;
+  Pose2 pose_;
+  BoxSize size_;
+  AfterImpactOptions options_;
+  bool has_wheels_ = true;
+  std::array<bool, 2> locked_ = {false, false};  // front axle, rear axle
+};
+
+}  // namespace forge
