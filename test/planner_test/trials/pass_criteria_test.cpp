@@ -27,7 +27,14 @@ std::vector<PlannerTestResult> twoHitsOfThree() {
                                             result("s:2", "a", {row("idm", 9.0)}),
                                             result("s:3", "b", {row("idm", {})})};
   results[0].rows[0].is_fair = false;
-  results[1].rows[0].outcome.nuplan.total = 0.25;
+  RolloutOutcome& second = results[1].rows[0].outcome;
+  second.nuplan.total = 0.25;
+  second.careful_drivers = {{"rss", true}, {"cc_driver", true}};
+  results[0].rows[0].outcome.careful_drivers = {{"rss", true}};
+  second.contact->severity.ego.delta_v = 6.0;
+  second.contact->severity.ego.most_class = 1;
+  second.contact->severity.other.mais3 = 0.2;
+  second.contact->severity.other.most_class = 2;
   return results;
 }
 
@@ -36,6 +43,13 @@ TEST(PassCriteria, CompareCountsMaximaAndMeans) {
                                         {"hits > 2", false},
                                         {"avoidable_hits >= 1", true},
                                         {"avoidable_hits > 1", false},
+                                        {"careful_avoidable_hits >= 1", true},
+                                        {"careful_avoidable_hits > 1", false},
+                                        {"delta_v > 5.9", true},
+                                        {"mais3 > 0.19", true},
+                                        {"mais3 > 0.2", false},
+                                        {"iso_26262_class >= 2", true},
+                                        {"iso_26262_class >= 3", false},
                                         {"impact_speed > 8.5", true},
                                         {"impact_speed >= 9.5", false},
                                         {"score < 0.8", true},

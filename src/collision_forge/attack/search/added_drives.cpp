@@ -19,6 +19,8 @@ constexpr double kLeastGap = 1.5;              // m to the ego until now, in the
 constexpr double kRidingGap = 0.5;  // m from the ego's side to a motorcycle in its lane until now
 constexpr double kAside = 0.7;      // m from the lane's middle of a vehicle that crosses the centre
                                     // line, if no vehicle that keeps to the middle can
+constexpr double kCyclingSpeeds[] = {4.2, 5.5, 3.3};  // m/s of cyclists, who do not drive as the
+                                                      // traffic: recorded median and 90 %
 constexpr double kLeastCrossingSpeed = 4.5;  // m/s; slower vehicles do not get across in time
 constexpr double kStep = AddedDrive::kStep;
 constexpr double kGettingGoing = 0.4;  // s until a starting vehicle has its acceleration
@@ -143,9 +145,11 @@ std::vector<ApproachManner> AddedDrives::mannersBeside(const AddedMeeting& meeti
 
 std::vector<ApproachManner> AddedDrives::mannersOncoming(const AddedMeeting& meeting) const {
   std::vector<ApproachManner> manners;
+  const bool is_cycling = input_.request.attacker_class == AgentClass::kBicycle;
   // A slow vehicle cannot cross the centre line in time.
   for (const double speed : speedsOf(meeting)) {
-    if (speed >= kLeastCrossingSpeed) manners.push_back({ApproachManner::kCruise, speed});
+    if (speed >= kLeastCrossingSpeed || is_cycling)
+      manners.push_back({ApproachManner::kCruise, speed});
   }
   manners = joined({manners, followsOf(meeting)});
   for (const double start : kStarts) manners.push_back({ApproachManner::kStart, start, false});
@@ -171,6 +175,9 @@ std::vector<ApproachManner> AddedDrives::mannersCrossing(const AddedMeeting& mee
 
 /// Returns the speeds of recorded vehicles on the path, of the ego and of the configuration.
 std::vector<double> AddedDrives::speedsOf(const AddedMeeting& meeting) const {
+  if (input_.request.attacker_class == AgentClass::kBicycle) {
+    return {std::begin(kCyclingSpeeds), std::end(kCyclingSpeeds)};
+  }
   std::vector<double> speeds = meeting.way->speeds;
   const double own = past_.ego.states.back().velocity.norm();
   if (own > AddedWay::kMoving) addSpeed(own, speeds);

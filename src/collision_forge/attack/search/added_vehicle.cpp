@@ -219,11 +219,13 @@ class VehicleInsertion {
   const char* tryOne(const AddedMeeting& meeting, const ApproachManner& manner,
                      std::vector<AddedVehicle>& found) {
     const auto& asked = input_.request.attacker_class;
-    if (manner.rides && asked && *asked != AgentClass::kMotorcycle) {
+    const bool asks_for_bicycle = asked == AgentClass::kBicycle;
+    if (manner.rides && asked && *asked != AgentClass::kMotorcycle && !asks_for_bicycle) {
       has_way_ = true;
       return "are too wide";
     }
-    const AddedKind kind = drawKind(manner.rides ? AgentClass::kMotorcycle : asked);
+    const AddedKind kind =
+        drawKind(manner.rides && !asks_for_bicycle ? AgentClass::kMotorcycle : asked);
     const BoxSize size{kind.length, kind.width};
     const std::string name = newName(found);
     const SpeedVariation variation = variationOf(name, input_.request.seed);
@@ -351,8 +353,7 @@ Attack realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInput& in
   const auto motorcycles = std::partition_point(first, end, isCar);
   for (const auto& [from, to] : {std::pair(first, motorcycles), std::pair(motorcycles, end)}) {
     if (from == to) continue;
-    const bool is_last_resort =
-        from == motorcycles && input.request.attacker_class != AgentClass::kMotorcycle;
+    const bool is_last_resort = from == motorcycles && !input.request.attacker_class;
     const double cost = is_last_resort ? kRidingCost : 0.0;
     Attack answer = realizeBy({from, to}, input, realizer, motion);
     if (answer.status.code != StatusCode::kOk) {

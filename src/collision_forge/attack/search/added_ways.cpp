@@ -114,7 +114,7 @@ void AddedWays::addSpeeds(AddedWay& way) const {
     const AgentState& state = agent.states.back();
     const double speed = state.velocity.norm();
     if (way.speeds.size() >= kOwnSpeeds || speed < AddedWay::kMoving ||
-        !canAttack(agent.agent_class) ||
+        !isMotorVehicle(agent.agent_class) ||
         (state.pose.position() - past_.ego.states.back().pose.position()).norm() > range) {
       continue;
     }
@@ -130,7 +130,7 @@ void AddedWays::addSpeeds(AddedWay& way) const {
 void AddedWays::addFlows(AddedWay& way) const {
   for (const Track& agent : past_.agents) {
     if (way.flows.size() >= kFlows) return;
-    if (!canAttack(agent.agent_class)) continue;
+    if (!isMotorVehicle(agent.agent_class)) continue;
     const auto later = std::find_if(input_.future.agents.begin(), input_.future.agents.end(),
                                     [&](const Track& track) { return track.id == agent.id; });
     const bool has_later = later != input_.future.agents.end() && !later->states.empty();

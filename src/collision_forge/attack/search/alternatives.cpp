@@ -28,7 +28,7 @@ std::vector<std::string> candidatesIn(const Snapshot& snapshot, const CollisionR
   const Vector2 ego = snapshot.ego.states.back().pose.position();
   std::vector<std::pair<double, std::string>> found;
   for (const Track& agent : snapshot.agents) {
-    if (!isCandidate(agent, snapshot, options)) continue;
+    if (!isCandidate(agent, snapshot, options, request.attacker_class)) continue;
     if (request.attacker_class.value_or(agent.agent_class) != agent.agent_class) continue;
     found.emplace_back((agent.states.back().pose.position() - ego).norm(), agent.id);
   }
@@ -64,6 +64,7 @@ std::vector<CollisionRequest> furtherRequests(const Attack& first, const Snapsho
   if (request.choice != AttackerChoice::kExisting) {
     for (const AgentClass agent_class : kAttackerClasses) {
       if (request.attacker_class.value_or(agent_class) != agent_class) continue;
+      if (!request.attacker_class && !isMotorVehicle(agent_class)) continue;
       further.push_back(plain);
       further.back().choice = AttackerChoice::kNew;
       further.back().attacker_class = agent_class;

@@ -6,6 +6,7 @@
 
 #include "collision_forge/attack/forecast/kinematic_prediction.h"
 #include "collision_forge/attack/search/placement.h"
+#include "collision_forge/attack/search/walker_path.h"
 #include "collision_forge/attack/verify/believability.h"
 #include "collision_forge/attack/verify/verification.h"
 
@@ -14,6 +15,19 @@ namespace {
 
 constexpr int kBranches = 8;           // paths ahead of a lane that are examined
 constexpr double kBeyondReach = 10.0;  // m of path beyond the reachable distance
+
+/// Adds the paths on which a pedestrian can walk to the patterns.
+void addWalks(Contender& entry, const SearchInput& input, const SpeedVariation& variation) {
+  constexpr std::size_t kMostWalks = 4;
+  for (const CollisionPattern& pattern : input.patterns) {
+    if (pattern.attacker_id != entry.track->id || entry.routes.size() >= kMostWalks) continue;
+    const Pose2 meeting = compose(pattern.ego.center, pattern.attacker_offset);
+    const auto way = walkerPath(entry.track->states.back().pose, meeting);
+    if (!way) continue;
+    entry.routes.emplace_back(ReferencePath(*way), entry.drive_start, entry.driver->limits(),
+                              variation);
+  }
+}
 
 /// Adds the paths along lanes that come near one of the ego's predicted positions at the contact.
 void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& options) {
@@ -26,6 +40,10 @@ void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& 
   }
   if (const auto way = input.ways.find(entry.track->id); way != input.ways.end()) {
     entry.routes.emplace_back(way->second, now, entry.driver->limits(), variation);
+    return;
+  }
+  if (entry.track->agent_class == AgentClass::kPedestrian) {
+    addWalks(entry, input, variation);
     return;
   }
   if (input.underway != nullptr) {

@@ -63,7 +63,7 @@ Attack bestOfCandidates(const Moment& moment, const CollisionRequest& request,
     return answer.report.verified() ? 2 : answer.report.contact ? 1 : 0;
   };
   for (const Track& agent : moment.snapshot.agents) {
-    if (!isCandidate(agent, moment.snapshot, options)) continue;
+    if (!isCandidate(agent, moment.snapshot, options, request.attacker_class)) continue;
     if (request.attacker_class && agent.agent_class != *request.attacker_class) continue;
     Attack answer = answer_of(agent.id);
     if (!best || rank(answer) > rank(*best)) best = std::move(answer);

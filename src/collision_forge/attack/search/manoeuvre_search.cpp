@@ -19,6 +19,7 @@
 #include "collision_forge/attack/search/route_driver.h"
 #include "collision_forge/attack/verify/believability.h"
 #include "collision_forge/attack/verify/drive_check.h"
+#include "collision_forge/attack/verify/step_out.h"
 
 namespace forge {
 namespace {
@@ -30,6 +31,9 @@ constexpr double kDepartures[] = {1.0, 1.4, 0.8, 2.2, 3.0};  // the attacker lea
 constexpr double kLeads[] = {0.0, 0.5};                      // it has the offset of the contact
 constexpr double kLateBraking[] = {0.0, 3.0, 5.0};           // m/s2 of a leader before the contact
 constexpr double kStarts[] = {1.6, 2.3, 3.2};                // a standing attacker moves off
+constexpr double kWalkingSpeeds[] = {1.3, 1.7, 2.4};  // m/s of a pedestrian who steps out, walking,
+                                                      // fast and running; mean walkers have 1.24
+constexpr double kWalkingAcceleration = 1.0;          // m/s2, Euro NCAP's walker
 constexpr double kDepartureWeight = 0.2;  // cost of each second off the lane before before_contact
                                           // (config/believability.yaml), share of the futures
 constexpr double kOffRoadWeight = 1.0;    // cost of a wholly off-road drive, share of the futures
@@ -170,7 +174,7 @@ class ManoeuvreSearch {
       if (input_.request.ego_side.value_or(placement.side) != placement.side) continue;
       candidate.draft.side = placement.side;
       candidate.draft.heading = placement.heading;
-      const std::vector<RouteDraft> drafts = mannersFor(candidate);
+      const std::vector<RouteDraft> drafts = mannersFor(candidate, there - route.start().along);
       for (const double slide : kSlides) {
         for (std::size_t i = 0; i < drafts.size(); ++i) {
           if (!isInThisPass(slide, i)) continue;
@@ -192,7 +196,8 @@ class ManoeuvreSearch {
   }
 
   /// Returns drafts with different departures and, if the ego runs into the attacker, late braking.
-  std::vector<RouteDraft> mannersFor(const Candidate& candidate) const {
+  /// `distance`: m along the route to the meeting.
+  std::vector<RouteDraft> mannersFor(const Candidate& candidate, double distance) const {
     std::vector<RouteDraft> drafts;
     RouteDraft draft;
     draft.ego = candidate.draft.ego;
@@ -200,7 +205,7 @@ class ManoeuvreSearch {
     draft.side = candidate.draft.side;
     draft.heading = candidate.draft.heading;
     const bool leads = input_.request.type == CollisionType::kRearEnd && draft.side == Side::kFront;
-    for (const double start : kStarts) {
+    for (const double start : startsOf(*candidate.contender, distance)) {
       draft.wait = draft.contact - start;
       if (candidate.contender->drive_start.speed > 0.0 || draft.wait <= 0.0) break;
       draft.departure = start;
@@ -225,6 +230,20 @@ class ManoeuvreSearch {
       }
     }
     return drafts;
+  }
+
+  /// Returns how long (s) before the contact a standing attacker moves off.
+  static std::vector<double> startsOf(const Contender& contender, double distance) {
+    if (!isWalker(contender)) return {std::begin(kStarts), std::end(kStarts)};
+    std::vector<double> starts;
+    for (const double speed : kWalkingSpeeds) {
+      starts.push_back(std::max(0.0, distance) / speed + 0.5 * speed / kWalkingAcceleration);
+    }
+    return starts;
+  }
+
+  static bool isWalker(const Contender& contender) {
+    return contender.track->agent_class == AgentClass::kPedestrian;
   }
 
   /// Plans and drives the draft; returns false if the route does not lead there.
@@ -310,6 +329,13 @@ class ManoeuvreSearch {
     const std::vector<TrajectoryPoint>& points = whole();
     const BoxSize& size = candidate.contender->track->size;
     const double contact = input_.snapshot.now + candidate.draft.contact;
+    if (isWalker(*candidate.contender)) {
+      candidate.road = {};
+      candidate.road.on_lane = 1.0;  // lanes are not for pedestrians
+      candidate.is_believable = !input_.request.crash.believable ||
+                                implausibleWalk(stepOutOf(points, contact, input_.lanes)).empty();
+      return;
+    }
     candidate.road = roadUseOfAttack(points, size, contact, driven_, believability);
     candidate.is_believable =
         !input_.request.crash.believable ||
@@ -365,6 +391,7 @@ class ManoeuvreSearch {
     if (candidate.is_underway && !input_.underway->draft) {
       return std::min(input_.underway->effort, departureCost(contact));
     }
+    if (isWalker(*candidate.contender)) return kDrivingStyles[candidate.style].cost;
     return kDrivingStyles[candidate.style].cost +
            departureCost(std::min(candidate.draft.departure, contact));
   }

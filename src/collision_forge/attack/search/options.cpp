@@ -32,7 +32,9 @@ static std::vector<AddedKind> readKinds(Section section) {
         {"bus", AgentClass::kBus},
         {"construction_vehicle", AgentClass::kConstructionVehicle},
         {"emergency_vehicle", AgentClass::kEmergencyVehicle},
-        {"motorcycle", AgentClass::kMotorcycle}}) {
+        {"motorcycle", AgentClass::kMotorcycle},
+        {"bicycle", AgentClass::kBicycle},
+        {"pedestrian", AgentClass::kPedestrian}}) {
     Section row = section.section(name);
     kinds.push_back({agent_class, row.share("share"), row.positive("length"),
                      row.nonNegative("length_deviation"), row.positive("width")});

@@ -35,6 +35,7 @@ double speedMismatch(const CollisionPattern& pattern, const Motion& motion, doub
 bool approachFitsType(const Track& agent, const Snapshot& snapshot,
                       const CollisionRequest& request) {
   if (request.crash.rules == TypeRules::kAngle) return true;
+  if (agent.agent_class == AgentClass::kPedestrian) return true;  // turns on the spot
   const double approach =
       angleBetween(snapshot.ego.states.back().pose.yaw, agent.states.back().pose.yaw);
   return approachFits(approach, request.bands());
@@ -112,7 +113,7 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
                              numberText(request.tta) + " s after t0"};
     return prediction;
   }
-  if (request.crash.believable &&
+  if (request.crash.believable && !asksForPedestrian(request, snapshot) &&
       !roadAllows(prediction.future, snapshot.now, request, lanes, believability_)) {
     prediction.status = {StatusCode::kRoadDoesNotAllow, roadRefusal(request.type, request.tta)};
     return prediction;
@@ -123,7 +124,8 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
     if (request.attacker && agent.id != *request.attacker) continue;
     if (request.attacker_class && agent.agent_class != *request.attacker_class) continue;
     // A requested attacker was checked before and may be anywhere.
-    if (!request.attacker && !isCandidate(agent, snapshot, options_)) continue;
+    if (!request.attacker && !isCandidate(agent, snapshot, options_, request.attacker_class))
+      continue;
     if (!approachFitsType(agent, snapshot, request)) continue;
     for (const Placement& placement : placementsOf(request.type, lanes.map().driving_side)) {
       for (const double heading : headingsAt(placement, nominal)) {

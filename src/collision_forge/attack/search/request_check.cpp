@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "collision_forge/attack/forecast/motion_estimate.h"
+#include "collision_forge/base/scene/find_track.h"
 #include "collision_forge/base/scene/hitched.h"
 #include "collision_forge/base/scene/request_words.h"
 #include "collision_forge/base/scene/short_id.h"
@@ -86,13 +87,22 @@ Status checkAttacker(const std::string& id, const std::optional<AgentClass>& wan
 
 }  // namespace
 
-bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionOptions& options) {
-  if (!canAttack(agent.agent_class) || !hasMotion(agent)) return false;
+bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionOptions& options,
+                 const std::optional<AgentClass>& wanted) {
+  if (!(isMotorVehicle(agent.agent_class) || agent.agent_class == wanted)) return false;
+  if (!hasMotion(agent)) return false;
   if (!endsAt(agent, snapshot.now) || !isFinite(agent)) return false;
   if (!(agent.size.length > 0.0 && agent.size.width > 0.0)) return false;
   const Vector2 ego = snapshot.ego.states.back().pose.position();
   return (agent.states.back().pose.position() - ego).norm() <= options.candidate_radius &&
          hitchedTo(agent, snapshot.agents) == nullptr;
+}
+
+bool asksForPedestrian(const CollisionRequest& request, const Snapshot& snapshot) {
+  if (request.attacker_class) return *request.attacker_class == AgentClass::kPedestrian;
+  const Track* attacker =
+      request.attacker ? findTrack(snapshot.agents, *request.attacker) : nullptr;
+  return attacker != nullptr && attacker->agent_class == AgentClass::kPedestrian;
 }
 
 CollisionRequest withFullId(CollisionRequest request, const Snapshot& snapshot) {

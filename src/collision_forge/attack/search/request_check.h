@@ -1,15 +1,21 @@
 #pragma once
 
+#include <optional>
+
 #include "collision_forge/attack/forecast/options.h"
 #include "collision_forge/base/scene/collision_request.h"
 #include "collision_forge/base/scene/scene.h"
 
 namespace forge {
 
-/// Returns true if the agent may attack: a vehicle present at t0 and in the frame before, within
-/// options.candidate_radius of the ego, and not hitchedTo() another agent, which would be left
-/// behind.
-bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionOptions& options);
+/// Returns true if the agent may attack: a motor vehicle, or an agent of the class `wanted`,
+/// present at t0 and in the frame before, within options.candidate_radius of the ego, and not
+/// hitchedTo() another agent, which would be left behind.
+bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionOptions& options,
+                 const std::optional<AgentClass>& wanted = std::nullopt);
+
+/// Returns true if the request names the class pedestrian, or a pedestrian as attacker.
+bool asksForPedestrian(const CollisionRequest& request, const Snapshot& snapshot);
 
 /// Maximum number of attacks per request.
 inline constexpr int kMaxAlternatives = 16;

@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "collision_forge/attack/search/added_vehicle.h"
+#include "collision_forge/attack/search/added_walkers.h"
 #include "collision_forge/attack/search/judge.h"
+#include "collision_forge/attack/search/request_check.h"
 
 namespace forge {
 namespace {
@@ -60,13 +62,16 @@ Attack SearchMethod::answer(const Moment& moment, const CollisionRequest& reques
                                       request, *moment.lanes};
   const bool may_exist = request.attacker || request.choice != AttackerChoice::kNew;
   const bool has_patterns = may_exist && prediction.status.code == StatusCode::kOk;
+  const bool walks = asksForPedestrian(request, moment.snapshot);
   std::optional<AddedVehicles> vehicles;
   const auto answerBy = [&](SearchedMotion motion) {
     const Attack existing =
         has_patterns ? realizer_->realize({prediction.patterns, input, false, kNoWays, motion})
                      : rejection(prediction.status);
     if (!mayBeAdded(existing, moment, request, options_)) return existing;
-    if (!vehicles) vehicles = addVehicles(added_input, options_);
+    if (!vehicles) {
+      vehicles = walks ? addWalkers(added_input, options_) : addVehicles(added_input, options_);
+    }
     const Attack added = realizeByAdded(*vehicles, added_input, options_, *realizer_, motion);
     return isPreferred(added, existing, may_exist, options_.added) ? added : existing;
   };
@@ -76,7 +81,8 @@ Attack SearchMethod::answer(const Moment& moment, const CollisionRequest& reques
         {StatusCode::kNoCandidate, "choice = new requires believable = true and a map with lanes"});
   }
   const Attack answer = answerBy(SearchedMotion::kByRoutes);
-  if (answer.status.code == StatusCode::kOk || !request.crash.believable) return answer;
+  // Pedestrians are searched on paths alone.
+  if (answer.status.code == StatusCode::kOk || !request.crash.believable || walks) return answer;
   const Attack other = answerBy(SearchedMotion::kAny);
   const StatusCode code = other.status.code;
   const bool tells_more =

@@ -19,7 +19,7 @@ bool isVulnerable(AgentClass agent_class) {
 }
 
 bool hasOccupants(AgentClass agent_class) {
-  return canAttack(agent_class) && !isVulnerable(agent_class);
+  return isMotorVehicle(agent_class) && !isVulnerable(agent_class);
 }
 
 bool isEnd(Side side) { return side == Side::kFront || side == Side::kRear; }

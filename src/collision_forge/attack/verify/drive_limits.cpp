@@ -17,6 +17,8 @@ constexpr EnumWord<VehicleClass> kClassWords[] = {
     {VehicleClass::kArticulated, "articulated"},
     {VehicleClass::kConstruction, "construction"},
     {VehicleClass::kMotorcycle, "motorcycle"},
+    {VehicleClass::kBicycle, "bicycle"},
+    {VehicleClass::kPedestrian, "pedestrian"},
 };
 
 void readRow(Section& section, DriveLimits& row) {
@@ -50,8 +52,11 @@ VehicleClass vehicleClassOf(AgentClass agent_class, const BoxSize& size,
     case AgentClass::kEmergencyVehicle:
       return VehicleClass::kEmergency;
     case AgentClass::kMotorcycle:
-    case AgentClass::kBicycle:
       return VehicleClass::kMotorcycle;
+    case AgentClass::kBicycle:
+      return VehicleClass::kBicycle;
+    case AgentClass::kPedestrian:
+      return VehicleClass::kPedestrian;
     default:
       return size.length > options.car_length ? VehicleClass::kVan : VehicleClass::kCar;
   }

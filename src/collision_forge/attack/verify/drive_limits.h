@@ -40,11 +40,14 @@ enum class VehicleClass {
   kArticulated,
   kConstruction,
   kMotorcycle,
+  kBicycle,
+  kPedestrian,
 };
-inline constexpr std::array<VehicleClass, 8> kVehicleClasses = {
-    VehicleClass::kCar,          VehicleClass::kVan,       VehicleClass::kEmergency,
-    VehicleClass::kTruck,        VehicleClass::kBus,       VehicleClass::kArticulated,
-    VehicleClass::kConstruction, VehicleClass::kMotorcycle};
+inline constexpr std::array<VehicleClass, 10> kVehicleClasses = {
+    VehicleClass::kCar,          VehicleClass::kVan,        VehicleClass::kEmergency,
+    VehicleClass::kTruck,        VehicleClass::kBus,        VehicleClass::kArticulated,
+    VehicleClass::kConstruction, VehicleClass::kMotorcycle, VehicleClass::kBicycle,
+    VehicleClass::kPedestrian};
 
 /// Returns the class's key in config/vehicle_limits.yaml: "car", "van", ...
 const char* toString(VehicleClass vehicle_class);

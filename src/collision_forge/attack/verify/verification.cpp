@@ -15,6 +15,7 @@
 #include "collision_forge/attack/verify/drive_check.h"
 #include "collision_forge/attack/verify/limits.h"
 #include "collision_forge/attack/verify/manoeuvre_detection.h"
+#include "collision_forge/attack/verify/step_out.h"
 #include "collision_forge/base/geometry/swept_contact.h"
 #include "collision_forge/base/scene/find_track.h"
 
@@ -110,8 +111,10 @@ void judgeContact(const AttackerTrajectory& trajectory, const VerificationInput&
     const AgentState ego_now =
         stateAt(input.future.ego, start.time).value_or(input.future.ego.states.front());
     const Pose2 offset = relativeTo(report.ego_at_contact, report.attacker_at_contact);
-    report.type_kept = report.type_kept &&
-                       approachFits(angleBetween(ego_now.pose.yaw, start.pose.yaw), type) &&
+    // A pedestrian may turn towards the road at any time.
+    const bool approaches = trajectory.agent_class == AgentClass::kPedestrian ||
+                            approachFits(angleBetween(ego_now.pose.yaw, start.pose.yaw), type);
+    report.type_kept = report.type_kept && approaches &&
                        contactFits(input.request.type, offset, input.future.ego.size,
                                    trajectory.size, input.lanes.map().driving_side);
   }
@@ -234,7 +237,10 @@ CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationI
   report.road = roadUseOn(input.lanes);
   const LaneIndex& driven = drivenLanes(input.request, input.lanes);
   const RoadUse judged = &driven == &input.lanes ? report.road : roadUseOn(driven);
-  report.unbelievable = implausibilityOf(judged, points, trajectory.size, driven, believability);
+  report.unbelievable =
+      trajectory.agent_class == AgentClass::kPedestrian
+          ? implausibleWalk(stepOutOf(points, report.contact_time, input.lanes))
+          : implausibilityOf(judged, points, trajectory.size, driven, believability);
   return report;
 }
 

@@ -38,13 +38,18 @@ bool canAttack(AgentClass agent_class) {
          std::end(kAttackerClasses);
 }
 
+bool isMotorVehicle(AgentClass agent_class) {
+  return canAttack(agent_class) && agent_class != AgentClass::kBicycle &&
+         agent_class != AgentClass::kPedestrian;
+}
+
 bool isVehicle(AgentClass agent_class) {
   return agent_class != AgentClass::kPedestrian && agent_class != AgentClass::kAnimal &&
          agent_class != AgentClass::kStaticObject;
 }
 
 bool isCarLike(AgentClass agent_class) {
-  return canAttack(agent_class) && agent_class != AgentClass::kMotorcycle;
+  return isMotorVehicle(agent_class) && agent_class != AgentClass::kMotorcycle;
 }
 
 std::optional<AgentState> stateAt(const Track& track, double time, double max_gap) {

@@ -26,18 +26,24 @@ enum class AgentClass {
 /// Lower-case name as in messages and files, for instance "construction_vehicle".
 const char* toString(AgentClass agent_class);
 std::optional<AgentClass> agentClassFromString(const std::string& name);
-/// Classes that can be the attacker.
-inline constexpr AgentClass kAttackerClasses[] = {AgentClass::kCar,
-                                                  AgentClass::kTruck,
-                                                  AgentClass::kBus,
-                                                  AgentClass::kConstructionVehicle,
-                                                  AgentClass::kEmergencyVehicle,
-                                                  AgentClass::kMotorcycle};
+/// Classes that can be the attacker. The last two are attackers only if the request names them.
+inline constexpr AgentClass kAttackerClasses[] = {
+    AgentClass::kCar,
+    AgentClass::kTruck,
+    AgentClass::kBus,
+    AgentClass::kConstructionVehicle,
+    AgentClass::kEmergencyVehicle,
+    AgentClass::kMotorcycle,
+    AgentClass::kBicycle,
+    AgentClass::kPedestrian,
+};
 /// Returns true for kAttackerClasses.
 bool canAttack(AgentClass agent_class);
+/// Returns true for the attacker classes but bicycles and pedestrians.
+bool isMotorVehicle(AgentClass agent_class);
 /// Returns true for all classes but pedestrians, animals and static objects.
 bool isVehicle(AgentClass agent_class);
-/// Returns true for all attacker classes but motorcycles.
+/// Returns true for motor vehicles but motorcycles.
 bool isCarLike(AgentClass agent_class);
 
 /// State of one agent at one time. Global map frame; `pose` is the centre of the box.

@@ -20,6 +20,14 @@ bool isHit(const PlannerRow& row) {
          outcome.contact->is_attacker;
 }
 
+/// Returns true if the competent and careful driver of UN R157 avoids the attack on the planner's
+/// path.
+bool isCarefullyAvoided(const RolloutOutcome& outcome) {
+  return std::any_of(
+      outcome.careful_drivers.begin(), outcome.careful_drivers.end(),
+      [](const CarefulDrive& drive) { return drive.driver == "cc_driver" && drive.avoids; });
+}
+
 /// A measure counts the rows for which `value` is 1, or is the mean, maximum or minimum of `value`.
 struct Measure {
   enum class Kind { kCount, kMean, kMaximum, kMinimum };
@@ -34,6 +42,11 @@ const Measure kMeasures[] = {
      [](const PlannerRow& row) { return isHit(row) ? 1.0 : 0.0; }},
     {"avoidable_hits", "hits that the planner could have avoided", Measure::Kind::kCount,
      [](const PlannerRow& row) { return isHit(row) && row.is_fair ? 1.0 : 0.0; }},
+    {"careful_avoidable_hits", "hits that the competent and careful driver of UN R157 avoids",
+     Measure::Kind::kCount,
+     [](const PlannerRow& row) {
+       return isHit(row) && isCarefullyAvoided(row.outcome) ? 1.0 : 0.0;
+     }},
     {"at_fault_contacts", "first contacts with any agent at the fault of the ego",
      Measure::Kind::kCount,
      [](const PlannerRow& row) {
@@ -45,6 +58,22 @@ const Measure kMeasures[] = {
      }},
     {"impact_speed", "m/s, highest impact speed of a hit", Measure::Kind::kMaximum,
      [](const PlannerRow& row) { return isHit(row) ? row.outcome.contact->impact_speed : 0.0; }},
+    {"delta_v", "m/s, highest delta-v of the ego in a hit", Measure::Kind::kMaximum,
+     [](const PlannerRow& row) {
+       return isHit(row) ? row.outcome.contact->severity.ego.delta_v : 0.0;
+     }},
+    {"mais3", "highest probability of MAIS 3+ of either party of a hit, 0 to 1",
+     Measure::Kind::kMaximum,
+     [](const PlannerRow& row) {
+       return isHit(row) ? row.outcome.contact->severity.worse().mais3 : 0.0;
+     }},
+    {"iso_26262_class", "highest severity class of a hit, 0 to 3, by the strictest bounds",
+     Measure::Kind::kMaximum,
+     [](const PlannerRow& row) {
+       if (!isHit(row)) return 0.0;
+       const CrashSeverity& severity = row.outcome.contact->severity;
+       return static_cast<double>(std::max(severity.ego.most_class, severity.other.most_class));
+     }},
     {"braking", "m/s2, hardest braking of the ego", Measure::Kind::kMaximum,
      [](const PlannerRow& row) { return row.outcome.max_braking; }},
     {"score", "mean of nuPlan's closed-loop score, 0 to 1", Measure::Kind::kMean,

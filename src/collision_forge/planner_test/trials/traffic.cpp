@@ -60,7 +60,7 @@ Traffic::Traffic(const CrashScenario& scenario, std::unique_ptr<AttackerPolicy> 
       if (agent.id == driver.recorded.id) driver.shown.states = agent.states;
     }
     const bool reacts = background == Background::kIdm && !driver.is_attacker &&
-                        canAttack(driver.recorded.agent_class);
+                        isMotorVehicle(driver.recorded.agent_class);
     if (reacts) prepareToReact(driver);
     drivers_.push_back(std::move(driver));
   }

@@ -72,7 +72,8 @@ void AttackerInjector::rememberLike(const collision_forge::AgentArray& recorded)
   const collision_forge::Agent* most_like = nullptr;
   for (const collision_forge::Agent& agent : recorded.agents) {
     const bool is_vehicle = agent.agent_class <= collision_forge::Agent::STATIC_OBJECT &&
-                            canAttack(static_cast<AgentClass>(agent.agent_class));
+                            (agent.agent_class == attacker_.agent_class ||
+                             isMotorVehicle(static_cast<AgentClass>(agent.agent_class)));
     if (is_vehicle && (!most_like || unlike(agent) < unlike(*most_like))) most_like = &agent;
   }
   if (!most_like) return;

@@ -48,7 +48,7 @@ std::vector<Mover> moversOf(const std::vector<Track>& agents, const std::string&
   const auto now = static_cast<std::size_t>(options.history_frames) - 1;
   std::vector<Mover> movers;
   for (const Track& agent : agents) {
-    if (agent.id == attacker || !canAttack(agent.agent_class)) continue;
+    if (agent.id == attacker || !isMotorVehicle(agent.agent_class)) continue;
     AgentFrames frames = framesOf(agent, times);
     if (!frames[now] || motionUpTo(frames, now) < options.min_motion) continue;
     movers.push_back({agent.id, std::move(frames)});

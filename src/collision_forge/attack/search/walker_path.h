@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+
+#include "collision_forge/base/geometry/polyline.h"
+
+namespace forge {
+
+/// m of path beyond the meeting place.
+inline constexpr double kBeyondMeeting = 15.0;
+
+/// Returns the path of a pedestrian from `start` to the pose `meeting` (both box centres, map
+/// frame) and straight on: across the direction of `meeting`, which is along the kerb for a
+/// pedestrian who crosses the road, until `meeting` lies ahead, then towards it. Empty if `meeting`
+/// would lie behind.
+std::optional<Polyline> walkerPath(const Pose2& start, const Pose2& meeting);
+
+}  // namespace forge
