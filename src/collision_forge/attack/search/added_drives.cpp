@@ -243,10 +243,10 @@ bool AddedDrives::cruise(const AddedMeeting& meeting, double along, double speed
 
 /// Adds the speed variation without moving the contact and without reversing.
 void AddedDrives::vary(const SpeedVariation& variation, AddedDrive& drive) {
-  const double end = variation.way(drive.contact);
+  const double end = variation.distanceGained(drive.contact);
   double next = drive.on.back();
   const auto shift = [&](double& along, double time) {
-    next = along = std::min(next, along + variation.way(time) - end);
+    next = along = std::min(next, along + variation.distanceGained(time) - end);
   };
   for (std::size_t i = drive.on.size(); i-- > 0;) {
     shift(drive.on[i], drive.step() * static_cast<double>(i + 1));

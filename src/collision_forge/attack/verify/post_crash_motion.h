@@ -20,9 +20,9 @@ class PostCrashMotion {
   PostCrashMotion(const CrashedVehicle& ego, const CrashedVehicle& attacker,
                   const DriveLimitOptions& options);
 
-  /// s, same clock as the states
+  /// Returns the contact time, s on the clock of the states.
   double contactTime() const { return braking_.begin; }
-  /// Time at which both vehicles stop, s.
+  /// Returns the time at which both vehicles stop, s on the same clock.
   double standTime() const { return braking_.standTime(); }
 
   /// Returns the ego's state at `time` (s); before the contact, its state at the contact.

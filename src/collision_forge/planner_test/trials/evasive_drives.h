@@ -40,7 +40,7 @@ enum class EvasiveManoeuvre {
 };
 /// Returns "keeping", "braking", "accelerating", "steering" or "both".
 const char* toString(EvasiveManoeuvre manoeuvre);
-/// Returns nothing for an unknown name.
+/// Returns the value of a name as toString() spells it; nullopt for another name.
 std::optional<EvasiveManoeuvre> evasiveManoeuvreFromString(const std::string& name);
 
 /// Control targets of the ego during one phase of an evasive plan.
