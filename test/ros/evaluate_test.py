@@ -139,7 +139,7 @@ class EvaluateRequestsTest(road.RoadTest):
         for title in ('strict protocol, drivable limits, plausible, history mode', 'All conditions, full definitions, %',
                       'All conditions, full definitions, recall against replay mode',
                       'All conditions, full definitions, requests allowed by the road, %', 'Allowed by the road, %',
-                      '| search, answered though the road does not allow it |',
+                      '| search, solved although the road does not allow it |',
                       'Calibration, full definitions, %',
                       'Largest difference: '):
             self.assertIn(title, table)

@@ -23,16 +23,18 @@
 namespace forge {
 namespace {
 
-// Drafts of every attacker. The values were chosen on recorded scenes (docs/results.md): s before
-// the contact unless stated otherwise.
+// Values of RouteDraft that are tried for every attacker, chosen on recorded scenes
+// (docs/results.md).
 constexpr double kContacts[] = {0.0, -0.25, 0.25};           // s, added to the requested time
-constexpr double kDepartures[] = {1.0, 1.4, 0.8, 2.2, 3.0};  // the attacker leaves its lane
-constexpr double kLeads[] = {0.0, 0.5};                      // it has the offset of the contact
-constexpr double kLateBraking[] = {0.0, 3.0, 5.0};           // m/s2 of a leader before the contact
-constexpr double kStarts[] = {1.6, 2.3, 3.2};                // a standing attacker moves off
-constexpr double kDepartureWeight = 0.2;  // cost of each second off the lane before before_contact
-                                          // (config/believability.yaml), share of the futures
-constexpr double kOffRoadWeight = 1.0;    // cost of a wholly off-road drive, share of the futures
+constexpr double kDepartures[] = {1.0, 1.4, 0.8, 2.2, 3.0};  // s, RoutePlan::departure
+constexpr double kLeads[] = {0.0, 0.5};                      // s, RoutePlan::lead
+constexpr double kLateBraking[] = {0.0, 3.0, 5.0};           // m/s2, late deceleration of a leader
+constexpr double kStarts[] = {1.6, 2.3, 3.2};  // s before the contact at which a standing
+                                               // attacker starts
+// Costs, as shares of the futures:
+constexpr double kDepartureWeight = 0.2;  // per second off the lane before before_contact of
+                                          // config/believability.yaml
+constexpr double kOffRoadWeight = 1.0;    // of a wholly off-road drive
 constexpr double kContactPositions[] = {-0.7, 0.0, 0.7};
 constexpr double kShrink = 0.7;  // factor on perturbations per round
 

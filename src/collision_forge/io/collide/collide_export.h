@@ -21,8 +21,8 @@ enum class ClipObstacle {
   kUnfitName,         ///< the name of map, scene or attacker is empty or contains '_' or '/'
 };
 
-/// Returns a text for people that follows a number of attacks: "with fewer than 7 frames before
-/// now".
+/// Returns a text for people that follows a number of attacks: "with fewer than 7 frames at
+/// 2 Hz before t0".
 const char* toString(ClipObstacle obstacle);
 
 /// Converts an attack to the layout of COLLIDE. `scene` is the recording of its request; `variant`

@@ -20,7 +20,7 @@ struct AvoidabilityOptions {
   double step = 0.1;                  ///< s; must equal RolloutOptions::step
   std::vector<double> accelerations;  ///< m/s2
   std::vector<double> offsets = {0.0,  1.0, -1.0, 2.0,
-                                 -2.0, 3.5, -3.5};   ///< m to the left of the ego's way
+                                 -2.0, 3.5, -3.5};   ///< m to the left of the ego's path
   std::vector<double> durations = {1.0, 2.0, 20.0};  ///< s of the first phase
   double return_time = 0.4;          ///< s in which an offset is reached at the current speed ...
   double min_return_distance = 3.0;  ///< m; ... but over at least this distance

@@ -112,7 +112,7 @@ std::vector<Vector2> trailOf(const std::vector<collision_forge::TrackState>& sta
   return lines;
 }
 
-/// The way that an attacker came that nobody recorded.
+/// Adds the past of an added attacker as a line.
 void addPast(const collision_forge::AttackerTrajectory& trajectory, MarkerList& markers) {
   markers.addLines("added_past", trailOf(trajectory.past), kTrailWidth, kTrailHeight,
                    colors::withAlpha(colors::kAdded, kTrailAlpha));
