@@ -58,8 +58,7 @@ void addReport(CommandLine& line) {
   CLI::Option* compared =
       app.add_option("--compare", arguments->compared,
                      "instead of a report, prints the cases that are newly hit or newly avoided in "
-                     "run B of "
-                     "forge test compared with run A (folders or results.jsonl)")
+                     "run B of forge test compared with run A (folders or results.jsonl)")
           ->expected(2)
           ->type_name("A B")
           ->check(CLI::ExistingPath)

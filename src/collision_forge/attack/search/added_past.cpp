@@ -53,8 +53,8 @@ bool AddedPast::touchesAhead(const AddedDrive& drive, const ReferencePath& path,
   return false;
 }
 
-/// Returns the number of steps back from t0 during which the vehicle is on its path and touches
-/// nobody, rounded down to an instant of the traffic.
+/// Returns the number of steps back from t0 during which the vehicle is on its path and touches no
+/// agent, rounded down to an instant of the traffic.
 std::size_t AddedPast::clearSteps(const AddedDrive& drive, const ReferencePath& path,
                                   const BoxSize& size) const {
   for (std::size_t i = 0; i < drive.back.size(); ++i) {

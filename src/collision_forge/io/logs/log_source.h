@@ -29,9 +29,10 @@ class SceneReader {
   /// Returns the names of the selected scenes, in the source's order. Called from any thread, any
   /// number of times; must be fast and must not throw.
   virtual std::vector<std::string> names() const = 0;
-  /// Returns a selected scene on the ground plane; values must be within the input limits. Called
-  /// each time a scene is not cached. Throws any std::exception for a scene that cannot be used;
-  /// callers report it and may go on with other scenes.
+  /// Returns a selected scene on the ground plane; times must increase and values must be within
+  /// the input limits. Called each time a scene is not cached, for different scenes concurrently:
+  /// must be thread-safe. Throws any std::exception for a scene that cannot be used; callers report
+  /// it and may go on with other scenes.
   virtual IndexedScene read(const std::string& name) = 0;
   /// Returns the same scene before flattening. Called by `forge convert` once per scene, on the
   /// main thread. Throws as read(), and if the source has flat scenes only.

@@ -44,8 +44,7 @@ void addTrain(CommandLine& line) {
   CLI::Option* collide = addCollide(app, run->sources.collide);
   collide->description(
       "folder of COLLIDE clips, whose maps are in --source; with --version, the logs in --source "
-      "are "
-      "training data, too");
+      "are training data, too");
   app.add_option("--splits", run->sources.splits, "splits of the clips to train on")
       ->default_val(std::vector<std::string>{"train"});
   addOut(app, run->out, "folder of the run; resumes an interrupted run");
