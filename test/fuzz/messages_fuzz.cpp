@@ -75,7 +75,8 @@ void take(const collision_forge::CollisionRequest& message) {
   if (const auto* refusal = std::get_if<Status>(&request)) throw MessageError(refusal->message);
   const auto told = toMessage(std::get<CollisionRequest>(request));
   const auto again = fromMessage(told, configuration().crash);
-  require(std::holds_alternative<CollisionRequest>(again), "a request is rejected after its conversion");
+  require(std::holds_alternative<CollisionRequest>(again),
+          "a request is rejected after its conversion");
   std::string bytes;
   std::string bytes_again;
   appendRosBytes(bytes, told);

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""evaluate: runs on clips made here and on requests over embedded logs, how they go on, and the published protocol twice."""
+"""evaluate: synthetic clips, requests over embedded logs, resumption, and a second published-protocol implementation."""
 import csv
 import json
 import shutil
