@@ -150,7 +150,7 @@ TEST_P(FuzzTargets, FindNothingInMutants) {
   fs::remove(path);
 }
 
-TEST(FuzzReading, TellsRefusalsFromFindings) {
+TEST(FuzzReading, DistinguishesRejectionsFromFindings) {
   EXPECT_TRUE(isTaken("file", [] {}));
   EXPECT_FALSE(isTaken("file", [] { throw std::runtime_error("file: is damaged"); }));
   EXPECT_FALSE(isTaken("file", [] { throw ConfigError("file: a.b = 3 is unknown"); }));

@@ -91,7 +91,7 @@ class McapTest(unittest.TestCase):
                             for _, topic, _, metadata, kind, _, text in channels if not topic.startswith(MADE))
             self.assertEqual(copied, connections_of(bag))
 
-    def test_the_summary_tells_what_is_there(self):
+    def test_the_summary_lists_the_contents(self):
         for read in self.read.values():
             messages, statistics, chunks = read['messages'], read['statistics'], read['chunks']
             self.assertEqual(read['profile'], 'ros1')
@@ -123,7 +123,7 @@ class McapTest(unittest.TestCase):
             self.assertEqual((lines['type'], len(lines['points']) % 2), (2, 0))
             self.assertGreater(len(lines['points']), 20)
 
-    def test_every_frame_shows_everybody_who_is_there(self):
+    def test_every_frame_shows_all_present_agents(self):
         for name, bag in self.bags.items():
             shown = self.updates(name, '/collision_forge/scene')
             with rosbag.Bag(str(bag)) as source:

@@ -51,7 +51,7 @@ class OpenScenarioTest(unittest.TestCase):
             self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
             self.assertIn('{} files checked'.format(2 * len(self.index)), result.stdout)
 
-    def test_asams_rules_find_what_is_wrong(self):
+    def test_asams_rules_find_errors(self):
         broken = self.folder / 'broken'
         broken.mkdir()
         road, scenario = (self.out / name for name in self.index[0]['files'])

@@ -37,7 +37,7 @@ Scenario expectSameLineAndVerdict(const Scenario& scenario, const AskedMoment& a
   return read;
 }
 
-TEST(AnswersReadBack, OfAScenarioFileTheyAreTheSameLineAndVerdict) {
+TEST(AnswersReadBack, ScenarioLinesKeepTheVerdict) {
   forChangedAnswers(
       kBothModes, anyChange,
       [](const AskedMoment& asked, const Scenario& scenario, const PlaneChange& change) {
@@ -45,7 +45,7 @@ TEST(AnswersReadBack, OfAScenarioFileTheyAreTheSameLineAndVerdict) {
       });
 }
 
-TEST(AnswersReadBack, OfAnAdaptiveAttackerTheyAreTheSameLineAndWhatWasAskedFor) {
+TEST(AnswersReadBack, AdaptiveScenarioLinesKeepTheRequest) {
   forChangedAnswers(
       {Mode::kAdaptive}, anyChange,
       [](const AskedMoment& asked, const Scenario& scenario, const PlaneChange& change) {
@@ -56,7 +56,7 @@ TEST(AnswersReadBack, OfAnAdaptiveAttackerTheyAreTheSameLineAndWhatWasAskedFor) 
       });
 }
 
-TEST(AnswersReadBack, OfTheMessagesInABagTheyHaveTheSameVerdict) {
+TEST(AnswersReadBack, BagMessagesKeepTheVerdict) {
   forChangedAnswers(
       kBothModes, anyChange,
       [](const AskedMoment& asked, const Scenario& scenario, const PlaneChange& change) {
@@ -79,7 +79,7 @@ void expectFramesOf(const CollideClip& read, const AttackerTrajectory& drive, co
   }
 }
 
-TEST(AnswersReadBack, OfAClipTheyAreTheSameRowsAndOutcomeAndOnWhatWasDriven) {
+TEST(AnswersReadBack, ClipsKeepRowsOutcomeAndMotion) {
   const TemporaryFolder folder;
   const auto check = [&](const AskedMoment& asked, const Scenario& scenario,
                          const PlaneChange& change) {
@@ -111,7 +111,7 @@ double anyNumber(Random& random) {
   return random.uniform(-1.0, 1.0) * std::pow(10.0, random.uniform(-12.0, 12.0));
 }
 
-TEST(AnswersReadBack, AnyRequestIsTheSameLineAgain) {
+TEST(AnswersReadBack, RequestLinesRoundTrip) {
   forAllCases([](Random& random) {
     SceneRequest asked{"scene-\"\\\n0001", anyNumber(random), {}};
     CollisionRequest& request = asked.request;

@@ -71,7 +71,7 @@ OrientedBox randomBox(Random& random) {
                                : OrientedBox{randomPose(random, 10.0), randomSize(random)};
 }
 
-TEST(BoxesProperties, OverlapDistanceAndSharedAreaAreThoseOfPolygons) {
+TEST(BoxesProperties, OverlapDistanceAndSharedAreaEqualThoseOfPolygons) {
   forAllCases([](Random& random) {
     const OrientedBox a = randomBox(random), b = randomBox(random);
     const double apart = boostDistance(a, b), area = boostArea(a, b);
@@ -130,7 +130,7 @@ BoxMotion randomMotion(Random& random) {
   return {start, compose(start, step), randomSize(random)};
 }
 
-TEST(BoxesProperties, FirstContactIsThatOfDenseSamples) {
+TEST(BoxesProperties, FirstContactEqualsDenseSampling) {
   forAllCases([](Random& random) {
     const BoxMotion a = randomMotion(random), b = randomMotion(random);
     const auto boxAt = [](const BoxMotion& motion, double time) {
@@ -174,7 +174,7 @@ Track randomTrack(Random& random) {
   return track;
 }
 
-TEST(BoxesProperties, FirstContactTimeIsThatOfDenseSamples) {
+TEST(BoxesProperties, FirstContactTimeEqualsDenseSampling) {
   forAllCases([](Random& random) {
     const AttackerTrajectory trajectory = randomTrajectory(random);
     const Track track = randomTrack(random);

@@ -47,7 +47,7 @@ void expectSameAnswers(const LeastShares& least, MakeChange make) {
   EXPECT_GE(same, least.attack * attacks);
 }
 
-TEST(ChangedScenes, AnAttackThatIsChangedWithItsSceneHasTheSameVerdict) {
+TEST(ChangedScenes, AChangedAttackInAChangedSceneKeepsItsVerdict) {
   forChangedAnswers(
       kBothModes, anyChange,
       [](const AskedMoment& asked, const Scenario& scenario, const PlaneChange& change) {
@@ -70,16 +70,18 @@ TEST(ChangedScenes, AnAttackThatIsChangedWithItsSceneHasTheSameVerdict) {
 }
 
 // Rounding changes some choices of the search, so the shares are below 1.
-TEST(ChangedScenes, ElsewhereAndAtAnotherTimeAnswersAreTheSame) {
-  expectSameAnswers({0.98, 0.85}, elsewhere);
-}
+TEST(ChangedScenes, ShiftedScenesGetTheSameAttacks) { expectSameAnswers({0.98, 0.85}, elsewhere); }
 
 // Areas are cells of 0.5 m along the axes of the map: the edge of the road moves by up to half a
 // cell, and so do choices that depend on it.
-TEST(ChangedScenes, TurnedAnswersAreMostlyTheSame) { expectSameAnswers({0.93, 0.65}, turned); }
+TEST(ChangedScenes, TurnedScenesMostlyGetTheSameAttacks) {
+  expectSameAnswers({0.93, 0.65}, turned);
+}
 
 // Random draws are not mirrored, so attacks differ.
-TEST(ChangedScenes, MirroredTheStatusIsMostlyTheSame) { expectSameAnswers({0.8, 0.0}, mirrored); }
+TEST(ChangedScenes, MirroredScenesMostlyGetTheSameStatus) {
+  expectSameAnswers({0.8, 0.0}, mirrored);
+}
 
 }  // namespace
 }  // namespace forge

@@ -139,7 +139,7 @@ constexpr Format kFormats[] = {{"scenarionet", readOfScenarioNet},
                                {"commonroad", readOfCommonRoad},
                                {"openscenario", readOfOpenScenario}};
 
-TEST(ExportsReadBack, EveryFormatTellsTheCrashThatWasWritten) {
+TEST(ExportsReadBack, EveryFormatHasTheWrittenCrash) {
   ASSERT_EQ(std::size(kFormats), exportFormats().size());
   const TemporaryFolder folder;
   const Config& config = embeddedConfig();

@@ -91,7 +91,7 @@ std::vector<std::string> anyLines(Random& random) {
   return lines;
 }
 
-TEST(RunsProperties, AnyLinesAreThoseOfOneThreadWithoutAStop) {
+TEST(RunsProperties, LinesEqualAnUninterruptedRunOfOneThread) {
   forAllCases(
       [](Random& random) {
         const std::vector<std::string> lines = anyLines(random);
@@ -101,7 +101,7 @@ TEST(RunsProperties, AnyLinesAreThoseOfOneThreadWithoutAStop) {
       0.5);
 }
 
-TEST(RunsProperties, AnswersAreThoseOfOneThreadWithoutAStop) {
+TEST(RunsProperties, AttacksEqualAnUninterruptedRunOfOneThread) {
   forAllCases(
       [](Random& random) {
         std::vector<SceneRequest> list(1 + random.index(6));
