@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""usage: blocks_test.py SOURCE_DIR: what is found in a document, and whether arrangements.py is still needed."""
+"""usage: blocks_test.py SOURCE_DIR: test of the parser of documents; every entry of arrangements.py is needed."""
 import re
 import sys
 import unittest

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""usage: run_document_test.py SOURCE_DIR: what run_document.py says of small pages, and how it rewrites them."""
+"""usage: run_document_test.py SOURCE_DIR: errors of run_document.py for small pages, and its rewriting."""
 import subprocess
 import sys
 import tempfile

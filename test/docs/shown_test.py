@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""usage: shown_test.py: what counts as the output that a document shows, and how a shown output is rewritten."""
+"""usage: shown_test.py: comparison of shown with printed outputs, and rewriting of shown outputs."""
 import unittest
 
 from shown import difference, matches, rewritten

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What forge export --to openscenario writes, in ASAM's checkers and in SUMO's netconvert."""
+"""Exports to OpenSCENARIO are checked by ASAM's checkers and read by SUMO's netconvert."""
 import json
 import shutil
 import subprocess
