@@ -34,7 +34,7 @@ class Worst:
         self.found = {}
 
     def check(self, name, value, limit, time, tolerance=ROUNDING):
-        """`value` may exceed `limit` by `tolerance`, for what the difference that it is from may be off."""
+        """Record a violation if `value` exceeds `limit` by more than `tolerance` (rounding of the differences)."""
         excess = value - limit - tolerance
         if excess > 0.0 and excess > self.found.get(name, (0.0,))[0]:
             self.found[name] = (excess, value, limit, time)

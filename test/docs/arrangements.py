@@ -1,4 +1,4 @@
-"""What the test of the documents does otherwise than a reader does, and why."""
+"""Differences between the test of the documents and a reader, with reasons."""
 
 # Documents that are not run.
 LEFT_OUT = {
@@ -20,19 +20,19 @@ NOT_RUN = [
     (r'YOUR_(BAGS|ROS2_BAG)|--source drive\.bag', 'wants bags of another stack'),
 ]
 
-# What is run otherwise: a pattern and what takes its place.
+# Commands that are run in another form: a pattern and its replacement.
 INSTEAD = [
-    # A reader asks over many instants, and the test over few.
+    # The test uses fewer times t0 than a reader.
     (r'^(forge requests (?!.*--stride).*)$', r'\1 --stride 8'),
     (r'--tries \d+', '--tries 8'),
     (r'--until-hit (?!.*--tries)', '--until-hit --tries 8 '),
     # A reader ends it with Ctrl-C.
     (r'^(rostopic echo .*)$', r'timeout 60 \1 -n 1'),
-    # What is possible in a scene of nuScenes is not in the one that has its name here.
+    # Another collision type is feasible in the embedded scene of this name.
     (r'--type LTAP --now 4 ', '--type lane_change --now 4 '),
 ]
 
-# What a reader has of earlier pages, by its path: how it is made where a command wants it and it is not there.
+# Files that a reader has from earlier pages, by path: the command that makes a missing one.
 LOGS = '--dataroot DATAROOT --version v1.0-mini'
 EARLIER = {
     'out/demo/scene-{}.bag'.format(number): 'forge convert --dataroot data/embedded --version v1.0-embedded '
@@ -56,6 +56,6 @@ for name, mode, scene in (('scenarios', 'replay', '0103'), ('history', 'history'
         'grep \'"code":"OK"\' {name}.all > {name}.jsonl'.format(
             logs=LOGS, name=name, mode=mode, scene=scene))
 
-# The reader's own nuScenes root is DATAROOT or NUSCENES in the documents: the embedded scenes under nuScenes' names.
+# DATAROOT and NUSCENES in the documents are the reader's nuScenes root: here the embedded scenes, renamed.
 DATAROOT, VERSIONS = ('DATAROOT', 'NUSCENES'), ('v1.0-mini', 'v1.0-trainval')
 SCENES = {'scene-0001': 'scene-0061', 'scene-0005': 'scene-0103'}

@@ -3,7 +3,7 @@ import re
 import subprocess
 from typing import List, NamedTuple, Optional, Tuple
 
-OUTPUT = 'text'  # the language of what the block before prints
+OUTPUT = 'text'  # the language of a block with the output of the previous block
 SAVED = re.compile(r'(?:#|//|<!--) *([\w.-]+/[\w./-]+)(?: *-->)?')  # a first line with nothing but a path
 EXIT_CODE = re.compile(r'# exit code (\d+)$')
 
@@ -15,7 +15,7 @@ class Block(NamedTuple):
 
     @property
     def path(self) -> Optional[str]:
-        """Where a reader saves it: what the comment in its first line names."""
+        """Return the path in the comment of the first line, where a reader saves the block; None without one."""
         found = SAVED.fullmatch(self.text.split('\n', 1)[0].strip())
         return found.group(1) if self.language and found else None
 
@@ -26,7 +26,7 @@ class Command(NamedTuple):
 
     @property
     def exit_code(self) -> int:
-        """The code that the comment at its end names; 0 without one."""
+        """Return the exit code in the comment at the end; 0 without one."""
         found = EXIT_CODE.search(self.text)
         return int(found.group(1)) if found else 0
 
@@ -47,7 +47,7 @@ def blocks(text: str) -> List[Block]:
 
 
 def with_outputs(found: List[Block]) -> List[Tuple[Block, Optional[Block]]]:
-    """Each block that is no output, with its output if one follows."""
+    """Return each block that is not an output, with the output block that follows it, if any."""
     pairs = []
     for block, following in zip(found, found[1:] + [None]):
         shown = following if following and following.language == OUTPUT else None
@@ -61,16 +61,16 @@ def with_outputs(found: List[Block]) -> List[Tuple[Block, Optional[Block]]]:
 
 
 def is_complete(text: str) -> bool:
-    """Bash would not wait for another line."""
+    """Return True if bash would not wait for another line."""
     if text.endswith('\\'):
         return False
     checked = subprocess.run(['bash', '-n'], input=text, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                              check=False)
-    return checked.returncode == 0 and not checked.stdout  # it warns of a here-document without an end
+    return checked.returncode == 0 and not checked.stdout  # warnings: an unfinished here-document
 
 
 def commands(block: Block) -> List[Command]:
-    """Line by line, but for commands that go on in the next; without empty lines and comments."""
+    """Return the commands of a block, which may span lines, without empty lines and comments."""
     found, begun = [], []
     lines = block.text.split('\n')
     for number, line in enumerate(lines, block.line):

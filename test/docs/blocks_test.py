@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""usage: blocks_test.py SOURCE_DIR: what is found in a document, and whether arrangements.py is still needed."""
+"""usage: blocks_test.py SOURCE_DIR: test of the parser of documents; every entry of arrangements.py is needed."""
 import re
 import sys
 import unittest
@@ -32,7 +32,7 @@ print(1)
 
 
 class Blocks(unittest.TestCase):
-    def test_are_told_with_line_and_language(self):
+    def test_are_reported_with_line_and_language(self):
         self.assertEqual([(4, ''), (14, 'text'), (18, 'python')], [(block.line, block.language) for block in blocks(PAGE)])
 
     def test_without_a_language_hold_commands(self):
@@ -46,7 +46,7 @@ class Blocks(unittest.TestCase):
         self.assertEqual([(4, 14), (18, None)], [(block.line, shown and shown.line)
                                                  for block, shown in with_outputs(blocks(PAGE))])
 
-    def test_of_output_follow_what_runs(self):
+    def test_output_blocks_follow_commands(self):
         for text in ('```text\noutput\n```', '```\nrun\n```\n```text\none\n```\n```text\ntwo\n```',
                      '```yaml\nkey: 1\n```\n```text\noutput\n```',
                      '```python\n# folder/program.py\n```\n```text\noutput\n```'):

@@ -28,14 +28,14 @@ from blocks import blocks, commands, with_outputs
 from shown import difference, matches, rewritten
 
 TIMEOUT = 300.0       # s that a command may take
-READY_TIMEOUT = 60.0  # s until what was launched answers
+READY_TIMEOUT = 60.0  # s until a launched suite responds
 SHOWN = 3000          # characters of output in an error
 OWN = ('.git', '.pytest_cache', 'out')  # entries of the repository that are not linked
 SERVICES = {'planner_test.launch': ['/test_planner']}
 ALL_SERVICES = ['/generate_collision', '/list_collisions', '/test_planner', '/reset']
 PYTHON_SESSION = Path(__file__).resolve().parent / 'python_session.py'
-# Progress, which a terminal has in one line that changes; what bash says of a program that the document has ended;
-# warnings of rospy about connections that come too early or too late.
+# Progress lines, which a terminal overwrites; bash's message on a program that the document has ended; rospy's warnings
+# about connections that come too early or too late.
 UNCOUNTED = re.compile(r'^(\S[\w /.-]* \d+ %.* (left|in \d+ \w+)|\S+: line \d+: +\d+ (Terminated|Killed) .*|'
                        r'\[WARN\] \[[\d.]+\]: .*)\n', re.MULTILINE)
 
@@ -61,10 +61,10 @@ class Shell:
                                      stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, start_new_session=True)
 
     def run(self, text, timeout=TIMEOUT):
-        """(exit code, output) of a command, as if it was typed."""
+        """Run a command as if it was typed; return (exit code, output)."""
         source, log, code = (self.folder / name for name in ('.command', '.output', '.code'))
         source.write_text(text + '\n')
-        log.unlink(missing_ok=True)  # what goes on in the background keeps the one of its own
+        log.unlink(missing_ok=True)  # background programs keep their own file
         self.bash.stdin.write('source {0}/.command < /dev/null > {0}/.output 2>&1; echo $? > {0}/.coding; '
                               'mv {0}/.coding {0}/.code\n'.format(self.folder))
         self.bash.stdin.flush()
@@ -79,14 +79,14 @@ class Shell:
         return result, log.read_text(errors='replace')
 
     def check(self, text, expected=0):
-        """What it prints; fails unless it ends with the expected exit code."""
+        """Run a command; return its output. Fail unless it ends with the expected exit code."""
         code, output = self.run(text)
         if code != expected:
             raise Failed('exit code {}, not {}\n{}'.format(code, expected, output[-SHOWN:]))
         return output
 
     def run_python(self, text):
-        """What it prints; all blocks of Python share one interpreter."""
+        """Run a block of Python in the document's interpreter; return its output."""
         if not self.has_python:
             self.check('coproc PYTHON {{ exec python3 {} {}/.printed; }}'.format(PYTHON_SESSION, self.folder))
             self.has_python = True
@@ -95,7 +95,7 @@ class Shell:
                           'cat {0}/.printed; (exit "$python_code")'.format(self.folder))
 
     def launch(self, text):
-        """Goes on in the background once it answers; what was launched before ends."""
+        """End the previous launch, start this one in the background and wait until it responds."""
         self.end_launched()
         file = next((word for word in text.split() if word.endswith('.launch')), '')
         if file and 'name="rviz"' in (self.folder / 'launch' / file).read_text():
@@ -122,7 +122,7 @@ class Shell:
             return False
 
     def call(self, text):
-        """What it prints; a service that has no scene yet is asked again, as a reader would."""
+        """Run a service call; return its output. While the service has no scene, repeat the call, as a reader would."""
         deadline = time.monotonic() + READY_TIMEOUT
         while True:
             output = self.check(text)
@@ -146,7 +146,7 @@ class Shell:
 
     def close(self):
         self.end_launched()
-        for sign in (signal.SIGTERM, signal.SIGKILL):  # what a document leaves in the background
+        for sign in (signal.SIGTERM, signal.SIGKILL):  # background programs of the document
             try:
                 os.killpg(self.bash.pid, sign)
             except ProcessLookupError:
@@ -173,7 +173,7 @@ def make_folder(source, folder):
 
 
 def two_scenes(folder):
-    """The tables of nuScenes with SCENES alone, and with their new names."""
+    """Copy the tables of nuScenes with only SCENES, renamed."""
     tables = {path.name: json.loads(path.read_text()) for path in folder.iterdir()}
     tables['scene.json'] = [dict(row, name=SCENES[row['name']]) for row in tables['scene.json'] if row['name'] in SCENES]
     for name, key, other in (('sample', 'scene_token', 'scene'), ('sample_data', 'sample_token', 'sample'),
@@ -198,7 +198,7 @@ def as_it_is_run(text):
 
 
 def make_earlier(shell, text):
-    """What the command reads and earlier pages have made."""
+    """Create the files that a command reads and that earlier pages made."""
     for path, how in EARLIER.items():
         written = re.search(r'--out\s+{}(\s|$)'.format(re.escape(path)), text)
         read = re.search(r'(\s|PWD/|=){}(\s|$)'.format(re.escape(path)), text)
@@ -208,7 +208,7 @@ def make_earlier(shell, text):
 
 
 def run_command(shell, command):
-    """What it prints."""
+    """Run a command; return its output."""
     text = as_it_is_run(command.text)
     make_earlier(shell, text)
     if re.match(r'(roscore|roslaunch)\b', text):
@@ -220,11 +220,11 @@ def run_command(shell, command):
 
 
 class Document:
-    """A document that is run, and what it should show in place of what it does."""
+    """Runs a document and collects the outputs that differ from the shown ones."""
 
     def __init__(self, path):
         self.path, self.text = path, path.read_text()
-        self.count, self.outputs = 0, []  # of what was run; (block, printed) of shown outputs that were not printed
+        self.count, self.outputs = 0, []  # commands that ran; (block, printed) of shown outputs that differ
 
     def parts(self):
         try:
@@ -278,7 +278,7 @@ class Document:
 
 
 def run_document(source, path, rewrite):
-    """True if all of it runs as it says."""
+    """Run a document; return True if all commands and outputs are as shown."""
     document = Document(path)
     with tempfile.TemporaryDirectory(prefix='collision_forge_docs_') as name:
         folder = Path(name).resolve()

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""usage: run_document_test.py SOURCE_DIR: what run_document.py says of small pages, and how it rewrites them."""
+"""usage: run_document_test.py SOURCE_DIR: errors of run_document.py for small pages, and its rewriting."""
 import subprocess
 import sys
 import tempfile
@@ -36,7 +36,7 @@ class RunDocument(unittest.TestCase):
         self.assertEqual(1, result.returncode, result.stdout)
         self.assertIn(message, result.stdout)
 
-    def test_passes_a_page_that_shows_what_all_commands_of_a_block_print(self):
+    def test_passes_a_page_with_the_output_of_all_commands_of_a_block(self):
         self.check_passes(('', 'echo one\necho two >&2'), ('text', 'one\ntwo'))
 
     def test_does_not_count_progress_ended_programs_and_warnings_of_ros(self):

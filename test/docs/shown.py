@@ -10,12 +10,12 @@ from itertools import accumulate
 
 WIDTH = 120  # columns of a document
 DOTS = '...'
-ANY_LINES = '\n' + DOTS  # the word for dots alone in a line
+ANY_LINES = '\n' + DOTS  # stands for a line of dots only
 NUMBER_OR_ID = re.compile(r'[0-9a-f]*\d[0-9a-f]*(\.\d+)?')
 
 
 def matches(shown, printed):
-    """True if `shown` describes all of `printed`."""
+    """Return True if `shown` describes all of `printed`."""
     text, position, anchored = normal(printed), 0, True
     parts = segments(shown)
     for number, part in enumerate(parts):
@@ -31,7 +31,7 @@ def matches(shown, printed):
 
 
 def difference(shown, printed):
-    """What `rewritten` would change, as a unified diff."""
+    """Return the changes of rewritten() as a unified diff."""
     lines = unified_diff(shown.split('\n'), rewritten(shown, printed).split('\n'), 'shown', 'printed', n=1, lineterm='')
     return '\n'.join(lines)
 
@@ -50,12 +50,12 @@ def rewritten(shown, printed):
 
 
 def normal(text):
-    """Lines without empty ones, with one space between words."""
+    """Return the text without empty lines, with one space between words."""
     return '\n'.join(' '.join(line.split()) for line in text.split('\n') if line.strip())
 
 
 def segments(shown):
-    """The lines between those of dots alone."""
+    """Return the groups of lines between lines of dots only."""
     found = [[]]
     for line in normal(shown).split('\n'):
         if line == DOTS:
@@ -66,7 +66,7 @@ def segments(shown):
 
 
 def pattern_of(lines):
-    """A regular expression of lines of which some may be the continuation of the one before."""
+    """Return a regular expression for lines, any of which may be wrapped."""
     return '[ \n]'.join(pattern_of_line(line) for line in lines)
 
 
@@ -94,7 +94,7 @@ def aligned(words, printed, key):
 
 
 def with_dots(words, new, line_ends, begin, end):
-    """The pieces for the printed words [begin, end) of `new`, where the document has `words`."""
+    """Return the pieces for the printed words [begin, end) of `new`; the document has `words` there."""
     dots = [k for k, word in enumerate(words) if DOTS in word]
     if not dots:
         return [(begin, end, None)]
@@ -106,7 +106,7 @@ def with_dots(words, new, line_ends, begin, end):
         return [(begin, first, None), (first, last, words[dots[0]] if fits else DOTS), (last, end, None)]
     head, tail = words[:words.index(ANY_LINES)], words[len(words) - words[::-1].index(ANY_LINES):]
     stops = [stop for stop in line_ends if begin <= stop <= end] or [begin]
-    fewest = [sum(DOTS not in word for word in part) for part in (head, tail)]  # words that they stand for
+    fewest = [sum(DOTS not in word for word in part) for part in (head, tail)]  # words that the dots replace
     first = min([stop for stop in stops if stop >= begin + fewest[0]], default=stops[-1])
     last = max([stop for stop in stops if first <= stop <= end - fewest[1]], default=first)
     return (with_dots(head, new, line_ends, begin, first) + [(first, last, ANY_LINES)] +
@@ -114,7 +114,7 @@ def with_dots(words, new, line_ends, begin, end):
 
 
 def masked(word):
-    """Numbers and ids may change: what is said stays."""
+    """Return the word with numbers and ids replaced by 0."""
     return NUMBER_OR_ID.sub('0', word)
 
 

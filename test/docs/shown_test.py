@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""usage: shown_test.py: what counts as the output that a document shows, and how a shown output is rewritten."""
+"""usage: shown_test.py: comparison of shown with printed outputs, and rewriting of shown outputs."""
 import unittest
 
 from shown import difference, matches, rewritten
@@ -74,7 +74,7 @@ class Rewritten(unittest.TestCase):
 
 
 class Difference(unittest.TestCase):
-    def test_has_only_what_would_change(self):
+    def test_shows_only_the_changes(self):
         shown = PRINTED.replace('4.53', '4.60')
         changed = [line for line in difference(shown.strip(), PRINTED).split('\n') if line[0] in '+-'][2:]
         self.assertEqual(['-2 drift: touches the attacker 0c96e8bc after 4.60 s',

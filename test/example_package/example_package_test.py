@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""usage: example_package_test.py BUILD_DIR: can another package be built with what this one installs, and is it used?"""
+"""usage: example_package_test.py BUILD_DIR: another package builds against the installed one, and forge loads it."""
 import json
 import os
 import subprocess
@@ -28,7 +28,7 @@ class ExamplePackage(unittest.TestCase):
 
     @classmethod
     def run_program(cls, *command):
-        """What it prints."""
+        """Run a command; return its output."""
         done = subprocess.run([str(word) for word in command], env=cls.environment, text=True, check=False,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         if done.returncode != 0:

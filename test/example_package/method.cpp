@@ -3,7 +3,7 @@
 #include "collision_forge/attack/search/method_registry.h"
 #include "collision_forge/attack/search/search_method.h"
 
-/// The patterns of another predictor, those of fast attackers first.
+/// Sorts the patterns of another predictor by the attacker's speed, highest first.
 struct FastestFirst : forge::PatternPredictor {
   std::shared_ptr<const forge::PatternPredictor> other;
 

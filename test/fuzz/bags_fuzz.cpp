@@ -14,7 +14,7 @@ TopicMapping mappingOfObjects() {
   return readTopicMapping(COLLISION_FORGE_SOURCE_DIR "/config/topics_derived_object.yaml");
 }
 
-/// The ego's pose from a chain of transforms, agents in any frame.
+/// Returns a mapping with the ego's pose from a chain of transforms, and agents in any frame.
 TopicMapping mappingOfTransforms() {
   TopicMapping mapping = mappingOfObjects();
   mapping.map_frame = "world";
@@ -27,7 +27,7 @@ TopicMapping mappingOfTransforms() {
 
 }  // namespace
 
-/// A bag, of this suite or of others.
+/// Input: a bag of this suite or of another stack.
 bool fuzzBags(const std::string& input) {
   static const TopicMapping objects = mappingOfObjects();
   static const TopicMapping transforms = mappingOfTransforms();

@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-/// The first line as a file's name.
+/// Returns the line as a file name without folders, shortened.
 std::string plainName(const std::string& line) {
   constexpr std::size_t kLongest = 200;  // characters
   std::string name = line.substr(line.find_last_of('/') + 1);
@@ -18,7 +18,7 @@ std::string plainName(const std::string& line) {
 
 }  // namespace
 
-/// A clip of COLLIDE: a line with its name, then what is in the file.
+/// Input: a clip of COLLIDE, as a line with its file name, then the file's content.
 bool fuzzClips(const std::string& input) {
   const InputFolder folder;
   const auto [line, rows] = firstLineOf(input);

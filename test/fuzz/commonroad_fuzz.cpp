@@ -4,7 +4,7 @@
 
 namespace forge {
 
-/// A CommonRoad scenario.
+/// Input: a CommonRoad scenario.
 bool fuzzCommonroad(const std::string& input) {
   const InputFolder folder;
   const std::string path = folder.write("town.xml", input);

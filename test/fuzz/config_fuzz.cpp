@@ -48,7 +48,7 @@ void readPlanners(const std::string& folder, const std::string& name) {
                  configuration().attack.verification.limits);
 }
 
-/// The grid, and the numbers that planners.yaml has for it.
+/// Reads the grid and its values in planners.yaml, and requires that writing them changes nothing.
 void readTuning(const std::string& folder, const std::string& name) {
   const std::string path = folder + "/planners.yaml";
   const std::string text = bytesOf(path);
@@ -57,7 +57,7 @@ void readTuning(const std::string& folder, const std::string& name) {
   requireSame(text, withPlannerValues(path, text, values));
 }
 
-/// Files that are read with no others, or with few.
+/// Returns the reader of each file that can be read alone, or with few others.
 const std::map<std::string, ReadFile>& readers() {
   static const std::map<std::string, ReadFile> by_name = {
       {"adaptive", sectionOf<AdaptiveOptions>()},
@@ -89,7 +89,7 @@ const std::map<std::string, ReadFile>& readers() {
   return by_name;
 }
 
-/// A copy of config/, in which one file after the other is another.
+/// A copy of config/, in which one file at a time is replaced.
 class ConfigCopy {
  public:
   ConfigCopy() {
@@ -114,7 +114,7 @@ class ConfigCopy {
       write(shipped);
       return is_taken;
     } catch (const Finding&) {
-      write(shipped);  // the driver may go on
+      write(shipped);  // the driver may continue
       throw;
     }
   }
@@ -126,7 +126,7 @@ class ConfigCopy {
 
 }  // namespace
 
-/// A file of config/: a line with its name, then its text.
+/// Input: a file of config/, as a line with its name, then its text.
 bool fuzzConfig(const std::string& input) {
   static const ConfigCopy copy;
   const auto [name, text] = firstLineOf(input);

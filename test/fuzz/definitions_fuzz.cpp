@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-/// A path a line, each behind its kind: n, t or s.
+/// Returns the paths: one per line, after its kind (n, t or s).
 std::vector<FieldPath> pathsIn(const std::string& text) {
   std::vector<FieldPath> paths;
   std::istringstream lines(text);
@@ -24,8 +24,8 @@ std::vector<FieldPath> pathsIn(const std::string& text) {
 
 }  // namespace
 
-/// The definition of a message type of others, paths of its fields, and a message of it: parts
-/// "definition", "paths" and "bytes".
+/// Input: the definition of a foreign message type, paths of its fields, and a message of it, as
+/// parts "definition", "paths" and "bytes".
 bool fuzzDefinitions(const std::string& input) {
   Parts parts = partsOf(input);
   return isTaken("", [&] {

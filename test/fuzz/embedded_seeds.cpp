@@ -26,8 +26,8 @@ using Tokens = std::set<std::string>;
 const std::string kEmbedded = COLLISION_FORGE_SOURCE_DIR "/data/embedded";
 const std::string kScene = "scene-0001";
 constexpr std::size_t kFrames = 2;
-constexpr std::size_t kAgents = 3;  // of a frame
-constexpr double kRadius = 5.0;     // m of the map, around the ego
+constexpr std::size_t kAgents = 3;  // agents kept per frame
+constexpr double kRadius = 5.0;     // m around the ego within which the map is kept
 
 Document parsed(const std::string& path) {
   Document document;
@@ -47,7 +47,7 @@ std::string textOf(const Value& row, const char* field) {
   return row.HasMember(field) ? row[field].GetString() : "";
 }
 
-/// Takes out the rows of a layer or table that are not wanted.
+/// Deletes the rows of a layer or table that are not wanted.
 void keepRows(Value& rows, const std::function<bool(const Value& row)>& is_wanted) {
   for (auto row = rows.Begin(); row != rows.End();) {
     row = is_wanted(*row) ? row + 1 : rows.Erase(row);
@@ -78,7 +78,7 @@ void addTexts(const Value& texts, Tokens& tokens) {
   for (const Value& text : texts.GetArray()) tokens.insert(text.GetString());
 }
 
-/// The nodes of polygons and lines.
+/// Returns the tokens of the nodes of all polygons and lines.
 Tokens nodesOf(const Document& map) {
   Tokens nodes;
   for (const Value& polygon : map["polygon"].GetArray()) {

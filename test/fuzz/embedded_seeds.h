@@ -3,14 +3,13 @@
 #include <map>
 #include <string>
 
-/// Small parts of data/embedded: two frames of a scene with few agents, and a few lanes. Other
-/// seeds have what is not in data/embedded.
+/// Seeds from small parts of data/embedded: two frames of a scene with few agents, and a few lanes.
 namespace forge {
 
-/// By their names.
+/// Returns the tables by name.
 std::map<std::string, std::string> embeddedTables();
 
-/// A file of the map expansion.
+/// Returns a file of the map expansion.
 std::string embeddedMap();
 
 std::string embeddedBag();

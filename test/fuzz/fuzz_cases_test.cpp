@@ -29,13 +29,14 @@ using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 
-/// Of each target; COLLISION_FORGE_MUTANTS is another number.
+/// Returns the number of mutants per target; the environment variable COLLISION_FORGE_MUTANTS
+/// overrides it.
 std::size_t mutantCount() {
   const char* const given = std::getenv("COLLISION_FORGE_MUTANTS");
   return given ? std::stoul(given) : 1000;
 }
 
-/// What a target has against an input; empty where it takes or refuses it.
+/// Returns the message of the target's Finding; "" if it accepts or rejects the input correctly.
 std::string findingIn(const FuzzTarget& target, const std::string& input) {
   try {
     target.read(input);
@@ -59,7 +60,7 @@ Scenario readScenarioCase(const std::string& name) {
 
 void readWeightsCase(const std::string& name) { loadPatternNetwork(pathOfCase(name)); }
 
-/// A case that is refused, and the field and the value that must be why.
+/// A case that must be rejected, with the field and the value that the message must name.
 struct RefusedCase {
   const char* name;
   std::function<void(const std::string& name)> read;
@@ -117,7 +118,7 @@ TEST(FuzzCases, AreRefusedForTheirDefectAndNothingBeforeIt) {
   }
 }
 
-/// 1e-349 is nearer to 0 than to the least number above it, 4.9e-324.
+/// 1e-349 is nearer to 0 than to the smallest positive double, 4.9e-324.
 TEST(FuzzCases, NumbersOfHundredsOfZerosAreRead) {
   EXPECT_EQ(readRequestCase("requests/short_number.jsonl").at(0).request.tta, 0.0);
   EXPECT_EQ(readScenarioCase("scenarios/short_number_1.jsonl").asked.request.tta, 0.0);
@@ -149,7 +150,7 @@ TEST_P(FuzzTargets, FindNothingInMutants) {
   fs::remove(path);
 }
 
-TEST(FuzzReading, TellsRefusalsFromFindings) {
+TEST(FuzzReading, DistinguishesRejectionsFromFindings) {
   EXPECT_TRUE(isTaken("file", [] {}));
   EXPECT_FALSE(isTaken("file", [] { throw std::runtime_error("file: is damaged"); }));
   EXPECT_FALSE(isTaken("file", [] { throw ConfigError("file: a.b = 3 is unknown"); }));

@@ -7,7 +7,7 @@
 
 namespace forge {
 
-/// A Lanelet2 map.
+/// Input: a Lanelet2 map.
 bool fuzzLanelets(const std::string& input) {
   const InputFolder folder;
   const std::string path = folder.write("town.osm", input);

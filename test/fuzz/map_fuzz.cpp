@@ -8,7 +8,7 @@
 
 namespace forge {
 
-/// A map file of any kind.
+/// Input: a map file of any format.
 bool fuzzMap(const std::string& input) {
   const InputFolder folder;
   const std::string path = folder.write("boston.any", input);  // has a driving side

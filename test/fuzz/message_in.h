@@ -9,12 +9,12 @@
 
 namespace forge {
 
-/// The message of these bytes. Throws BagError for bytes that are too few or too many.
+/// Returns the message of these bytes. Throws BagError if there are too few or too many.
 template <typename Message>
 Message messageIn(const std::string& bytes) {
   namespace traits = ros::message_traits;
   static const MessageFields fields(traits::datatype<Message>(), traits::definition<Message>(), {});
-  std::string copy = bytes;  // roscpp takes no constant ones
+  std::string copy = bytes;  // roscpp does not accept constant bytes
   auto* const begin = reinterpret_cast<std::uint8_t*>(copy.data());
   fields.read(begin, copy.size());
   Message message;

@@ -36,7 +36,7 @@ namespace {
 
 const InputLimits& limits() { return configuration().input_limits; }
 
-/// What is told of what was taken is the same when it was taken again.
+/// Requires that a message survives the conversion to the type of this package and back.
 template <typename Message>
 void requireSameAgain(const Message& told) {
   std::string bytes;
@@ -69,13 +69,14 @@ void take(const collision_forge::Attack& message) {
   checkPattern(fromMessage(message.pattern), limits(), "pattern");
 }
 
-/// Throws MessageError for one that says something impossible.
+/// Throws MessageError for a message with impossible values.
 void take(const collision_forge::CollisionRequest& message) {
   const auto request = fromMessage(message, configuration().crash);
   if (const auto* refusal = std::get_if<Status>(&request)) throw MessageError(refusal->message);
   const auto told = toMessage(std::get<CollisionRequest>(request));
   const auto again = fromMessage(told, configuration().crash);
-  require(std::holds_alternative<CollisionRequest>(again), "a request is refused as it was told");
+  require(std::holds_alternative<CollisionRequest>(again),
+          "a request is rejected after its conversion");
   std::string bytes;
   std::string bytes_again;
   appendRosBytes(bytes, told);
@@ -116,7 +117,7 @@ void take(const collision_forge::GenerateCollisions::Request& message) { takeEac
 
 void take(const collision_forge::ListCollisions::Request& message) { takeEach(message); }
 
-/// As a node checks what it is asked of a scene.
+/// Checks a request for a scene as a node does.
 void takeAsked(const collision_forge::SceneSnapshot& scene,
                const collision_forge::CollisionRequest& asked) {
   take(asked);
@@ -187,7 +188,8 @@ const std::map<std::string, Take>& takers() {
 
 }  // namespace
 
-/// A message that a node takes, or a request of a service: a line with its type, then its bytes.
+/// Input: a message that a node receives, or a service request, as a line with its type, then its
+/// bytes.
 bool fuzzMessages(const std::string& input) {
   const auto [type, bytes] = firstLineOf(input);
   const auto taker = takers().find(type);

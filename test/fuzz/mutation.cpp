@@ -11,7 +11,7 @@ namespace {
 
 using Random = std::mt19937_64;
 
-/// Texts that readers have trouble with, most of them numbers.
+/// Texts that are difficult for parsers, mostly numbers.
 const char* const kOddTexts[] = {"0",
                                  "-0.0",
                                  "-1",
@@ -54,7 +54,7 @@ bool isOfNumber(char letter) {
   return std::isdigit(static_cast<unsigned char>(letter)) != 0 || std::strchr("+-.eE", letter);
 }
 
-/// The number or word that begins at or behind a random place, as where it begins and its length.
+/// Returns offset and length of the first number or word at or after a random offset.
 std::pair<std::size_t, std::size_t> textIn(const std::string& bytes, Random& random) {
   const bool is_number = random() % 4 != 0;
   const auto belongs = [&](char letter) {
@@ -71,7 +71,7 @@ void changeByte(std::string& bytes, Random& random) {
   if (!bytes.empty()) bytes[below(bytes.size(), random)] = static_cast<char>(random());
 }
 
-/// As the lengths and numbers of binary formats are.
+/// Overwrites 4 or 8 bytes by a number that is unusual for a length or a value.
 void changeWord(std::string& bytes, Random& random) {
   constexpr std::uint64_t kOddWords[] = {
       0, 1, 0x7f, 0xff, 0x7fffffff, 0x80000000, 0xffffffff, 0x7ff0000000000000, 0x7ff8000000000000};

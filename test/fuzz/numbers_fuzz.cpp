@@ -19,7 +19,7 @@ std::string bitsOf(double value) {
 
 }  // namespace
 
-/// A number of JSON, against that of the C library, and in a line.
+/// Input: a JSON number; it is compared with the C library's value, and read within a line.
 bool fuzzNumbers(const std::string& input) {
   const std::optional<double> number = nearestDouble(input);
   if (number) requireSame(bitsOf(*number), bitsOf(std::strtod(input.c_str(), nullptr)));

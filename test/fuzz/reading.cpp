@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 const char* const kHead = "=== ";
 
-/// How it begins what libraries say when nobody said it better.
+/// Starts of messages of libraries that a reader must replace by its own.
 const char* const kBareMessages[] = {"stoi",          "stod",           "stol",    "stoul",
                                      "basic_string:", "vector:",        "map::at", "std::",
                                      "array::at",     "bad conversion", "bad_"};
@@ -38,7 +38,8 @@ bool isDocumented(const std::exception& error) {
          type == "std::invalid_argument";
 }
 
-/// What the message begins with, behind the place that others put before it, if it is bare.
+/// Returns the library text with which the message begins, after an optional place; null if there
+/// is none.
 const char* bareWordsIn(const std::string& message) {
   const std::size_t colon = message.rfind(": ");
   const std::string said = colon == std::string::npos ? message : message.substr(colon + 2);
@@ -129,7 +130,7 @@ Parts partsOf(const std::string& input) {
       *part += line + "\n";
     }
   }
-  for (auto& [name, text] : parts) text = text.substr(0, text.rfind('\n'));  // of the next head
+  for (auto& [name, text] : parts) text = text.substr(0, text.rfind('\n'));  // the last line end
   return parts;
 }
 

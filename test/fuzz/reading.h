@@ -8,15 +8,15 @@
 
 #include "collision_forge/study/settings/study_config.h"
 
-/// What the targets share.
+/// Shared by the fuzz targets.
 namespace forge {
 
-/// A reader did what none may do.
+/// A reader violated its contract.
 struct Finding : std::logic_error {
   using std::logic_error::logic_error;
 };
 
-/// A reader let through what a library says, which begins with these words.
+/// A reader passed on the message of a library, which begins with `words`.
 struct BareMessage : Finding {
   BareMessage(const std::string& message, std::string begin)
       : Finding("a bare message: " + message), words(std::move(begin)) {}
@@ -24,19 +24,19 @@ struct BareMessage : Finding {
   std::string words;
 };
 
-/// True when `read` came to its end, false when it refused. A refusal is a type of this package, or
-/// exactly std::runtime_error or std::invalid_argument, and its message holds `where` and no bare
-/// message of a library. Throws BareMessage or another Finding for any other
-/// exception.
+/// Returns true if `read` accepts the input, false if it rejects it. A rejection is an exception
+/// type of this package, or exactly std::runtime_error or std::invalid_argument; its message
+/// contains `where` and is not a library's bare message. Throws BareMessage or another Finding for
+/// any other exception.
 bool isTaken(const std::string& where, const std::function<void()>& read);
 
-/// What was read, written and read again. Throws Finding where it is not the same.
+/// Compares a text with itself after reading and writing. Throws Finding if they differ.
 void requireSame(const std::string& first, const std::string& second);
 
-/// Throws Finding for a condition that does not hold of what was taken.
+/// Throws Finding with `what` if the condition for an accepted input is false.
 void require(bool condition, const std::string& what);
 
-/// A folder for the files of one input; gone with it.
+/// A temporary folder for the files of one input; the destructor deletes it.
 class InputFolder {
  public:
   InputFolder();
@@ -52,19 +52,20 @@ class InputFolder {
   std::string path_;
 };
 
-/// The bytes of a file. Throws std::runtime_error for one that cannot be read.
+/// Returns the bytes of a file. Throws std::runtime_error if it cannot be read.
 std::string bytesOf(const std::string& path);
 
-/// Several texts in one input, each behind a line "=== NAME".
+/// Several texts in one input, each after a line "=== NAME".
 using Parts = std::map<std::string, std::string>;
 std::string joined(const Parts& parts);
-/// The opposite, of any bytes. Names are of letters, digits, '_' and '.', and begin with a letter.
+/// Inverse of joined(), for any bytes. Names consist of letters, digits, '_' and '.', and begin
+/// with a letter.
 Parts partsOf(const std::string& input);
 
-/// What stands before the first line end, and what stands behind it.
+/// Returns the text before and the text after the first line end.
 std::pair<std::string, std::string> firstLineOf(const std::string& input);
 
-/// What config/ says.
+/// Returns the shipped configuration.
 const StudyConfig& configuration();
 
 }  // namespace forge

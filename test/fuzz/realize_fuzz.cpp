@@ -16,11 +16,11 @@
 namespace forge {
 namespace {
 
-/// More of any list only takes longer.
+/// Maximum length of each list: longer lists only take more time.
 constexpr std::size_t kMost = 8;
 constexpr std::size_t kMostStates = 200;
 
-/// The search with few candidates: the same code, in a hundredth of the time.
+/// Returns options for a search with few candidates: the same code in a hundredth of the time.
 const AttackOptions& quickOptions() {
   static const AttackOptions options = [] {
     AttackOptions quick = configuration().attack;
@@ -36,7 +36,7 @@ const AttackOptions& quickOptions() {
   return options;
 }
 
-/// The lane that the seeds' scenes are on.
+/// Returns the lanes of the seeds' scenes.
 const LaneIndex& fuzzedLanes() {
   static const LaneIndex lanes = [] {
     auto map = std::make_shared<LaneMap>();
@@ -55,7 +55,7 @@ void checkSize(const std::vector<Track>& tracks) {
   }
 }
 
-/// As the node trajectory_realizer answers.
+/// Handles the request as the node trajectory_realizer does.
 void answer(const collision_forge::RealizeTrajectory::Request& message) {
   const Config& config = configuration();
   const auto parsed = fromMessage(message.request, config.crash);
@@ -97,7 +97,7 @@ void answer(const collision_forge::RealizeTrajectory::Request& message) {
 
 }  // namespace
 
-/// A request of realize_trajectory: mutated scenes, futures and patterns.
+/// Input: a request of realize_trajectory, with scene, futures and patterns.
 bool fuzzRealize(const std::string& input) {
   return isTaken("",
                  [&] { answer(messageIn<collision_forge::RealizeTrajectory::Request>(input)); });

@@ -4,7 +4,7 @@
 
 namespace forge {
 
-/// A list of requests.
+/// Input: a request list.
 bool fuzzRequests(const std::string& input) {
   const InputFolder folder;
   const std::string path = folder.write("requests.jsonl", input);

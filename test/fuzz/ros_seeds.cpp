@@ -95,7 +95,7 @@ Future future() {
           {}};
 }
 
-/// A line with its type, then its bytes.
+/// Returns a line with the message's type, then its bytes.
 template <typename Message>
 std::string told(const std::string& type, const Message& message) {
   std::string bytes = type + "\n";
@@ -152,7 +152,7 @@ std::string testSeed() {
   return told("TestPlanner", message);
 }
 
-/// A bag of these, whose chunks are as they are: nothing is packed.
+/// Returns the bytes of a bag with uncompressed chunks; `write` adds the messages.
 template <typename Write>
 std::string bagBy(const Write& write) {
   const InputFolder folder;

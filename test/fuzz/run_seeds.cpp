@@ -23,7 +23,7 @@ ResultRow row() {
   return row;
 }
 
-/// What a run leaves that is stopped behind its second item.
+/// Returns the files of a run that is stopped after its second item.
 std::string stoppedRun() {
   const InputFolder folder;
   const std::string path = folder.path() + "/results";

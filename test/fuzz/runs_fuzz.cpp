@@ -24,7 +24,7 @@ void readRow(const std::string& line) {
   }
 }
 
-/// What a run left: the parts "part", "options" and "sums" of a file of items of two lines.
+/// Resumes an interrupted run with the parts "part", "options" and "sums", for items of two lines.
 void resumeRun(const std::string& path) {
   ResumableFile file(path, {{"seed", "1"}}, {"header", 2});
   std::string items;
@@ -39,8 +39,8 @@ void resumeRun(const std::string& path) {
 
 }  // namespace
 
-/// What runs leave and read again: a line of planner results, lines of witnesses, a row of
-/// results.csv, or the files of a run that was stopped.
+/// Input: files of runs that are read again: a line of planner results, lines of witnesses, a row
+/// of results.csv, or the files of an interrupted run.
 bool fuzzRuns(const std::string& input) {
   const InputFolder folder;
   const std::string path = folder.path() + "/results";

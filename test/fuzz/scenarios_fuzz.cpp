@@ -4,7 +4,7 @@
 
 namespace forge {
 
-/// A line of a scenario file.
+/// Input: a line of a scenario file.
 bool fuzzScenarios(const std::string& input) {
   const std::string where = "scenarios.jsonl: line 1";
   const InputLimits& limits = configuration().input_limits;

@@ -25,7 +25,7 @@ namespace {
 
 using Seeds = std::vector<std::string>;
 
-/// What `write` leaves at the path that it is given.
+/// Returns the content of the file that `write` creates at the given path.
 std::string writtenBy(const std::function<void(const std::string& path)>& write) {
   const InputFolder folder;
   const std::string path = folder.path() + "/written";

@@ -4,7 +4,7 @@
 
 namespace forge {
 
-/// A speed model, whose lines are JSON.
+/// Input: a speed model, with lines of JSON.
 bool fuzzSpeeds(const std::string& input) {
   const InputFolder folder;
   const std::string path = folder.write("speeds", input);

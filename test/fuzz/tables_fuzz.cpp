@@ -8,7 +8,7 @@
 
 namespace forge {
 
-/// The tables of a nuScenes root, a part each.
+/// Input: the tables of a nuScenes root, one part each.
 bool fuzzTables(const std::string& input) {
   const InputFolder folder;
   for (const auto& [name, table] : partsOf(input)) folder.write(name + ".json", table);

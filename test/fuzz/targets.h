@@ -6,11 +6,11 @@
 
 namespace forge {
 
-/// A kind of input, and what reads it.
+/// A kind of input and its reader.
 struct FuzzTarget {
   const char* name;
-  /// Reads these bytes: true when they were taken, false when they were refused as the reader's
-  /// header says. Throws Finding for all else.
+  /// Reads the bytes. Returns true if they were accepted, false if they were rejected as the
+  /// reader's header documents. Throws Finding otherwise.
   bool (*read)(const std::string& input);
 };
 
@@ -50,11 +50,11 @@ inline constexpr FuzzTarget kFuzzTargets[] = {
     {"weights", fuzzWeights},
 };
 
-/// What makes small inputs that are taken, by the names of the targets.
+/// Functions that return small valid inputs, by target name.
 using SeedMakers = std::map<std::string, std::vector<std::string> (*)()>;
 const SeedMakers& seedMakers();
 
-// Some of these.
+// Some of these functions.
 
 std::vector<std::string> bagSeeds();
 std::vector<std::string> messageSeeds();

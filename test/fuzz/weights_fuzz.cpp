@@ -9,7 +9,7 @@
 namespace forge {
 namespace {
 
-/// What the networks say of a scene is finite, or refused.
+/// Requires that the outputs of the networks for a scene are finite, or rejected.
 void predict(const std::shared_ptr<const PatternNetwork>& network) {
   static const Snapshot snapshot = junctionSnapshot();
   static const LaneIndex lanes = lanesOf(snapshot);
@@ -23,7 +23,7 @@ void predict(const std::shared_ptr<const PatternNetwork>& network) {
 
 }  // namespace
 
-/// A file of pattern networks.
+/// Input: a weights file of pattern networks.
 bool fuzzWeights(const std::string& input) {
   const InputFolder folder;
   const std::string path = folder.write("network.bin", input);

@@ -15,13 +15,13 @@ AHEAD = 1.0    # m beyond the end of a lane
 
 
 def place_of(waypoint):
-    """x and y in the frame of the file: CARLA's y axis points to the right."""
+    """Return x and y in the frame of the file: CARLA's y axis points to the right."""
     location = waypoint.transform.location
     return location.x, -location.y
 
 
 def distance(point, line):
-    """m from a point to a polyline."""
+    """Return the distance (m) of a point from a polyline."""
     best = math.inf
     for (x1, y1), (x2, y2) in zip(line, line[1:]):
         dx, dy = x2 - x1, y2 - y1

@@ -28,7 +28,7 @@ EGO, ATTACKER = 1, 2
 
 
 def contents_of(scenario, problems):
-    """What makes two scenarios equal; a scenario as a whole has the time at which it was read."""
+    """Return the compared parts of a scenario, which itself also holds the time at which it was read."""
     return [scenario.dt, scenario.scenario_id, scenario.tags, scenario.lanelet_network.lanelets,
             scenario.static_obstacles, scenario.dynamic_obstacles, problems]
 
@@ -42,7 +42,7 @@ def is_rewritten(scenario, problems):
 
 
 def schema_errors(path):
-    """None where this release of commonroad-io has no schema."""
+    """Return the schema's errors; None if this release of commonroad-io has no schema."""
     file = Path(commonroad.__file__).parent / 'common' / 'xml_definition_files' / 'XML_commonRoad_XSD.xsd'
     if not file.exists():
         return None

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What forge export --to commonroad writes, in commonroad-io and in CommonRoad's collision checker."""
+"""Exports to CommonRoad are read by commonroad-io and by CommonRoad's collision checker."""
 import json
 import math
 import subprocess
@@ -20,12 +20,12 @@ def python_with_reader():
 
 
 def python_with_checker():
-    """The checker's newest release wants modules that commonroad-io has no more."""
+    """The checker's newest release needs modules that commonroad-io no longer has."""
     return python_with('commonroad-checker', 'commonroad-io==2024.3', 'commonroad-drivability-checker==2025.4.0')
 
 
 def findings(python, folder):
-    """By the names of crashes."""
+    """Return the results by the name of the crash."""
     lines = subprocess.run([python, CHECKS, folder], stdout=subprocess.PIPE, check=True, text=True).stdout.splitlines()
     return {Path(found['file']).stem: found for found in map(json.loads, lines)}
 
@@ -46,7 +46,7 @@ class CommonRoadTest(unittest.TestCase):
 
     @classmethod
     def exported(cls, name, *words):
-        """The folder and the lines of its index."""
+        """Export; return the folder and the lines of its index."""
         out = cls.folder / name
         forge('export', '--to', 'commonroad', '--scenarios', cls.scenarios, *LOGS, '--out', str(out), *words)
         lines = (out / 'index.jsonl').read_text(encoding='utf-8').splitlines()

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Lanes that forge convert reads of maps, beside the centrelines of lanelet2 and commonroad-io."""
+"""Lanes that forge convert reads from maps equal the centrelines of lanelet2 and commonroad-io."""
 import json
 import math
 import subprocess
@@ -30,7 +30,7 @@ def lanes_in(bag):
 
 
 def distance(point, line):
-    """From a point to a line."""
+    """Return the distance of a point from a line."""
     nearest = math.inf
     for (x, y), (to_x, to_y) in zip(line, line[1:]):
         along = (to_x - x, to_y - y)
@@ -42,7 +42,7 @@ def distance(point, line):
 
 
 def farthest(one, other):
-    """The largest distance of a point of either line from the other line."""
+    """Return the largest distance of a point of either line from the other line."""
     return max(max(distance(point, other) for point in one), max(distance(point, one) for point in other))
 
 

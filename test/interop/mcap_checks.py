@@ -27,7 +27,7 @@ def plain(value):
 
 
 def summary_crc(data):
-    """(the one in the footer, the one that it should be)"""
+    """Return the checksums (in the footer, computed)."""
     start, _, crc = struct.unpack_from('<QQI', data, len(data) - FOOTER + 9)
     return crc, zlib.crc32(data[start:len(data) - 8 - 4])
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Bags that forge export wrote as MCAP, in the reader of PyPI's mcap, beside what rosbag reads of the bags."""
+"""MCAP files of forge export, read by PyPI's mcap, equal their bags, read by rosbag."""
 import hashlib
 import json
 import math
@@ -17,18 +17,18 @@ from virtual_environments import python_with
 
 SCENE = 'scene-0005'
 ATTACK = ['--type', 'opposite_direction', '--now', '5', '--tta', '4', '--mode', 'replay']
-MADE = '/collision_forge/'  # what is not of the bag
+MADE = '/collision_forge/'  # prefix of the topics that the export adds
 
 
 def in_bag(path):
-    """[topic, time, hash of the bytes] of every message, sorted."""
+    """Return the sorted [topic, time, hash of the bytes] of all messages."""
     with rosbag.Bag(str(path)) as bag:
         return sorted([topic, time.to_nsec(), hashlib.sha256(raw[1]).hexdigest()]
                       for topic, raw, time in bag.read_messages(raw=True))
 
 
 def connections_of(path):
-    """Of every connection: topic, type, definition, and what else its header says."""
+    """Return topic, type, definition and other header fields of each connection."""
     taken = ('topic', 'type', 'message_definition')
     with rosbag.Bag(str(path)) as bag:
         return sorted([connection.topic, connection.datatype, connection.msg_def,
@@ -91,7 +91,7 @@ class McapTest(unittest.TestCase):
                             for _, topic, _, metadata, kind, _, text in channels if not topic.startswith(MADE))
             self.assertEqual(copied, connections_of(bag))
 
-    def test_the_summary_tells_what_is_there(self):
+    def test_the_summary_lists_the_contents(self):
         for read in self.read.values():
             messages, statistics, chunks = read['messages'], read['statistics'], read['chunks']
             self.assertEqual(read['profile'], 'ros1')
@@ -123,7 +123,7 @@ class McapTest(unittest.TestCase):
             self.assertEqual((lines['type'], len(lines['points']) % 2), (2, 0))
             self.assertGreater(len(lines['points']), 20)
 
-    def test_every_frame_shows_everybody_who_is_there(self):
+    def test_every_frame_shows_all_present_agents(self):
         for name, bag in self.bags.items():
             shown = self.updates(name, '/collision_forge/scene')
             with rosbag.Bag(str(bag)) as source:

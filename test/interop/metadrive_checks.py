@@ -1,4 +1,4 @@
-"""usage: metadrive_checks.py FOLDER: the scenarios that MetaDrive lists there, if it finds all of them sound.
+"""usage: metadrive_checks.py FOLDER: the scenarios that MetaDrive lists there, if it finds all of them valid.
 
 Run by the interpreter of an environment with metadrive-simulator. Prints their files, one a line.
 """
@@ -20,7 +20,7 @@ def check(path, metadata):
 
 
 def check_summaries(path, told):
-    """What the file tells of its tracks is what MetaDrive counts."""
+    """Check that the summary in the file equals MetaDrive's own counts."""
     own = read_scenario_data(path, centralize=True)
     ScenarioDescription.update_summaries(own)
     for track, counted in own['metadata']['object_summary'].items():
@@ -32,7 +32,7 @@ def check_summaries(path, told):
     for key, counted in own['metadata']['number_summary'].items():
         told_number = told['number_summary'][key]
         is_same = counted == set(told_number) if isinstance(counted, set) else counted == told_number
-        if key != 'map_height_diff' and not is_same:  # without lane lines MetaDrive has it infinite
+        if key != 'map_height_diff' and not is_same:  # infinite in MetaDrive if there are no lane lines
             raise ValueError('{}: {} is {}, not {}'.format(path, key, told_number, counted))
 
 

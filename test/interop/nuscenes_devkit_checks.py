@@ -12,18 +12,18 @@ from nuscenes.map_expansion import map_api
 from nuscenes.nuscenes import NuScenes
 
 SPACING = 1.0  # m
-REPEATED = 0.001  # m; the devkit tells a point twice where two arcs meet
+REPEATED = 0.001  # m; the devkit returns a point twice where two arcs meet
 
 
 def centreline(points):
-    """The points without those that repeat the one before."""
+    """Return the points without consecutive duplicates."""
     points = numpy.array(points)[:, :2]
     steps = numpy.linalg.norm(numpy.diff(points, axis=0), axis=1)
     return points[numpy.concatenate(([True], steps > REPEATED))]
 
 
 def farthest(ours, theirs):
-    """m between points of the same place in the two lines; infinite where these are not as many."""
+    """Return the largest distance (m) of points of equal index in two lines; infinite if their counts differ."""
     if ours.shape != theirs.shape:
         return float('inf')
     return float(numpy.linalg.norm(ours - theirs, axis=1).max())
@@ -42,7 +42,7 @@ def lane_differences(dataroot, location, lanes):
 
 
 def poses_off_the_road(data):
-    """Tokens of the ego's poses that the map mask has beside the road."""
+    """Yield the tokens of the ego's poses that are off the road by the map mask."""
     masks = {log: row['mask'] for row in data.map for log in row['log_tokens']}
     for scene in data.scene:
         sample = data.get('sample', scene['first_sample_token'])
@@ -57,7 +57,7 @@ def poses_off_the_road(data):
 
 def main(dataroot, version, path):
     lanes = json.loads(Path(path).read_text(encoding='utf-8'))
-    map_api.locations.extend(lanes)  # it knows the four towns of nuScenes alone
+    map_api.locations.extend(lanes)  # it only knows the four towns of nuScenes
     data = NuScenes(version, dataroot, verbose=False)
     json.dump({'scenes': len(data.scene), 'boxes': sum(len(sample['anns']) for sample in data.sample),
                'off_the_road': list(poses_off_the_road(data)),

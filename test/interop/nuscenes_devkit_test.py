@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The embedded data in the devkit of nuScenes, and the lanes that it finds there against those of `forge convert`."""
+"""The embedded data is valid in the nuScenes devkit, whose lanes equal those of `forge convert`."""
 import json
 import os
 import subprocess
@@ -20,7 +20,7 @@ def rows_of(table):
 
 
 def lanes_in(folder):
-    """By location and by id the lanes of the bags, each of which has those near its scene and the links among them."""
+    """Return {location: {id: lane}} of all bags; each bag has the lanes near its scene and the links among them."""
     towns = {}
     for path in sorted(Path(folder).glob('*.bag')):
         with rosbag.Bag(str(path)) as bag:

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Lanes that forge convert --map reads from OpenDRIVE files, beside those of CARLA's own reader."""
+"""Lanes that forge convert --map reads from OpenDRIVE files equal those of CARLA's reader."""
 import json
 import os
 import shutil
@@ -35,7 +35,7 @@ class OpenDriveMapsTest(unittest.TestCase):
         forge('convert', *LOGS, '--scene', SCENE, '--out', str(cls.folder / 'recorded'))
 
     def compared(self, path):
-        """What carla_checks.py finds of a file."""
+        """Return the output of carla_checks.py for a file."""
         out = self.folder / ('bag_' + path.stem)
         forge('convert', '--source', str(self.folder / 'recorded'), '--topics', str(self.folder / 'topics.yaml'),
               '--map', str(path), '--config', str(self.config), '--out', str(out))

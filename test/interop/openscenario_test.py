@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What forge export --to openscenario writes, in ASAM's checkers and in SUMO's netconvert."""
+"""Exports to OpenSCENARIO are checked by ASAM's checkers and read by SUMO's netconvert."""
 import json
 import shutil
 import subprocess
@@ -51,7 +51,7 @@ class OpenScenarioTest(unittest.TestCase):
             self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
             self.assertIn('{} files checked'.format(2 * len(self.index)), result.stdout)
 
-    def test_asams_rules_find_what_is_wrong(self):
+    def test_asams_rules_find_errors(self):
         broken = self.folder / 'broken'
         broken.mkdir()
         road, scenario = (self.out / name for name in self.index[0]['files'])

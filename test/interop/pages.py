@@ -8,11 +8,11 @@ from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.support.ui import WebDriverWait
 
 LOGS = ['--dataroot', 'data/embedded', '--version', 'v1.0-embedded']
-SECONDS = 60  # that anything may take
+SECONDS = 60  # timeout of every step
 
 
 def forge(*words):
-    """What forge prints on stderr is shown when it fails."""
+    """Run forge; on failure raise an error with its stderr."""
     done = subprocess.run(['forge', *words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
     if done.returncode:
         raise RuntimeError('forge {}: {}'.format(' '.join(words), done.stdout))
@@ -20,7 +20,7 @@ def forge(*words):
 
 
 def make_scenarios(folder, every, mode='history'):
-    """Scenarios of every so many of the requests that the embedded scenes allow."""
+    """Write scenarios for every n-th feasible request in the embedded scenes."""
     listed, wanted, made = (str(Path(folder, name)) for name in ('all.jsonl', 'requests.jsonl', 'scenarios.jsonl'))
     forge('requests', *LOGS, '--out', listed)
     lines = Path(listed).read_text(encoding='utf-8').splitlines()[::every]
@@ -30,7 +30,7 @@ def make_scenarios(folder, every, mode='history'):
 
 
 def attacks_of(scenarios):
-    """The lines that are attacks."""
+    """Return the lines with an attack."""
     lines = Path(scenarios).read_text(encoding='utf-8').splitlines()
     return [line for line in lines if json.loads(line)['status']['code'] == 'OK']
 

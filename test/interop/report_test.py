@@ -80,7 +80,7 @@ class ReportTest(unittest.TestCase):
         self.assertLessEqual(self.browser.execute_script('return document.documentElement.scrollWidth'), 1400)
         self.shoot('table')
 
-    def test_a_filter_shows_what_it_says(self):
+    def test_a_filter_shows_the_matching_rows(self):
         wanted = sum(answer['request']['type'] == 'rear_end' for answer in self.answers)
         self.chip('Rear end').click()
         self.assertEqual(self.find('#count').text, '{} of {} rows'.format(wanted, len(self.answers)))
@@ -142,7 +142,7 @@ class ReportTest(unittest.TestCase):
         self.press('?')
         self.assertTrue(self.find('#help').is_displayed())
 
-    def test_a_declined_request_tells_why(self):
+    def test_a_rejected_request_has_a_reason(self):
         self.chip('Rejected').click()
         self.find('.rows .row').click()
         until(self.browser, 'return document.getElementById("detail").open')
@@ -234,7 +234,7 @@ class ReportTest(unittest.TestCase):
         self.assertIn(evil, self.find('#facts').text)
         self.assertEqual(self.find_all('#detail img, #table img'), [])
 
-    def test_planner_tests_show_what_the_planner_drove(self):
+    def test_planner_tests_show_the_planners_motion(self):
         out = Path(self.folder.name, 'tests')
         page = Path(self.folder.name, 'tests_page')
         some = Path(self.folder.name, 'some.jsonl')

@@ -1,4 +1,4 @@
-"""usage: rosbags_checks.py BAG: what the package rosbags finds in a bag with an attack, as JSON.
+"""usage: rosbags_checks.py BAG: the contents of a bag with an attack as read by the package rosbags, as JSON.
 
 For an environment of their own, without ROS. Types that ROS itself does not bring are learned from the definitions in
 the bag, and their md5 is computed from these.
@@ -22,7 +22,7 @@ def place_of(pose):
 
 
 def told(topic, message):
-    """What the test wants to know of a message."""
+    """Return the fields of a message that the test compares."""
     if topic.endswith('_path'):
         return {'frame': message.header.frame_id, 'stamp': stamp_of(message.header),
                 'poses': [[stamp_of(pose.header), place_of(pose.pose)] for pose in message.poses]}

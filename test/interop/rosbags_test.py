@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""What a bag with an attack tells who has none of this package's types: in the reader of PyPI's rosbags, beside what
-rosbag reads of the package's own messages in it."""
+"""A bag with an attack is readable without this package's message types: PyPI's rosbags finds the attack that rosbag
+reads from the package's own messages."""
 import json
 import os
 import subprocess
@@ -31,7 +31,7 @@ class RosbagsTest(unittest.TestCase):
         cls.read = json.loads(subprocess.run([python, reader, cls.attacked], stdout=subprocess.PIPE, check=True).stdout)
 
     def own(self, topic):
-        """As rosbag reads it."""
+        """Return the contents as read by rosbag."""
         with rosbag.Bag(str(self.attacked)) as bag:
             return [message for _, message, _ in bag.read_messages(topic)]
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What `forge export --to scenarionet` writes, in MetaDrive and in Debian's NumPy."""
+"""Exports to ScenarioNet are read by MetaDrive and with Debian's NumPy."""
 import json
 import math
 import os
@@ -26,7 +26,7 @@ def read_pickle(path):
 
 
 def gap_between(boxes):
-    """m between two boxes (x, y, heading, length, width) along the side that parts them most; below 0: they overlap."""
+    """Return the gap (m) of two boxes (x, y, heading, length, width), the largest over all axes; < 0: overlap."""
     axes = [heading + turn for _, _, heading, _, _ in boxes for turn in (0.0, math.pi / 2)]
     distance = [boxes[1][i] - boxes[0][i] for i in (0, 1)]
 
@@ -39,7 +39,7 @@ def gap_between(boxes):
 
 
 def first_touch(scenario):
-    """s of the first step at which ego and attacker touch, or None."""
+    """Return the time (s) of the first step at which ego and attacker touch, or None."""
     metadata = scenario['metadata']
     states = [scenario['tracks'][track]['state']
               for track in (metadata['sdc_id'], metadata['collision_forge']['attacker'])]
@@ -71,7 +71,7 @@ class ScenarioNetTest(unittest.TestCase):
         return read_pickle(self.out / name)
 
     def sound_files(self, folder):
-        """The files of a folder that MetaDrive lists, all of them sound."""
+        """Return the files of a folder that MetaDrive lists, all of them valid."""
         script = Path(__file__).with_name('metadrive_checks.py')
         words = [self.metadrive, '-W', 'error:numpy.core:DeprecationWarning', script, folder]
         done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)

@@ -38,14 +38,14 @@ class Courses:
                 self.cells.setdefault((round(x), round(y)), []).append((x, y))
 
     def distance_to(self, x, y):
-        """m to the nearest; infinite beyond 1 m or so."""
+        """Return the distance (m) of the nearest point; infinite beyond about 1 m."""
         cells = [(round(x) + i, round(y) + j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
         return min((math.hypot(x - px, y - py) for cell in cells for px, py in self.cells.get(cell, ())),
                    default=math.inf)
 
 
 class RoadsNotRead(Exception):
-    """netconvert reads a file otherwise than it is meant."""
+    """netconvert does not read a file as intended."""
 
 
 def python_with_netconvert():

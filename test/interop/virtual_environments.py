@@ -1,4 +1,4 @@
-"""Virtual environments with pinned packages of PyPI, one for each tool that results are tried with."""
+"""Virtual environments with pinned packages of PyPI, one for each tool that reads exported files."""
 import shutil
 import subprocess
 import sys

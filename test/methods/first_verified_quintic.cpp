@@ -1,5 +1,5 @@
-// A method that another package could add: of all predicted patterns the first to which one quintic
-// leads that verify() bears out. Named in methods.yaml, the live node, forge and the panel have it.
+// An attack method as another package could add it: the first predicted pattern with a quintic that
+// passes verify(). Once named in methods.yaml, the live node, forge and the panel offer it.
 #include "collision_forge/attack/search/baselines.h"
 #include "collision_forge/attack/search/method_registry.h"
 #include "collision_forge/attack/verify/verification.h"

@@ -1,5 +1,5 @@
-// Answers are written, read and verified again: scenario files, messages of bags, clips; and
-// requests of any kind.
+// Round trips of attacks (scenario files, bag messages, clips) and of requests: what was written is
+// read back equal, and verification gives the same verdict.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,8 @@ PublishedOutcome outcomeOf(const CollideClip& clip) {
   return publishedOutcome(clip, attacker, embeddedConfig().evaluation.published);
 }
 
-/// Written and read again it is the same line, and its attack has the same verdict.
+/// Writes and reads a scenario: expects the same line, and the same verdict of its attack. Returns
+/// the scenario read.
 Scenario expectSameLineAndVerdict(const Scenario& scenario, const AskedMoment& asked) {
   const std::string line = scenarioLine(scenario);
   Scenario read = readScenarioLine("here", line, embeddedConfig().input_limits);
@@ -36,7 +37,7 @@ Scenario expectSameLineAndVerdict(const Scenario& scenario, const AskedMoment& a
   return read;
 }
 
-TEST(AnswersReadBack, OfAScenarioFileTheyAreTheSameLineAndVerdict) {
+TEST(AnswersReadBack, ScenarioLinesKeepTheVerdict) {
   forChangedAnswers(
       kBothModes, anyChange,
       [](const AskedMoment& asked, const Scenario& scenario, const PlaneChange& change) {
@@ -44,7 +45,7 @@ TEST(AnswersReadBack, OfAScenarioFileTheyAreTheSameLineAndVerdict) {
       });
 }
 
-TEST(AnswersReadBack, OfAnAdaptiveAttackerTheyAreTheSameLineAndWhatWasAskedFor) {
+TEST(AnswersReadBack, AdaptiveScenarioLinesKeepTheRequest) {
   forChangedAnswers(
       {Mode::kAdaptive}, anyChange,
       [](const AskedMoment& asked, const Scenario& scenario, const PlaneChange& change) {
@@ -55,7 +56,7 @@ TEST(AnswersReadBack, OfAnAdaptiveAttackerTheyAreTheSameLineAndWhatWasAskedFor) 
       });
 }
 
-TEST(AnswersReadBack, OfTheMessagesInABagTheyHaveTheSameVerdict) {
+TEST(AnswersReadBack, BagMessagesKeepTheVerdict) {
   forChangedAnswers(
       kBothModes, anyChange,
       [](const AskedMoment& asked, const Scenario& scenario, const PlaneChange& change) {
@@ -65,8 +66,8 @@ TEST(AnswersReadBack, OfTheMessagesInABagTheyHaveTheSameVerdict) {
       });
 }
 
-/// Every frame after now, as the clip has it, is on what the attacker drives and on what the ego
-/// drove.
+/// Expects that each frame of the clip after t0 is on the attacker's trajectory and on the ego's
+/// recorded track.
 void expectFramesOf(const CollideClip& read, const AttackerTrajectory& drive, const Track& ego) {
   for (std::size_t frame = kCollideNowFrame + 1; frame < read.times.size(); ++frame) {
     const auto missed = [&](const CollideTrack& track, const Pose2& expected) {
@@ -78,7 +79,7 @@ void expectFramesOf(const CollideClip& read, const AttackerTrajectory& drive, co
   }
 }
 
-TEST(AnswersReadBack, OfAClipTheyAreTheSameRowsAndOutcomeAndOnWhatWasDriven) {
+TEST(AnswersReadBack, ClipsKeepRowsOutcomeAndMotion) {
   const TemporaryFolder folder;
   const auto check = [&](const AskedMoment& asked, const Scenario& scenario,
                          const PlaneChange& change) {
@@ -103,14 +104,14 @@ TEST(AnswersReadBack, OfAClipTheyAreTheSameRowsAndOutcomeAndOnWhatWasDriven) {
   forChangedAnswers(kBothModes, anyChange, check);
 }
 
-/// Any number that a file can hold, and at times the largest and the smallest.
+/// Returns a random finite number, sometimes the largest or the smallest.
 double anyNumber(Random& random) {
   if (isLikely(random, 0.1)) return std::numeric_limits<double>::max();
   if (isLikely(random, 0.1)) return std::numeric_limits<double>::denorm_min();
   return random.uniform(-1.0, 1.0) * std::pow(10.0, random.uniform(-12.0, 12.0));
 }
 
-TEST(AnswersReadBack, AnyRequestIsTheSameLineAgain) {
+TEST(AnswersReadBack, RequestLinesRoundTrip) {
   forAllCases([](Random& random) {
     SceneRequest asked{"scene-\"\\\n0001", anyNumber(random), {}};
     CollisionRequest& request = asked.request;

@@ -1,4 +1,4 @@
-// Attacks in bags and MCAP files, read again and verified against what is read beside them.
+// Attacks in bags and MCAP files are read back and verified against the motion in the same file.
 #include <collision_forge/AgentArray.h>
 #include <gtest/gtest.h>
 #include <tf2_msgs/TFMessage.h>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kBagShare = 0.1;
 
-/// Bags of the recordings, each written when it is asked for, and one with an attack.
+/// The bags of the recordings, each written at its first use, and one bag with an attack.
 class Bags {
  public:
   /// Returns the path of the recording's bag with the attack in it.
@@ -57,7 +57,7 @@ class Bags {
       nuScenesFormat().open(embeddedLogs(), {{}, embeddedConfig(), {}, {}});
 };
 
-/// The recording in a bag, and what was asked for there.
+/// Returns the recording of a bag with t0 and the request of its attack.
 AskedMoment askedIn(const std::string& bag, const Scenario& read) {
   IndexedScene indexed{readBag(bag, embeddedConfig()), nullptr};
   indexed.lanes = std::make_shared<const LaneIndex>(indexed.scene.map);
@@ -65,7 +65,7 @@ AskedMoment askedIn(const std::string& bag, const Scenario& read) {
           read.asked.request};
 }
 
-/// Calls `check` for attacks that are in a bag.
+/// Writes random attacks to bags and calls `check` for each.
 void forAttackedBags(
     const std::function<void(Random&, const AskedMoment&, const Scenario&)>& check) {
   forAllCases(
@@ -105,7 +105,7 @@ Message messageIn(const McapMessage& read) {
   return message;
 }
 
-/// Ego and attacker as the messages show them up to the record's end; times from its begin on.
+/// Returns the motion of ego and attacker in the messages up to the record's end, s from its start.
 ReadCrash crashIn(const McapContents& contents, const CrashRecord& written) {
   ReadCrash read{written.ego, written.attacker, true};
   read.ego.states.clear();

@@ -27,7 +27,7 @@ using Point = bg::model::d2::point_xy<double>;
 using BoostPolygon = bg::model::polygon<Point, false, false>;  // counter-clockwise, open
 
 constexpr double kTolerance = 1e-3;                 // m, of contacts
-constexpr double kRounding = 1e-6;                  // m, of coordinates below 100 m in either way
+constexpr double kRounding = 1e-6;                  // m, of coordinates within +-100 m
 constexpr double kAreaRounding = 20.0 * kRounding;  // m2, of sides up to 20 m
 
 BoostPolygon polygonOf(const OrientedBox& box) {
@@ -71,7 +71,7 @@ OrientedBox randomBox(Random& random) {
                                : OrientedBox{randomPose(random, 10.0), randomSize(random)};
 }
 
-TEST(BoxesProperties, OverlapDistanceAndSharedAreaAreThoseOfPolygons) {
+TEST(BoxesProperties, OverlapDistanceAndSharedAreaEqualThoseOfPolygons) {
   forAllCases([](Random& random) {
     const OrientedBox a = randomBox(random), b = randomBox(random);
     const double apart = boostDistance(a, b), area = boostArea(a, b);
@@ -83,7 +83,7 @@ TEST(BoxesProperties, OverlapDistanceAndSharedAreaAreThoseOfPolygons) {
   });
 }
 
-/// A way that two boxes go from time 0 to `end`; empty while one of them is not seen.
+/// The motion of two boxes from time 0 to `end`; empty while one of them is out of sight.
 struct SharedDrive {
   std::function<std::optional<std::pair<OrientedBox, OrientedBox>>(double time)> boxesAt;
   double end;
@@ -95,9 +95,9 @@ struct SharedDrive {
   }
 };
 
-/// What is found is held against samples: no sample before it touches, and the boxes are as near
-/// as asked at it; where a sample touches, halving between it and the one before comes to no
-/// earlier touch.
+/// Compares a contact time with dense samples: no earlier sample touches, and at that time the
+/// boxes are within the tolerance. If a sample touches, bisection between it and the previous
+/// sample finds no earlier contact.
 void checkAgainstSamples(const std::optional<double>& found, const SharedDrive& drive,
                          double tolerance) {
   double apart = 0.0;
@@ -130,7 +130,7 @@ BoxMotion randomMotion(Random& random) {
   return {start, compose(start, step), randomSize(random)};
 }
 
-TEST(BoxesProperties, FirstContactIsThatOfDenseSamples) {
+TEST(BoxesProperties, FirstContactEqualsDenseSampling) {
   forAllCases([](Random& random) {
     const BoxMotion a = randomMotion(random), b = randomMotion(random);
     const auto boxAt = [](const BoxMotion& motion, double time) {
@@ -143,7 +143,7 @@ TEST(BoxesProperties, FirstContactIsThatOfDenseSamples) {
   });
 }
 
-/// Speeds and turns as of a vehicle that somebody steers at random.
+/// Adds states of a vehicle that accelerates and steers at random.
 template <typename Add>
 void drive(Random& random, double interval, const Add& add) {
   Pose2 pose = randomPose(random, 40.0);
@@ -164,7 +164,7 @@ AttackerTrajectory randomTrajectory(Random& random) {
   return trajectory;
 }
 
-/// Now and then out of sight.
+/// Returns a track with random gaps, in which the vehicle is out of sight.
 Track randomTrack(Random& random) {
   Track track{"other", AgentClass::kCar, randomSize(random), {}};
   const double lost = isLikely(random, 0.5) ? 0.3 : 0.0;
@@ -174,7 +174,7 @@ Track randomTrack(Random& random) {
   return track;
 }
 
-TEST(BoxesProperties, FirstContactTimeIsThatOfDenseSamples) {
+TEST(BoxesProperties, FirstContactTimeEqualsDenseSampling) {
   forAllCases([](Random& random) {
     const AttackerTrajectory trajectory = randomTrajectory(random);
     const Track track = randomTrack(random);

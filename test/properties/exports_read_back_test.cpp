@@ -1,4 +1,4 @@
-// Crashes in the formats of other tools: what their files tell is the crash that was written.
+// Crashes in the formats of other tools are read back equal to the crash that was written.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ bool isExported(const Lane& lane) {
   });
 }
 
-/// Every lane that can be exported is read back: its links, and its centreline to 1 cm.
+/// Expects that every exported lane is read back, with its links and, to 1 cm, its centreline.
 void expectSameLanes(const LaneMap& read, const LaneMap& written) {
   std::vector<const Lane*> exported;
   for (const Lane& lane : written.lanes) {
@@ -85,7 +85,7 @@ ReadCrash readOfCommonRoad(const std::string& path, const CrashRecord& written) 
   return read;
 }
 
-/// The file tells who stands by the first and last state of that time alone.
+/// Adds the states of a standing agent: the file has only the first and the last one of the stop.
 void addStates(Track& track, const AgentState& until, double step) {
   while (!track.states.empty() && until.time - track.states.back().time > 1.5 * step) {
     track.states.push_back(track.states.back());
@@ -130,7 +130,7 @@ ReadCrash readOfOpenScenario(const std::string& path, const CrashRecord& written
           trackOfOpenScenario(root, "attacker", written.step)};
 }
 
-/// A format with its writer, and with what reads it here.
+/// A format with its writer, and with the reader of this test.
 struct Format {
   const char* name;
   ReadCrash (*read)(const std::string& path, const CrashRecord& written);
@@ -139,7 +139,7 @@ constexpr Format kFormats[] = {{"scenarionet", readOfScenarioNet},
                                {"commonroad", readOfCommonRoad},
                                {"openscenario", readOfOpenScenario}};
 
-TEST(ExportsReadBack, EveryFormatTellsTheCrashThatWasWritten) {
+TEST(ExportsReadBack, EveryFormatHasTheWrittenCrash) {
   ASSERT_EQ(std::size(kFormats), exportFormats().size());
   const TemporaryFolder folder;
   const Config& config = embeddedConfig();

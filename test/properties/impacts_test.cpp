@@ -1,4 +1,4 @@
-// The impact of two rigid bodies, and the severity of two boxes that touch.
+// Impact of two rigid bodies, and severity of a contact of two boxes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ ImpactContact anyContact(Random& random) {
           random.uniform(0.0, 2.0)};
 }
 
-/// J
+/// Returns the kinetic energy, J.
 double energyOf(const ImpactBody& body, const ImpactChange& change = {}) {
   const double yaw_rate = body.yaw_rate + change.yaw_rate;
   return 0.5 * body.mass * (body.velocity + change.velocity).squaredNorm() +

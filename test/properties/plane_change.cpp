@@ -8,7 +8,7 @@
 namespace forge {
 namespace {
 
-constexpr std::uint64_t kChanges = 10;  // of an answer
+constexpr std::uint64_t kChanges = 10;  // changes tried per attack
 
 Side mirrored(Side side) {
   switch (side) {

@@ -6,8 +6,8 @@
 
 namespace forge {
 
-/// The same scene elsewhere: mirrored (y becomes -y) or not, then turned about the origin, moved,
-/// and at another time.
+/// A change of a scene: mirrored (y becomes -y) or not, then turned about the origin, moved, and
+/// shifted in time. The functions return the changed value.
 struct PlaneChange {
   bool is_mirrored = false;
   double turn = 0.0;  ///< rad
@@ -20,25 +20,25 @@ struct PlaneChange {
   Pose2 pose(const Pose2& of) const;
   AttackerTrajectory trajectory(AttackerTrajectory of) const;
   CollisionReport report(CollisionReport of) const;
-  /// Recording, map, time and request.
+  /// Changes recording, map, time and request.
   AskedMoment asked(AskedMoment of) const;
-  /// What was asked for, and the answer's attack without its alternatives. A believable attack may
-  /// be none elsewhere, where cells of drivable ground lie otherwise.
+  /// Changes the request and the attack without its alternatives. A plausible attack may become
+  /// implausible, because the cells of drivable ground are at other places.
   Scenario scenario(Scenario of) const;
 };
 
-/// Within 20 km, by whole cells of drivable ground, which lie at half metres of the map's frame,
-/// and on the clock's steps.
+/// Returns a shift in space (within 20 km, by whole cells of drivable ground, 0.5 m) and in time
+/// (by whole clock steps).
 PlaneChange elsewhere(Random& random);
 PlaneChange turned(Random& random);
 PlaneChange mirrored(Random& random);
-/// All of these at once.
+/// Returns a change of all these kinds.
 PlaneChange anyChange(Random& random);
 
 using MakeChange = PlaneChange (*)(Random&);
 
-/// Tries a property on every case: ten in a row have the answer to the same random request, which
-/// costs most, each with a change of its own.
+/// Checks a property in random cases. Ten consecutive cases share the attack of one random request,
+/// because the search takes most of the time; each has its own change.
 void forChangedAnswers(
     const std::vector<Mode>& modes, MakeChange make,
     const std::function<void(const AskedMoment&, const Scenario&, const PlaneChange&)>& check);

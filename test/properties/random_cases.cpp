@@ -32,7 +32,7 @@ std::string nameOfTest() {
   return std::string(test->test_suite_name()) + "." + test->name();
 }
 
-/// How a case is tried again alone.
+/// Returns the text on how to repeat one case.
 std::string repetition(std::uint64_t seed) {
   return "PROPERTY_SEED=" + std::to_string(seed) +
          " PROPERTY_CASES=1 properties_tests --gtest_filter=" + nameOfTest();
@@ -58,7 +58,7 @@ void forAllCases(const std::function<void(Random&)>& check, double share) {
 }
 
 void forMostCases(double least_share, const std::function<bool(Random&)>& check) {
-  constexpr double kShare = 0.3;  // of the cases: two searches each
+  constexpr double kShare = 0.3;  // of the cases, because each runs two searches
   const CaseRange range = caseRange();
   std::uint64_t tried = 0, differing = 0;
   std::ostringstream seeds;

@@ -28,19 +28,20 @@ struct AskedMoment {
   Moment moment() const;
 };
 
-/// Of any type and time; some by vehicles that are added, some not believable. Of those modes.
+/// Returns a request of random type, time and mode (one of `modes`) at a random frame; some with an
+/// added attacker, some without the requirement of plausibility.
 AskedMoment randomRequest(Random& random, const std::vector<Mode>& modes);
 
-/// Of the method `search`, that knows nothing of the recording.
+/// Returns the attack of the method `search`.
 Attack answerTo(const AskedMoment& asked);
 
-/// The same of any mode, as forge generate answers a line of a list. Thread-safe.
+/// Solves a request of any mode as forge generate solves a line of a list. Thread-safe.
 Scenario answered(const SceneRequest& asked);
 inline Scenario answered(const AskedMoment& asked) {
   return answered({asked.recording->scene.name, asked.now, asked.request});
 }
 
-/// verify() against what was recorded.
+/// Returns the verification against the recorded motion.
 CollisionReport testedReport(const AttackerTrajectory& trajectory, const AskedMoment& asked);
 
 }  // namespace forge

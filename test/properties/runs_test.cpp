@@ -17,13 +17,13 @@ namespace fs = std::filesystem;
 constexpr int kJobs[] = {1, 2, 3, 5};
 constexpr const char* kStop = "stopped by the test";
 
-/// What is left of a file by a process that is killed while it writes.
+/// Cuts the file as a process that is killed while it writes.
 void cutEnd(const std::string& path, Random& random) {
   const auto size = static_cast<std::size_t>(fs::file_size(path));
   fs::resize_file(path, size - random.index(std::min<std::size_t>(size, 40) + 1));
 }
 
-/// Starts a run that ends before an item, as work or a full disk may end it.
+/// Starts a run that ends before an item, by an exception of the work or by a full disk.
 void stopBefore(std::size_t item, Run run, Random& random) {
   const auto work = run.work;
   const auto take = run.take;
@@ -56,7 +56,8 @@ Run runIn(const TemporaryFolder& folder, std::size_t count,
   return run;
 }
 
-/// The bytes of a run that is stopped up to twice, each time with other threads.
+/// Returns the output of a run that is stopped up to twice and resumed, each time with another
+/// number of threads.
 std::string carriedOut(std::size_t count, const std::function<std::string(std::size_t)>& work,
                        Random& random) {
   const TemporaryFolder folder;
@@ -90,7 +91,7 @@ std::vector<std::string> anyLines(Random& random) {
   return lines;
 }
 
-TEST(RunsProperties, AnyLinesAreThoseOfOneThreadWithoutAStop) {
+TEST(RunsProperties, LinesEqualAnUninterruptedRunOfOneThread) {
   forAllCases(
       [](Random& random) {
         const std::vector<std::string> lines = anyLines(random);
@@ -100,7 +101,7 @@ TEST(RunsProperties, AnyLinesAreThoseOfOneThreadWithoutAStop) {
       0.5);
 }
 
-TEST(RunsProperties, AnswersAreThoseOfOneThreadWithoutAStop) {
+TEST(RunsProperties, AttacksEqualAnUninterruptedRunOfOneThread) {
   forAllCases(
       [](Random& random) {
         std::vector<SceneRequest> list(1 + random.index(6));

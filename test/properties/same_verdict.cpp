@@ -7,17 +7,17 @@
 namespace forge {
 namespace {
 
-constexpr double kNoWay = 1e-3;  // m; on shorter ways a turn tells no curvature
+constexpr double kNoWay = 1e-3;  // m; a shorter step has no defined curvature
 
-// How near contacts are that are found on the same poses ...
-constexpr double kContact = 1e-3;     // m; a contact is found when boxes are so near
+// Tolerances of contacts that are found from the same poses ...
+constexpr double kContact = 1e-3;     // m between boxes that count as touching
 constexpr double kExactTime = 1e-3;   // s
 constexpr double kExactPlace = 1e-4;  // m, at the same instant
-// ... and on poses that are told from samples.
+// ... and from poses that are interpolated between samples.
 constexpr double kSampledTime = 0.1;    // s
 constexpr double kSampledPlace = 0.05;  // m
 
-/// From one state to the next, as the rear axle drives.
+/// The motion of the rear axle from one state to the next.
 struct Step {
   double speed = 0.0;
   double curvature = 0.0;
@@ -32,8 +32,8 @@ Step stepBetween(const AgentState& a, const AgentState& b, double axle_to_middle
   return {way / (b.time - a.time), way > kNoWay ? turn / way : 0.0};
 }
 
-/// Speed, acceleration and curvature as the steps to either side have them; at either end what
-/// leads on to these.
+/// Returns points with speed, acceleration and curvature from the steps on either side; at both
+/// ends from the nearest step.
 std::vector<TrajectoryPoint> pointsThrough(const std::vector<AgentState>& states,
                                            double axle_to_middle) {
   std::vector<Step> steps;
@@ -56,7 +56,7 @@ std::vector<TrajectoryPoint> pointsThrough(const std::vector<AgentState>& states
   return points;
 }
 
-/// What the attacker drives from now on, on the scene's clock.
+/// Returns the attacker's trajectory from t0 on, on the scene's clock.
 AttackerTrajectory driveIn(const ReadCrash& read, const CrashRecord& written,
                            const AskedMoment& asked) {
   std::vector<AgentState> states;
@@ -75,13 +75,13 @@ AttackerTrajectory driveIn(const ReadCrash& read, const CrashRecord& written,
   const double axle_to_middle =
       driveLimitsOf(written.attacker, embeddedConfig().attack.verification).axle_to_middle;
   std::vector<TrajectoryPoint> points = pointsThrough(states, axle_to_middle);
-  for (std::size_t i = 1; read.tells_speeds && i < told; ++i) {  // the first is of the recording
+  for (std::size_t i = 1; read.tells_speeds && i < told; ++i) {  // the first point is recorded
     points[i].speed = states[i].velocity.dot(states[i].pose.heading());
   }
   return {attack.attacker_id, attack.agent_class, read.attacker.size, points, attack.past};
 }
 
-/// All but where the contact is.
+/// Compares everything except the place of the contact.
 void expectSameVerdict(const CollisionReport& read, const CollisionReport& written,
                        double time_between) {
   EXPECT_EQ(read.verified(), written.verified()) << read.broken_limit;
@@ -95,7 +95,7 @@ void expectSameVerdict(const CollisionReport& read, const CollisionReport& writt
   EXPECT_NEAR(read.contact_time, written.contact_time, time_between);
 }
 
-/// The attacker as seen from the ego.
+/// Returns the attacker's pose in the ego's frame.
 Pose2 seenAt(const AttackerTrajectory& attack, const AskedMoment& asked, double time) {
   return relativeTo(stateAt(asked.recording->scene.ego, time).value().pose, poseAt(attack, time));
 }
@@ -123,7 +123,7 @@ void expectSameCrash(const ReadCrash& read, const CrashRecord& written, const As
   ASSERT_EQ(contact.has_value(), written.contact.has_value());
   if (!contact) return;
   EXPECT_NEAR(*contact, *written.contact, written.step + kClock);
-  if (*written.contact < written.now + 2.0 * written.step) return;  // too short to tell speeds
+  if (*written.contact < written.now + 2.0 * written.step) return;  // too short for speeds
   const CollisionReport found = testedReport(driveIn(read, written, asked), asked);
   const CollisionReport before = testedReport(written.scenario.answer.trajectory, asked);
   expectSameVerdict(found, before, kSampledTime);

@@ -14,7 +14,7 @@ from live import until
 TYPE, TTA, NOW = 'lane_change', 4.0, 4.0
 ADAPTIVE_TTA = 5.0  # s; the adaptive attack of this request succeeds
 FRAME = 0.5  # s
-LOOK = 0.2  # s of the wall clock; more than a look takes
+LOOK = 0.2  # s of the wall clock; more than an update step takes
 
 
 def way_of(attack):
@@ -37,7 +37,7 @@ class AdaptiveTest(live.LiveTest):
     HEARD = ['/encoded_scene', '/attack', '/injected_agents', '/tested_report', '/attack_markers']
 
     def ask(self, tta=TTA, **controls):
-        """At NOW; the answer."""
+        """Request the attack at NOW; return the response."""
         end = self.play_to(NOW).header.stamp
         for listener in self.heard.values():
             listener.clear()
@@ -54,7 +54,7 @@ class AdaptiveTest(live.LiveTest):
             time.sleep(LOOK)
 
     def offline(self):
-        """The attack and the tested report of forge inject."""
+        """Return the attack and the tested report of forge inject."""
         out = self.path('adaptive.bag')
         result = road.inject(self.bag(self.SCENES[0]), out, TYPE, ADAPTIVE_TTA, NOW, '--mode', 'adaptive', '--believable', 'true')
         self.assertEqual(road.code_of(result), 'OK')
@@ -78,7 +78,7 @@ class AdaptiveTest(live.LiveTest):
         self.check_tested(expected_report)
 
     def check_published(self, first):
-        """The same attack again and again, whose driven part stays."""
+        """Check the updates of the attack: the driven part never changes."""
         attacks = self.attacks()
         self.assertEqual(attacks[0].plans, 1)
         self.assertGreater(len(attacks), 3)
@@ -92,7 +92,7 @@ class AdaptiveTest(live.LiveTest):
         self.assertGreater(attacks[-1].decided, first.header.stamp)
 
     def check_injected(self, first):
-        """Up to the contact the attacker is where one of the published trajectories has it, in the end the newest."""
+        """Check that up to the contact the attacker follows a published trajectory, at last the newest one."""
         attacks = self.attacks()
         tested = self.heard['/tested_report'].wait()
         end = tested.contact_time if tested.contact else first.trajectory.points[-1].stamp
@@ -111,7 +111,7 @@ class AdaptiveTest(live.LiveTest):
         self.assertGreater(max(away), 0.1, 'it has left its first plan')
 
     def check_tested(self, expected):
-        """Checks that the report is published once."""
+        """Check that the report is published once."""
         tested = self.heard['/tested_report'].wait()
         self.assertEqual((tested.attacker_id, tested.contact), (expected.attacker_id, expected.contact))
         self.assertLess(abs((tested.contact_time - expected.contact_time).to_sec()), 0.05)

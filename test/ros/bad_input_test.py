@@ -14,7 +14,7 @@ from collision_forge.msg import Attack
 class BadInputTest(MadeUpTest):
     HEARD = MadeUpTest.HEARD + ['/map_markers']
 
-    # In this order: the first tests need a suite that has heard nothing yet.
+    # The order matters: the first tests need a suite that has received nothing yet.
 
     def test_0_before_any_scene(self):
         answer = ask('rear_end', 4.0)
@@ -109,7 +109,7 @@ class BadInputTest(MadeUpTest):
         self.assert_works()
 
     def test_numbers_beyond_the_limits(self):
-        """A box of a kilometre and a place beyond the map's reach are left out, a trajectory of years is refused."""
+        """A box of 1 km and a position out of range are dropped; a trajectory of several years is rejected."""
         def agents(seconds):
             broken = [agent('long', -10.0), agent('far', 160000.0)]
             broken[0].size.x = 1000.0
@@ -126,7 +126,7 @@ class BadInputTest(MadeUpTest):
         self.assert_works()
 
     def test_ego_pose_that_is_not_a_number(self):
-        """tf drops it, and knows the ego's pose from those around it."""
+        """tf drops the transform and interpolates the ego's pose between its neighbours."""
         frames = drive(6)
         frames[4] = (frames[4][0], math.nan, frames[4][2])
         scene = self.show(frames)
@@ -135,7 +135,7 @@ class BadInputTest(MadeUpTest):
         self.ask_for_code('OK', 'rear_end', 4.0)
 
     def test_ego_that_never_moves(self):
-        """Nor does any agent: the request ends with an attack or a reason."""
+        """The request ends with an attack or with a reason."""
         for agents in (traffic, lambda seconds: traffic(0.0)):
             self.show(drive(9, agents, speed=0.0))
             for collision_type in ('lane_change', 'opposite_direction', 'rear_end', 'junction_crossing', 'ltap'):

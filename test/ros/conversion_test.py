@@ -47,7 +47,7 @@ class ConversionTest(road.RoadTest):
             self.assertEqual(message.driving_side, 1 if message.location.endswith('left') else 0)
 
     def stamps_after_scenarionet(self, rows):
-        """Of /odom and /agents, us, where scene-0001 went through a description with these rows."""
+        """Return the times (us) of /odom and /agents after scene-0001 went through a description with these rows."""
         told, back = self.path(rows), self.path(rows + '_back')
         result = road.convert(told, '--scene', 'scene-0001', '--to', 'scenarionet', '--rows', rows)
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -136,14 +136,14 @@ class ResumeTest(road.RoadTest):
 
 
 class BadConversionInputTest(road.RoadTest):
-    """Exit code 1 for what is wrong with the data, 2 for what is wrong with the command."""
+    """Exit code 1 for invalid data, 2 for an invalid command line."""
 
     def setUp(self):
         self.dataroot = self.path('data')
         shutil.copytree(str(DATAROOT), str(self.dataroot))
 
     def change_row(self, name, change):
-        """Changes the table's second row; returns its token."""
+        """Change the table's second row; return its token."""
         path = self.dataroot / VERSION / (name + '.json')
         rows = json.loads(path.read_text())
         token = rows[1]['token']

@@ -149,7 +149,7 @@ TEST(AttackerTrajectoryMessage, HasAPastIfTheAttackerWasAdded) {
     message.past.back().stamp = ros::Time(time);
     message.past.back().velocity_x = time;
   }
-  EXPECT_EQ(complaintAbout(message), "attacker a: past, but not added");
+  EXPECT_EQ(complaintAbout(message), "attacker a: past is given, but added is false");
   message.added = true;
   const AttackerTrajectory read = fromMessage(message);
   EXPECT_TRUE(read.isAdded());
@@ -164,7 +164,7 @@ TEST(AttackerTrajectoryMessage, HasAPastIfTheAttackerWasAdded) {
   message.past[1].pose.x = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(complaintAbout(message), "attacker a: past[1] is not finite");
   message.past.clear();
-  EXPECT_EQ(complaintAbout(message), "attacker a: added, without a past");
+  EXPECT_EQ(complaintAbout(message), "attacker a: added is true, but past is empty");
   EXPECT_FALSE(toMessage(fromMessage(drivenFor(2))).added);
 }
 

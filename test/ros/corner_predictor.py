@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""A predictor of patterns in a node of its own: the first vehicle is to meet the ego's left rear corner with its right front
-corner. Everybody is taken to go straight on."""
+"""A pattern predictor in its own node: the first vehicle hits the ego's left rear corner with its right front corner.
+All agents are predicted straight on."""
 import math
 
 import rospy
@@ -26,7 +26,7 @@ def straight_on(track, seconds):
 
 
 def left_rear_corner(ego, attacker):
-    """The attacker's middle, seen from the ego's."""
+    """Return the attacker's centre in the frame of the ego's centre."""
     cosine, sine = math.cos(HEADING), math.sin(HEADING)
     along, across = 0.5 * attacker.x, -0.5 * attacker.y  # its right front corner
     return Pose2D(-0.5 * ego.x - (along * cosine - across * sine), 0.5 * ego.y - (along * sine + across * cosine), HEADING)

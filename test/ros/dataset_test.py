@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""forge study dataset: what its folder holds, that evaluate reads it, how a run goes on, with any number of threads."""
+"""forge study dataset: contents of the folder, use by evaluate, resumption, any number of threads."""
 import csv
 import json
 import math
@@ -31,7 +31,7 @@ def run(words, **options):
 
 
 def content(folder):
-    """Every file under a folder with its bytes."""
+    """Return the bytes of each file under a folder, by path."""
     return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob('*') if path.is_file()}
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""evaluate: runs on clips made here and on requests over embedded logs, how they go on, and the published protocol twice."""
+"""evaluate: synthetic clips, requests over embedded logs, resumption, and a second published-protocol implementation."""
 import csv
 import json
 import shutil
@@ -139,7 +139,7 @@ class EvaluateRequestsTest(road.RoadTest):
         for title in ('strict protocol, drivable limits, plausible, history mode', 'All conditions, full definitions, %',
                       'All conditions, full definitions, recall against replay mode',
                       'All conditions, full definitions, requests allowed by the road, %', 'Allowed by the road, %',
-                      '| search, answered though the road does not allow it |',
+                      '| search, solved although the road does not allow it |',
                       'Calibration, full definitions, %',
                       'Largest difference: '):
             self.assertIn(title, table)

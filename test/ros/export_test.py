@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""forge export: on attacks over embedded logs, how it goes on, and what it does with bad input."""
+"""forge export: attacks over embedded logs, resumption, and errors for invalid input."""
 import json
 
 import road

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""forge requests and generate: what is in their files, how a run goes on after any end, with any number of threads."""
+"""forge requests and generate: contents of the files, resumption after interruptions, any number of threads."""
 import csv
 import json
 import os
@@ -29,7 +29,7 @@ def make_requests(out, *arguments, dataroot=DATAROOT):
 
 
 def generate_command(requests, out, *arguments):
-    """In history mode unless another is asked for."""
+    """Add --mode history unless there is a --mode."""
     if '--mode' not in arguments:
         arguments += ('--mode', 'history')
     return [str(word) for word in ('forge', 'generate', *ROOT, '--requests', requests, '--out', out, *arguments)]
@@ -45,7 +45,7 @@ def lines_of(path):
 
 
 def complete_lines(path):
-    """How many lines a file holds; 0 while it is not there."""
+    """Return the number of lines of a file; 0 if it does not exist."""
     return path.read_bytes().count(b'\n') if path.exists() else 0
 
 
@@ -133,7 +133,7 @@ class RequestsTest(road.RoadTest):
 
 
 class GenerateTest(road.RoadTest):
-    """Runs over one list of a hundred requests or so."""
+    """Runs over one list of about 100 requests."""
 
     @classmethod
     def setUpClass(cls):
@@ -151,7 +151,7 @@ class GenerateTest(road.RoadTest):
         self.part = self.path('out.jsonl.part')
 
     def start(self, command, **options):
-        """A run that ends with the test at the latest."""
+        """Start a run; the end of the test kills it."""
         process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL,
                                    universal_newlines=True, **options)
         self.addCleanup(lambda: (process.kill(), process.communicate()))
@@ -167,7 +167,7 @@ class GenerateTest(road.RoadTest):
         return process
 
     def assert_goes_on(self, before, command=None, **options):
-        """A run after an interrupted one repeats nothing and ends with what an uninterrupted one writes."""
+        """Check that a resumed run repeats no item and gives the output of an uninterrupted run."""
         kept = complete_lines(self.part)
         self.assertGreaterEqual(kept, before)
         self.assertLess(kept, self.count)
@@ -358,7 +358,7 @@ class GenerateTest(road.RoadTest):
 
 
 class CollideFormatTest(road.RoadTest):
-    """generate --format csv-collide: a folder with the scenarios and a clip an attack."""
+    """generate --format csv-collide: a folder with the scenarios and one clip per attack."""
 
     @classmethod
     def setUpClass(cls):

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""forge inject against the figures in golden.json, which it gave for the embedded data when they were looked at.
+"""forge inject gives the reviewed figures in golden.json for the embedded data.
 
-A change that is meant to change them: test/ros/golden_test.py --regenerate (with the package's environment sourced)."""
+After an intended change: test/ros/golden_test.py --regenerate (with the package's environment sourced)."""
 import json
 import math
 import sys
@@ -11,13 +11,13 @@ from pathlib import Path
 import road
 
 FILE = Path(__file__).with_name('golden.json')
-TIME_TOLERANCE = 0.05                 # s; an attack that is found with other rounding may differ by as much
+TIME_TOLERANCE = 0.05                 # s; the effect of different rounding on an attack
 HEADING_TOLERANCE = math.radians(2.0)
 REQUEST = ('scene', 'now', 'collision_type', 'tta', 'mode', 'seed')
 
 
 def answer(request, folder):
-    """Code, and if OK attacker, seconds from now to contact and relative heading."""
+    """Return the code and, if OK, attacker, contact time (s from t0) and relative heading."""
     bag, out = folder / (request['scene'] + '.bag'), folder / 'golden_out.bag'
     result = road.inject(bag, out, request['collision_type'], request['tta'], request['now'], '--mode', request['mode'],
                          '--seed', request['seed'])

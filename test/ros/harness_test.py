@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""examples/harness.py, as docs/python.md runs it: it fails for a planner that is hit though it could escape."""
+"""examples/harness.py, as docs/python.md runs it: it fails for a planner with an avoidable hit."""
 import contextlib
 import os
 import subprocess
@@ -8,14 +8,14 @@ from pathlib import Path
 
 import road
 
-GOOD, BAD = 'scene-0001', 'scene-0007'  # idm escapes from all but a lane change, is hit by some
+GOOD, BAD = 'scene-0001', 'scene-0007'  # idm: hit in a lane change only; hit several times
 
 
 class HarnessTest(road.RoadTest):
     SCENES = [GOOD, BAD]
 
     def harness(self, scene, *arguments, planner='idm'):
-        """The exit code, and by name of a case what became of it."""
+        """Return the exit code, and the outcome of each case by name."""
         junit = self.path('junit.xml')
         result = subprocess.run(
             ['/usr/bin/python3', '-m', 'pytest', '-p', 'no:cacheprovider', '-p', 'collision_forge.pytest_plugin',

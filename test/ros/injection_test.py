@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""forge inject: what it changes in a bag and what not, and what it answers to impossible requests and bad bags."""
+"""forge inject: the changes in a bag, and errors for impossible requests and invalid bags."""
 import math
 import resource
 import struct
@@ -18,7 +18,7 @@ TYPES = ['lane_change', 'opposite_direction', 'rear_end', 'junction_crossing']
 
 
 class InjectionTest(road.RoadTest):
-    """One attack, and the bag that it was put into against the bag that came out."""
+    """One attack: compares the input bag with the output bag."""
     SCENES = [SCENE]
 
     @classmethod
@@ -57,7 +57,7 @@ class InjectionTest(road.RoadTest):
                 self.assertEqual(after[topic], before[topic], topic)
 
     def test_messages_up_to_the_change_are_copied_byte_for_byte(self):
-        """Of the agents up to now, of the ego up to the contact, where there is one message more."""
+        """Agents are unchanged up to t0, the ego up to the contact, at which one message is added."""
         before, after = road.read_raw(self.source), road.read_raw(self.attacked)
         nearly = self.contact - rospy.Duration(nsecs=1000)
         for topics, change in ((road.ATTACKED_TOPICS, self.now), (road.EGO_TOPICS, nearly)):
@@ -108,7 +108,7 @@ class InjectionTest(road.RoadTest):
         self.assertRegex(message.configuration, '^[0-9a-f]{16}$')
 
     def test_the_view_for_rviz_holds_the_contact_before_it_comes(self):
-        """As far ahead of the ego as the ego drives in 4 s at 15 m/s, in any direction."""
+        """The view covers the distance that the ego drives in 4 s at 15 m/s, in any direction."""
         layout = yaml.safe_load((road.PACKAGE_FOLDER / 'rviz/attacked_bag.rviz').read_text())
         view = layout['Visualization Manager']['Views']['Current']
         self.assertEqual(view['Target Frame'], 'base_link')
@@ -178,7 +178,7 @@ class InjectionTest(road.RoadTest):
 
 
 class RecordedCrashTest(road.RoadTest):
-    """Whether the bag shows the crash that was asked for decides the exit code."""
+    """The exit code depends on whether the bag shows the requested crash."""
     SCENES = [SCENE]
 
     def test_a_bag_without_the_crash_asked_for_is_written_with_an_exit_code_of_its_own(self):
@@ -244,7 +244,7 @@ class AdaptiveInjectionTest(road.RoadTest):
 
 
 class ImpossibleRequestTest(road.RoadTest):
-    """Exit code 3 and the code's name where the answer is no; nothing is written."""
+    """A rejected request: exit code 3 and the name of the status code; nothing is written."""
     SCENES = [SCENE]
 
     def assert_refused(self, code, named, collision_type, tta, now, *arguments):
@@ -289,7 +289,7 @@ class ImpossibleRequestTest(road.RoadTest):
             self.assertFalse(out.exists())
 
     def test_out_is_the_input(self):
-        """Under its own name and through a link; the bag stays as it is."""
+        """The output is the input bag, by name and by link: the bag is unchanged."""
         before = self.bag(SCENE).read_bytes()
         link = self.path('link.bag')
         link.symlink_to(self.bag(SCENE))
@@ -322,7 +322,7 @@ class ImpossibleRequestTest(road.RoadTest):
             self.assertEqual([path.name for path in self.folder.glob(out.name + '*')], [], room)
 
     def test_unwritable_drawing(self):
-        """Nothing is written, neither where the folder is missing nor where a picture's name is a folder's."""
+        """Nothing is written if the folder is missing or a picture's path is a folder."""
         out = self.path('out.bag')
         self.path('taken.gif').mkdir()
         for drawing, named in ((self.path('nowhere') / 'attack', 'attack.png'), (self.path('taken'), 'taken.gif')):
@@ -349,7 +349,7 @@ class ImpossibleRequestTest(road.RoadTest):
 
 
 class BadBagTest(road.RoadTest):
-    """Bags that are damaged, incomplete, or hold nonsense: a message that names the bag, or the attack all the same."""
+    """Damaged and incomplete bags, and bags with invalid values: an error that names the bag, or still an attack."""
     SCENES = [SCENE]
 
     def inject(self, bag, *arguments):
@@ -401,7 +401,7 @@ class BadBagTest(road.RoadTest):
         self.assert_refused(self.changed(change), '42')
 
     def test_agents_with_poses_that_are_not_numbers(self):
-        """They are left out with a warning, and the others attack."""
+        """Such agents are dropped with a warning; the other agents can attack."""
         ids = sorted({agent.id for message, _ in road.read(self.bag(SCENE), '/agents') for agent in message.agents})
         broken = set(ids[::2])
 
@@ -418,7 +418,7 @@ class BadBagTest(road.RoadTest):
             self.assertNotIn(road.read_one(self.path('out.bag'), '/attack').report.attacker_id, broken)
 
     def test_ego_poses_that_are_not_numbers(self):
-        """One is left out with a warning; without any the bag is refused."""
+        """One such message is dropped with a warning; if all are invalid, the bag is rejected."""
         count = []
 
         def change_all(topic, message):

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What the launch files say of wrong arguments, before they start a node."""
+"""Errors of the launch files for wrong arguments, before a node starts."""
 import subprocess
 
 import live
@@ -13,7 +13,7 @@ class LaunchTest(road.RoadTest):
     SCENES = ['scene-0007']
 
     def refusal(self, launch, *arguments):
-        """The line of a launch that ends at once."""
+        """Return the error line of a launch that ends at once."""
         result = subprocess.run(['/usr/bin/roslaunch', road.PACKAGE, launch, *arguments], stdout=subprocess.PIPE,
                                 stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, universal_newlines=True,
                                 timeout=TIMEOUT, check=False)

@@ -1,5 +1,5 @@
-"""What the rostests share: the suite, started beside the test under the test's own master, and a player of bags that
-goes exactly as far as it is told to and then lets time stand still."""
+"""Shared by the rostests: the suite, started under the master of the test, and a bag player that plays exactly up to a
+given time and then stops the clock."""
 import cmath
 import math
 import os
@@ -20,16 +20,16 @@ from collision_forge.srv import GenerateCollision
 from nav_msgs.msg import Path
 from visualization_msgs.msg import Marker, MarkerArray
 
-TIMEOUT = 30.0  # s; for what takes a fraction of a second on an idle machine
+TIMEOUT = 30.0  # s; on an idle machine a fraction of a second is enough
 RATE = 10.0  # Hz of injected_agents while there is an attack
-SAME_CONTACT = 0.02  # s; bag and node see other poses of the ego
+SAME_CONTACT = 0.02  # s; bag and node use different poses of the ego
 SAME_SPEED = 0.1     # m/s
-SAME_SLIDE = 0.3  # m, m/s; what that makes of a slide
-SAME_PLACE = 0.1  # m, of the boxes that are shown one second after a contact
-MOST_OVERLAP = 0.1  # m of two boxes that touch, as they are shown
-CLOCK_LEAD = 0.5  # s from the first /clock to the first message: tf2 drops what is before its past until time jumps back
+SAME_SLIDE = 0.3  # m, m/s; its effect on the motion after the contact
+SAME_PLACE = 0.1  # m between the boxes shown 1 s after a contact
+MOST_OVERLAP = 0.1  # m between two boxes shown in contact
+CLOCK_LEAD = 0.5  # s from the first /clock to the first message: tf2 drops older transforms until time jumps back
 
-# What every node of the suite publishes, hears and answers.
+# Per node of the suite: published topics, subscribed topics, services.
 NODES = {
     'scene_encoder': (['/encoded_scene'], ['/agents', '/ego_vehicle', '/lane_map', '/tf', '/tf_static'], []),
     'pattern_predictor': ([], ['/lane_map'], ['/predict_pattern']),
@@ -50,7 +50,7 @@ NODES = {
                           '/predicted_patterns', '/tested_report', '/tf', '/tf_static', '/traffic_lights'], []),
 }
 MANAGER = 'collision_forge_manager'
-PLAYED = ['/agents', '/lane_map', '/tf']  # what the suite hears of a bag
+PLAYED = ['/agents', '/lane_map', '/tf']  # topics of a bag to which the suite subscribes
 
 TYPES = {'/agents': AgentArray, '/injected_agents': AgentArray, '/injected_objects': rospy.AnyMsg,
          '/encoded_scene': EncodedScene,
@@ -64,7 +64,7 @@ TYPES = {'/agents': AgentArray, '/injected_agents': AgentArray, '/injected_objec
 
 
 def until(condition, what, timeout=TIMEOUT, interval=0.05):
-    """What `condition` returns as soon as that is true; fails after the timeout."""
+    """Return the first true result of `condition`; fail after the timeout."""
     deadline = time.monotonic() + timeout
     while True:
         result = condition()
@@ -76,13 +76,13 @@ def until(condition, what, timeout=TIMEOUT, interval=0.05):
 
 
 def graph():
-    """Sets of (topic, node) for publishers and subscribers and of (service, node), without leading slashes of nodes."""
+    """Return sets of (topic, node) for publishers and for subscribers, and of (service, node); nodes without slash."""
     return [{(name, node.lstrip('/')) for name, nodes in entries for node in nodes}
             for entries in rosgraph.Master(rospy.get_name()).getSystemState()]
 
 
 def missing_of(nodes, owner=lambda node: node):
-    """What of NODES is not registered with the master; `owner` tells which process a node lives in."""
+    """Return the entries of NODES that the master does not know; `owner` returns the process that hosts a node."""
     actual = graph()
     missing = []
     for node in nodes:
@@ -93,7 +93,7 @@ def missing_of(nodes, owner=lambda node: node):
 
 
 def unconnected_of(nodes):
-    """Which of what the suite itself publishes has not reached those of NODES that hear it."""
+    """Return the topics of the suite to which a subscriber among NODES is not yet connected."""
     master = rosgraph.Master(rospy.get_name())
     publishers = {topic: node for node, (published, _, _) in NODES.items() for topic in published}
     missing = []
@@ -107,7 +107,7 @@ def unconnected_of(nodes):
 
 
 class Suite:
-    """launch/collision_forge.launch with some arguments, until stop()."""
+    """Runs launch/collision_forge.launch with some arguments, until stop()."""
 
     def __init__(self, folder, **arguments):
         self.nodelets = arguments.get('nodelets', 'true') == 'true'
@@ -138,12 +138,12 @@ class Suite:
         until(lambda: not self.missing(), lambda: '{}\n{}'.format(self.missing(), self.output()), timeout=60.0)
 
     def wait_until_back(self, name, old_pid):
-        """Until a process that was killed is another, and the suite is whole again."""
+        """Wait until a killed process has been restarted and the suite is complete again."""
         def is_back():
             try:
                 return pid_of(name) != old_pid and not self.missing()
             except (OSError, rosgraph.MasterException):
-                return False  # registered, but nobody there
+                return False  # registered, but not running
         until(is_back, lambda: '{}: {}'.format(name, self.missing()), timeout=60.0)
 
     def output(self):
@@ -160,14 +160,14 @@ class Suite:
 
 
 def shown_box(markers, name):
-    """Middle, heading and size of the box in a namespace of scene_markers."""
+    """Return centre, heading and size of the box in a namespace of scene_markers."""
     marker = next(marker for marker in markers.markers if marker.ns == name and marker.type == Marker.CUBE)
     position = marker.pose.position
     return complex(position.x, position.y), road.yaw_of(marker.pose.orientation), (marker.scale.x, marker.scale.y)
 
 
 def depth_between(first, second):
-    """How far two boxes overlap, m, along the axis on which they overlap least; negative: the gap between them."""
+    """Return the overlap of two boxes, m, along the axis of the least overlap; negative: the gap between them."""
     def corners(box):
         middle, yaw, (length, width) = box
         return [middle + complex(ahead * length / 2, left * width / 2) * cmath.rect(1.0, yaw)
@@ -180,13 +180,13 @@ def depth_between(first, second):
 
 
 def living_connections(end):
-    """How many are connected to a publisher or subscriber; rospy counts killed ones until the next comes, unless asked."""
+    """Return the number of connections of a publisher or subscriber, without those of killed processes (check())."""
     end.impl.check()
     return end.get_num_connections()
 
 
 class Player:
-    """Publishes /clock and the messages of a bag, in their order, up to the time that it is given."""
+    """Publishes /clock and the messages of a bag, in their order, up to a given time."""
 
     def __init__(self, path):
         with rosbag.Bag(str(path)) as bag:
@@ -202,7 +202,7 @@ class Player:
         self.publishers['/clock'] = rospy.Publisher('/clock', Clock, queue_size=1000)
 
     def connect(self, suite, listeners):
-        """Waits until all of the suite and the listeners have connected, to the player and to each other."""
+        """Wait until the suite, the listeners and the player are all connected."""
         for topic, publisher in self.publishers.items():
             hearers = 1 if suite.nodelets else sum(topic in heard or topic == '/clock' for _, heard, _ in NODES.values())
             hearers += topic in listeners
@@ -212,7 +212,7 @@ class Player:
             until(lambda: living_connections(listener.subscriber) > 0, 'a publisher of ' + topic)
 
     def play_to(self, seconds):
-        """Goes on to `seconds` after the first message; starts anew if that is past."""
+        """Play up to `seconds` after the first message; restart if that time is in the past."""
         end = self.start + rospy.Duration(seconds)
         if self.next > 0 and self.messages[self.next - 1][2] > end:
             self.restart()
@@ -236,7 +236,7 @@ class Player:
 
 
 class Listener:
-    """Keeps all that comes on a topic."""
+    """Records all messages of a topic."""
 
     def __init__(self, topic):
         self.topic = topic
@@ -258,7 +258,7 @@ class Listener:
         return next((message for message in reversed(self.all()) if condition(message)), None)
 
     def wait(self, condition=lambda message: True, timeout=TIMEOUT):
-        """The newest message that fulfils the condition."""
+        """Wait for a message that meets the condition; return the newest one."""
         return until(lambda: self.last(condition), lambda: 'such a message on {}; {} came, the last: {:.2000}'.format(
             self.topic, len(self.all()), str(self.last())), timeout)
 
@@ -272,15 +272,15 @@ class Listener:
 
 
 def ask(collision_type='rear_end', tta=4.0, attacker='', mode='history', seed=0, method='', believable='false', **controls):
-    """`controls`: further fields of GenerateCollision, by name. Any motion within the limits, unless said otherwise: the
-    embedded scenes have few vehicles that could attack as a driver would."""
+    """Call /generate_collision. `controls`: further fields of the request, by name. By default plausibility is not
+    required: the embedded scenes have few vehicles that could attack plausibly."""
     return rospy.ServiceProxy('/generate_collision', GenerateCollision)(
         collision_type=collision_type, tta=tta, attacker_id=attacker, mode=mode, seed=seed, method=method,
         believable=believable, **controls)
 
 
 class LiveTest(road.RoadTest):
-    """A test of the suite, launched with ARGUMENTS; the bag of SCENES[0] is its recording and on replay."""
+    """A test of the suite, launched with ARGUMENTS; the bag of SCENES[0] is the parameter `recording` and is played."""
     ARGUMENTS = {}
     RECORDING = True
     HEARD = ['/encoded_scene']
@@ -305,7 +305,7 @@ class LiveTest(road.RoadTest):
         self.assertIsNone(self.suite.process.poll(), 'roslaunch has ended:\n' + self.suite.output())
 
     def play_to(self, seconds):
-        """Plays, and waits until the encoder has published the frame at that time, anew if it was there before."""
+        """Play, and wait until the encoder has published the frame at that time; again if it was published before."""
         listener = self.heard['/encoded_scene']
         listener.clear()
         self.player.restart()
@@ -313,7 +313,7 @@ class LiveTest(road.RoadTest):
         return listener.wait(lambda scene: scene.header.stamp == end)
 
     def ask_until(self, expected, *arguments, **named):
-        """Asks until the answer is as expected (the generator hears of a new scene when it does); fails in the end."""
+        """Repeat the request until the response is as expected (the generator may receive a scene late), or fail."""
         answers = []
 
         def once():
@@ -327,12 +327,12 @@ class LiveTest(road.RoadTest):
         return self.ask_until(lambda answer: road.CODES[answer.code] == code, *arguments, **named)
 
     def assert_answer(self, answer, attacked):
-        """The answer of the service is what forge inject put into a bag."""
+        """Check that the response has the attack that forge inject wrote to a bag."""
         self.assert_close(answer.attack, road.read_one(attacked, '/attack'))
 
     def offline(self, collision_type, mode, seed=0, nows=(6.0, 4.0, 8.0, 10.0), ttas=(4.0, 6.0, 2.0),
                 believable='false'):
-        """The first request that forge inject can fulfil by a recorded vehicle: now, tta and the bag."""
+        """Return t0, TTA and bag of the first request that forge inject solves with a recorded vehicle."""
         out = self.path('{}_{}.bag'.format(collision_type, mode))
         for now in nows:
             for tta in ttas:
@@ -344,12 +344,12 @@ class LiveTest(road.RoadTest):
 
 
 class WholeRoadTest(LiveTest):
-    """Checks that what the suite answers and publishes is what forge inject makes of the same bag offline."""
+    """Checks that responses and topics of the suite equal the output of forge inject for the same bag."""
     HEARD = ['/encoded_scene', '/agents', '/injected_agents', '/tested_report', '/map_markers', '/scene_markers',
              '/pattern_markers', '/attack_markers']
 
     def play_and_ask(self, collision_type, mode, seed, believable='false', **instants):
-        """Answered live as offline(); returns the answer and the attacked bag."""
+        """Request the attack of offline() live; return the response and the attacked bag."""
         now, tta, attacked = self.offline(collision_type, mode, seed, believable=believable, **instants)
         end = self.play_to(now).header.stamp
         answer = self.ask_until(lambda answer: answer.code == 0 and answer.attack.pattern.header.stamp == end, collision_type,
@@ -362,7 +362,7 @@ class WholeRoadTest(LiveTest):
         return answer, attacked
 
     def assert_request_published(self, answer, attacked):
-        """What was asked for is what forge inject wrote into a bag, but for what tells of the bag."""
+        """Check that attack_request equals the message in the bag, except for the fields about the bag."""
         listener = Listener('/attack_request')
         message = listener.wait(lambda message: message.header.stamp == answer.attack.header.stamp)
         listener.close()
@@ -371,7 +371,7 @@ class WholeRoadTest(LiveTest):
             self.assert_close(getattr(message, field), getattr(offline, field), 0.0, field)
 
     def newest_path(self, topic, now):
-        """Of the attack at `now`; latched."""
+        """Return the latched path of the attack at `now`."""
         listener = Listener(topic)
         path = listener.wait(lambda path: path.header.stamp == now)
         self.assertEqual(set(listener.latched), {True})
@@ -380,7 +380,7 @@ class WholeRoadTest(LiveTest):
         return path
 
     def assert_paths_published(self, answer, recorded, mode):
-        """The attacker's is its trajectory; the ego's is the recorded one in replay mode, else a forecast from there."""
+        """Check the paths: the attacker's trajectory; the ego's recorded path in replay mode, else a predicted one."""
         now, points = answer.attack.header.stamp, answer.attack.trajectory.points
         path = self.newest_path('/attack_path', now)
         self.assertEqual([(pose.header.stamp, pose.pose.position) for pose in path.poses],
@@ -393,7 +393,7 @@ class WholeRoadTest(LiveTest):
             self.assertLess(abs((ego.poses[-1].header.stamp - points[-1].stamp).to_sec()), 0.11)
 
     def assert_published(self, answer):
-        """Whoever subscribes later gets the answer, too."""
+        """Check that late subscribers receive the attack, too."""
         listener = Listener('/attack')
         message = listener.wait(lambda message: message.header.stamp == answer.attack.header.stamp)
         self.assert_close(message, answer.attack, tolerance=0.0)
@@ -401,7 +401,7 @@ class WholeRoadTest(LiveTest):
         listener.close()
 
     def assert_played_on(self, answer, attacked):
-        """The replay goes on: the attacker is replaced in injected_agents, and tested_report tells what happened."""
+        """Continue the replay: the attacker is replaced in injected_agents, and tested_report has the outcome."""
         now, end = answer.attack.trajectory.points[0].stamp, answer.attack.trajectory.points[-1].stamp
         self.heard['/attack_markers'].wait(
             lambda markers: len(markers.markers) > 1 and markers.markers[-1].header.stamp == now)
@@ -434,7 +434,7 @@ class WholeRoadTest(LiveTest):
         return tested
 
     def play_clock_to(self, seconds):
-        """Plays, lets time stand still there, and returns the second picture of scene_markers after that."""
+        """Play, stop the clock, and return the second scene_markers message after that."""
         self.player.play_to(seconds)
         self.player.publishers['/clock'].publish(Clock(self.player.start + rospy.Duration(seconds)))
         pictures = self.heard['/scene_markers']
@@ -443,7 +443,7 @@ class WholeRoadTest(LiveTest):
         return pictures.all()[1]
 
     def assert_crash_shown(self, attacked):
-        """Played from before the contact on, the boxes touch and then move as in the bag; they never overlap."""
+        """Check during playback that the boxes touch, then move as in the bag, and never overlap."""
         report = road.read_one(attacked, '/tested_report')
         self.assertTrue(report.contact)
         contact = (report.contact_time - self.player.start).to_sec()
@@ -463,7 +463,7 @@ class WholeRoadTest(LiveTest):
             self.assertLess(abs(road.angle_between(yaw, expected_yaw)), 0.05, name)
 
     def assert_injected(self, actual, expected, report):
-        """A frame with the attacker is as in the bag, after the contact as nearly as that is found."""
+        """Check that a frame equals that in the bag, after the contact within the tolerance of the contact time."""
         self.assert_close(actual.header, expected.header)
         self.assertEqual(len(actual.agents), len(expected.agents))
         is_after = report.contact and actual.header.stamp.to_sec() > report.contact_time.to_sec() - SAME_CONTACT
@@ -472,7 +472,7 @@ class WholeRoadTest(LiveTest):
             self.assert_close(agent, other, tolerance=SAME_SLIDE if slides else 1e-6)
 
     def assert_steady(self, stamps):
-        """They grow by the interval of frames in between, the last step to a recorded frame by half to one and a half."""
+        """Check that stamps increase by the frame interval; before a recorded frame by 0.5 to 1.5 of it."""
         for before, after in zip(stamps, stamps[1:]):
             self.assertGreater(after, before)
             self.assertLess((after - before).to_sec(), 1.5 / RATE + 1e-3)
@@ -486,18 +486,18 @@ class WholeRoadTest(LiveTest):
 
 
 def kill_node(name):
-    """Ends a node as the kernel would: without a word to anybody."""
+    """Kill a node (SIGKILL), so that it cannot sign off."""
     os.kill(pid_of(name), signal.SIGKILL)
 
 
 def pid_of(name):
-    """The process that is registered as that node; OSError when nobody answers there."""
+    """Return the process of a registered node; OSError if it does not respond."""
     _, _, pid = ServerProxy(rosgraph.Master(rospy.get_name()).lookupNode('/' + name)).getPid(rospy.get_name())
     return pid
 
 
 def main(name):
-    """Runs the tests of the calling script; `name` is the node's and the test-name of the rostest file."""
+    """Run the tests of the calling script; `name`: of the node, and test-name in the rostest file."""
     import rostest
     rospy.init_node(name)
     rostest.rosrun(road.PACKAGE, name, '__main__')

@@ -1,4 +1,4 @@
-"""Scenes that a test makes up and shows to the running suite."""
+"""Synthetic scenes, published to the running suite."""
 import math
 
 import live
@@ -48,18 +48,18 @@ def transform_of(time, parent, child, x=0.0, y=0.0):
 
 
 def traffic(seconds):
-    """Somebody behind, somebody coming towards, and somebody who walks."""
+    """Return a car behind the ego, an oncoming car and a pedestrian."""
     return [agent('behind', -20.0 + 11.0 * seconds), agent('oncoming', 140.0 - 9.0 * seconds, 3.5, math.pi),
             agent('walker', 30.0 + seconds, -5.0, 0.0, Agent.PEDESTRIAN)]
 
 
 def drive(frames, agents=traffic, speed=SPEED):
-    """(seconds, x of the ego, agents) of every frame."""
+    """Return (seconds, x of the ego, agents) of each frame."""
     return [(i * PERIOD, speed * i * PERIOD, agents(i * PERIOD)) for i in range(frames)]
 
 
 class MadeUpTest(live.LiveTest):
-    """A test of the suite in made-up scenes."""
+    """A test of the suite in synthetic scenes."""
     RECORDING = False
     MOVED = 'base_link'  # frame that /tf moves in the map
     HEARD = ['/encoded_scene', '/injected_agents']
@@ -74,7 +74,7 @@ class MadeUpTest(live.LiveTest):
             until(lambda: publisher.get_num_connections() > 0, 'a subscriber of ' + topic)
         for topic, listener in cls.heard.items():
             until(lambda: listener.subscriber.get_num_connections() > 0, 'a publisher of ' + topic)
-        cls.start = 10000.0  # s; every scene starts before the one before: a replay that is restarted
+        cls.start = 10000.0  # s; each scene starts earlier than the previous one, as a restarted replay
 
     def setUp(self):
         super().setUp()
@@ -84,7 +84,7 @@ class MadeUpTest(live.LiveTest):
         self.publishers['/tf'].publish(TFMessage([transform_of(time, 'map', self.MOVED, x)]))
 
     def publish(self, frames):
-        """Frames and the ego's poses at their times, with one pose before them all."""
+        """Publish the frames, the ego's poses at their times, and one earlier pose."""
         start = rospy.Time(self.start)
         self.publishers['/clock'].publish(Clock(start - rospy.Duration(1)))
         self.publish_transform(start - rospy.Duration(1), frames[0][1])
@@ -97,7 +97,7 @@ class MadeUpTest(live.LiveTest):
             self.publishers['/agents'].publish(message)
 
     def show(self, frames, left_out=0):
-        """Publishes until the encoder has had all frames: what comes while it sees time go backwards is lost."""
+        """Publish until the encoder has received all frames: it drops messages while time jumps back."""
         self.publishers['/lane_map'].publish(lane_map())
         end = rospy.Time(self.start) + rospy.Duration(frames[-1][0])
         expected = min(len(frames) - left_out, HISTORY)
@@ -114,7 +114,7 @@ class MadeUpTest(live.LiveTest):
         return until(shown, lambda: '{} frames; last: {:.3000}'.format(expected, str(listener.last())))
 
     def assert_works(self):
-        """Whatever came before, a good scene is answered."""
+        """Check that a valid scene gets an attack, whatever was published before."""
         type(self).start -= 50.0
         scene = self.show(drive(6))
         answer = self.ask_until(lambda answer: answer.code == 0 and answer.attack.pattern.header.stamp == scene.header.stamp,

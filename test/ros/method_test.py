@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A method of a shared library (test/methods) is known wherever methods are: to forge, to the live node, to the panel."""
+"""A method of a shared library (test/methods) is available in forge, in the live node and in the panel."""
 import csv
 import json
 import shutil
@@ -16,12 +16,12 @@ SCENE = 'scene-0001'
 
 
 def library():
-    """What test/ros/CMakeLists.txt builds of the method, beside the suite's own libraries."""
+    """Return the path of the method's library, built by test/ros/CMakeLists.txt."""
     return Path(shutil.which('forge')).resolve().parent.parent / 'lib' / 'libfirst_verified_quintic.so'
 
 
 def config_with_method(folder):
-    """A folder for --config with the library of the method in it."""
+    """Create a folder for --config that names the method's library."""
     folder.mkdir()
     (folder / 'methods.yaml').write_text('libraries: [{}]\n'.format(library()))
     return folder

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Two runs of one command on one --out: one writes it, the other is refused before it works and names the first.
+"""Two runs of one command on one --out: one writes it, the other is rejected at its start and names the first.
 
-PAIRS=100 neighbours_test.py runs so many pairs of every command, and prints what became of them."""
+PAIRS=100 neighbours_test.py runs 100 pairs of every command and prints their outcomes."""
 import os
 import re
 import shutil
@@ -21,7 +21,7 @@ COUNTS = {}  # by command: what became of its pairs
 
 
 def content(path):
-    """Every file of an output with its bytes; that of a training's state is never the same twice."""
+    """Return the bytes of each file of an output, without the state of a training, which differs in every run."""
     if path.is_file():
         return {'': path.read_bytes()}
     return {str(file.relative_to(path)): file.read_bytes() if '.pt' not in file.suffixes else b''
@@ -76,7 +76,7 @@ class NeighboursTest(road.RoadTest):
         self.assertEqual([name for name in expected if written[name] != expected[name]], [])
 
     def assert_neighbours(self, name, *words):
-        """Pairs of runs of `words`, which may end one after the other where the machine is slow."""
+        """Run pairs of the command `words`; on a slow machine a pair may run one after the other."""
         ending = '.bag' if words[0] == 'inject' else ''
         alone, out = (self.path('{}_{}{}'.format(name.replace(' ', '_'), which, ending)) for which in ('alone', 'pair'))
         code, errors = self.end(self.start(words, alone))

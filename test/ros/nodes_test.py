@@ -9,12 +9,12 @@ import live
 import road
 from live import NODES, ask, until
 
-ANSWER_LIMIT = 10.0  # s; how long the generator may take to notice that a node is gone
-FROZEN_LIMIT = 30.0  # s; the same for a node that is there but does not answer
+ANSWER_LIMIT = 10.0  # s within which the generator must notice that a node is missing
+FROZEN_LIMIT = 30.0  # s; as above, for a node that runs but does not respond
 
 
 class NodeAloneTest(road.RoadTest):
-    """rosrun of one node: it offers what it should, and ends when it is told to."""
+    """rosrun of one node: it has its topics and services, and ends on a signal."""
 
     def run_node(self, name, *arguments):
         with open(str(self.path('log')), 'w') as log:
@@ -75,10 +75,10 @@ class SeparateNodesTest(live.WholeRoadTest):
         self.assert_played_on(answer, attacked)
 
     def check_killed(self, name):
-        """The answer says within bounded time that a node is gone, and is as before when roslaunch has restarted it."""
+        """The response reports a missing node in bounded time; after its restart it has the same attack as before."""
         answer, attacked = self.play_and_ask('lane_change', 'history', 1)
         _, tta, _ = self.offline('lane_change', 'history', 1)
-        self.suite.process.send_signal(signal.SIGSTOP)  # so that it does not restart the node at once
+        self.suite.process.send_signal(signal.SIGSTOP)  # delays the restart of the node
         self.addCleanup(self.suite.process.send_signal, signal.SIGCONT)
         live.kill_node(name)
         start = time.monotonic()
@@ -91,7 +91,7 @@ class SeparateNodesTest(live.WholeRoadTest):
         self.assert_answer(again, attacked)
 
     def check_frozen(self, name):
-        """A node that does not answer does not hang the caller, and is used again when it goes on."""
+        """A node that does not respond does not block the caller, and is used again when it continues."""
         _, attacked = self.play_and_ask('lane_change', 'history', 1)
         _, tta, _ = self.offline('lane_change', 'history', 1)
         pid = live.pid_of(name)
@@ -110,7 +110,7 @@ class SeparateNodesTest(live.WholeRoadTest):
         self.check_killed('pattern_predictor')
 
     def check_restarted(self, name):
-        """A node that was killed is back after a while, connected to all others, and the road is whole again."""
+        """A killed node is restarted and connected to all others, and the pipeline works again."""
         pid = live.pid_of(name)
         live.kill_node(name)
         self.suite.wait_until_back(name, pid)

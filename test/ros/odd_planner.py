@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""usage: odd_planner.py MODE: an external planner that keeps its speed straight on, well for five ticks, and then as MODE says.
+"""usage: odd_planner.py MODE: an external planner that drives straight on: valid plans for five steps, then faults.
 
-straight: goes on like that. never: is silent. dies: ends without a word. nan, empty, unfilled: answers with a number that is
-none, without points, without orientations. far, many: to a place far away, with too many points.
-late: names the tick before. stranger: answers another test first, then well. From the first tick on, twice: answers that one twice, and deaf: leaves it out when it comes first.
+MODE after the valid plans: straight: no fault; never: no response; dies: exits; nan: a coordinate is NaN; empty: no
+points; unfilled: an invalid orientation; far: a point far away; many: too many points; late: the stamp of the previous
+step; stranger: first an empty plan of another test, then the valid one. At the first step: twice: publishes the plan
+twice; deaf: ignores the state until it is repeated.
 """
 import math
 import os

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Patterns are realised: what a predictor in a node of its own asks for is what comes."""
+"""The attack realises the pattern of a predictor that runs in its own node."""
 import math
 import signal
 import subprocess
@@ -19,12 +19,12 @@ NEAR = 0.3  # m
 
 
 def beside(seconds):
-    """Somebody in the left lane, a little behind and faster."""
+    """Return a car in the left lane, a little behind the ego and faster."""
     return [agent('beside', -22.0 + 11.0 * seconds, 3.5)]
 
 
 def seen_from(base, pose):
-    """x, y and heading."""
+    """Return x, y and heading of `pose` in the frame of `base`."""
     dx, dy = pose.x - base.x, pose.y - base.y
     cosine, sine = math.cos(base.theta), math.sin(base.theta)
     return dx * cosine + dy * sine, dy * cosine - dx * sine, math.remainder(pose.theta - base.theta, math.tau)
@@ -50,7 +50,7 @@ class PatternsTest(MadeUpTest):
         cls.predictor.wait()
 
     def corner_miss(self, attack, size):
-        """m between the attacker's right front corner and the ego's left rear one at the contact."""
+        """Return the distance (m) of the attacker's right front corner from the ego's left rear one at contact."""
         x, y, heading = seen_from(attack.report.ego_at_contact, attack.report.attacker_at_contact)
         along, across = 0.5 * attack.trajectory.size.x, -0.5 * attack.trajectory.size.y
         corner = (x + along * math.cos(heading) - across * math.sin(heading),
@@ -69,7 +69,7 @@ class PatternsTest(MadeUpTest):
         self.assertLess(self.corner_miss(attack, scene.ego.size), NEAR)
 
     def realize_exactly(self, change):
-        """The answer of realize_trajectory for the predictor's pattern, changed."""
+        """Call realize_trajectory with a changed pattern of the predictor; return the response."""
         scene = self.show(drive(8, beside)).snapshot
         request = RealizeTrajectoryRequest(scene=scene, exact=True)
         request.request.collision_type, request.request.tta, request.request.mode = 'lane_change', 4.0, 'history'

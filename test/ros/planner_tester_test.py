@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""planner_tester: planners of the suite and in nodes of their own, driven through scenarios and trajectories."""
+"""planner_tester: built-in planners and planner nodes, tested with scenarios and trajectories."""
 import copy
 import json
 import math
@@ -24,7 +24,7 @@ from visualization_msgs.msg import MarkerArray
 
 ROOT = ('--dataroot', DATAROOT, '--version', VERSION)
 PLANNERS = ['idm', 'rule_based', 'pdm', 'torchscript']
-GOOD_TICKS = 5  # of odd_planner.py
+GOOD_TICKS = 5  # valid plans of odd_planner.py
 SILENCE = 3.0  # s after which an external planner counts as silent; the good ticks take milliseconds
 CODES = {value: name for name, value in vars(TestPlannerResponse).items() if name.isupper() and isinstance(value, int)}
 
@@ -69,7 +69,7 @@ class PlannerTesterTest(road.RoadTest):
         return self.ask(**fields).outcome
 
     def attack(self):
-        """An attack of forge inject over the recording."""
+        """Return an attack of forge inject on the recording."""
         attacked = self.path('attacked.bag')
         if not attacked.exists():
             result = road.inject(self.bag('scene-0001'), attacked, 'rear_end', 4, 8, '--mode', 'replay')
@@ -77,7 +77,7 @@ class PlannerTesterTest(road.RoadTest):
         return road.read_one(attacked, '/attack')
 
     def run_external(self, *command):
-        """Runs a planner in a node of its own until the test ends."""
+        """Run a planner node until the test ends."""
         name = self.id().rsplit('.', 1)[-1]
         node = start(self.folder, *command, '__name:=' + name)
         self.addCleanup(node.wait)
@@ -89,7 +89,7 @@ class PlannerTesterTest(road.RoadTest):
 
     @staticmethod
     def forget(name):
-        """Takes a node from the master that may have died without a word."""
+        """Unregister a node that may have been killed."""
         master = rosgraph.Master('/' + name)
         if ('/planned_trajectory', name) in live.graph()[0]:
             uri = master.lookupNode('/' + name)
@@ -295,7 +295,7 @@ class PlannerTesterTest(road.RoadTest):
         return self.ask_external(SILENCE if mode == 'never' else live.TIMEOUT, **fields)
 
     def assert_failed(self, outcome, failure, word):
-        """Ended by that after the good ticks, and the next planner is tested as if nothing had been."""
+        """The test ends with this failure after the valid plans, and the next test is not affected."""
         self.assertEqual(outcome.failure, failure, outcome.failure_message)
         self.assertIn(word, outcome.failure_message)
         self.assertFalse(outcome.collided)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""forge test: on scenarios over embedded logs and on clips made here, how it goes on, and what it does with bad input."""
+"""forge test: scenarios over embedded logs, synthetic clips, resumption, and errors for invalid input."""
 import csv
 import json
 import subprocess
@@ -193,7 +193,7 @@ class TestPlannersTest(road.RoadTest):
 
     @staticmethod
     def ego_pose(scenario):
-        """Where the ego's middle is now, from the embedded tables."""
+        """Return the position of the ego's box centre at t0, from the embedded tables."""
         recording = collide_clips.Recording(DATAROOT / VERSION, scenario['scene'])
         frame = min(range(len(recording.timestamps)),
                     key=lambda i: abs(recording.timestamps[i] * 1e-6 - scenario['now']))

@@ -23,8 +23,8 @@ from live import until
 
 SCENE, TYPE, NOW, TTA = 'scene-0007', 'lane_change', 4.0, 4.0
 START_TIMEOUT = 60.0  # s
-STOPPED = 4.0  # s after the contact; the attacker has come to a stand
-# A node that is interrupted while its main thread holds what a message is queued with.
+STOPPED = 4.0  # s after the contact, when the attacker is at rest
+# A node that gets SIGINT while its main thread holds the lock of a message queue.
 INTERRUPTED = """
 import os, signal, sys, time
 import rospy
@@ -84,7 +84,7 @@ class PlayerTest(road.RoadTest):
 
     @staticmethod
     def wait_until_still(look):
-        """Until a look finds what the one before it found; what was on its way has come by then."""
+        """Wait until two successive calls of `look` are equal, so that pending messages have arrived."""
         def is_still():
             before = look()
             time.sleep(0.3)
@@ -92,7 +92,7 @@ class PlayerTest(road.RoadTest):
         until(is_still, 'no change', START_TIMEOUT)
 
     def frames(self):
-        """(time, stamp) of each frame of agents of the bag."""
+        """Return (record time, stamp) of each frame of agents in the bag."""
         return [(time_of, message.header.stamp) for message, time_of in road.read(self.bag(SCENE), '/agents')]
 
 
@@ -104,7 +104,7 @@ class PlayerAloneTest(PlayerTest):
 
     @staticmethod
     def forget_parameters():
-        """Those of the player of another test."""
+        """Delete the parameters of the previous test's player."""
         if rospy.has_param('/player'):
             rospy.delete_param('/player')
 
@@ -177,7 +177,7 @@ class PlayerAloneTest(PlayerTest):
 
 
 class ReplayStartTest(PlayerTest):
-    """replay.launch with nothing but a bag."""
+    """replay.launch with only a bag."""
 
     def test_waits_at_a_time_with_history_and_logs_how_to_continue(self):
         self.hear()
@@ -193,7 +193,7 @@ class ReplayStartTest(PlayerTest):
             self.assertEqual(attack.now, start)
 
     def relative(self):
-        """The bag from where the launch is started."""
+        """Return the bag's path relative to the folder of the launch."""
         return os.path.relpath(str(self.bag(SCENE)), os.environ.setdefault('PWD', os.getcwd()))
 
 
@@ -232,7 +232,7 @@ class AttackedReplayTest(PlayerTest):
 
 
 class ReplayTest(PlayerTest):
-    """replay.launch, as a person uses it."""
+    """replay.launch, controlled as by a user."""
 
     def setUp(self):
         self.hear()
@@ -248,7 +248,7 @@ class ReplayTest(PlayerTest):
         return rospy.ServiceProxy('/player/' + name, kind)(*arguments)
 
     def step_to(self, seconds):
-        """Returns the stamp of the frame there."""
+        """Step to the first frame after `seconds`; return its stamp."""
         end = next(frame for frame in self.frames() if (frame[0] - self.frames()[0][0]).to_sec() > seconds - 0.01)
         until(lambda: self.call('step').success and self.times()[-1] >= end[0], 'the frame', interval=0.1)
         return end[1]
@@ -259,7 +259,7 @@ class ReplayTest(PlayerTest):
         self.check_plays()
 
     def check_steps(self):
-        """From the first frame, which is shown, to the next ones."""
+        """Steps lead from the first frame, which is shown at the start, to the next ones."""
         frames = self.frames()
         self.assertEqual(self.agents.all()[-1].header.stamp, frames[0][1])
         for time_of, stamp in frames[1:4]:
@@ -273,7 +273,7 @@ class ReplayTest(PlayerTest):
         self.assertEqual(self.times()[-1], frames[3][0], 'time stands still')
 
     def check_seeks(self):
-        """Forwards and back, and says where it is."""
+        """Seeks forwards and backwards, and publishes the position."""
         position = Heard('/player/position', Float64)
         self.addCleanup(position.subscriber.unregister)
         seek = rospy.ServiceProxy('/player/seek', Seek)
@@ -294,7 +294,7 @@ class ReplayTest(PlayerTest):
             self.assertIn('is outside the bag: 0 to', answer.message)
 
     def check_plays(self):
-        """With a steady clock, until it is paused."""
+        """Plays with an even clock until it is paused."""
         self.assertTrue(self.call('pause', False).success)
         self.wait_for_state(False)
         self.clock.clear()
@@ -303,7 +303,7 @@ class ReplayTest(PlayerTest):
         self.call('pause', True)
         self.wait_for_state(True)
         self.assertEqual(times, sorted(times))
-        self.assertAlmostEqual((times[-1] - times[0]).to_sec(), 4.0, delta=1.0)  # twice as fast as the wall's
+        self.assertAlmostEqual((times[-1] - times[0]).to_sec(), 4.0, delta=1.0)  # at twice the speed
         self.assertGreater(len(times), 60)
         steps = sorted((after - before).to_sec() for before, after in zip(times, times[1:]))
         self.assertLess(steps[len(steps) * 9 // 10], 0.1)
@@ -357,12 +357,12 @@ class ReplayTest(PlayerTest):
 
     @staticmethod
     def gone_back(injected, now):
-        """What came after the player went back to `now`; before it the attacker drove into the contact already."""
+        """Return the messages after the player's step back to `now`: before it the attack was played once."""
         messages = injected.all()
         return messages[max(index for index, message in enumerate(messages) if message.header.stamp == now):]
 
     def check_stands(self, injected, report, now):
-        """The attacker leaves its trajectory at the contact, and comes to a stand."""
+        """Check that the attacker leaves its trajectory at the contact and decelerates to a stop."""
         self.assertTrue(report.contact)
         driven = [(message.header.stamp, agent) for message in self.gone_back(injected, now)
                   for agent in message.agents if agent.id == report.attacker_id]
@@ -373,7 +373,7 @@ class ReplayTest(PlayerTest):
         self.assertEqual(driven[-1][1].pose, driven[-2][1].pose)
 
     def check_rate(self, injected, now):
-        """From now on frames come at 10 Hz of the bag's time, and none while it is paused."""
+        """Check that frames come at 10 Hz of the bag's time from t0 on, and none during a pause."""
         self.call('pause', True)
         self.wait_for_state(True)
         self.wait_until_still(lambda: len(injected.all()))

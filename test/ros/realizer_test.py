@@ -16,7 +16,7 @@ JERK = 0.5      # m/s3 of a drive that hits the ego after 4 s
 
 
 def straight_on(message, jerk=JERK):
-    """The first pattern, driven by its vehicle along its lane, speeding up with this jerk in m/s3."""
+    """Return a drive of the first pattern's vehicle along its lane with this jerk (m/s3)."""
     pattern = message.patterns[0]
     track = next(track for track in message.scene.agents if track.id == pattern.attacker_id)
     now = track.states[-1]
@@ -43,7 +43,7 @@ def straight_on(message, jerk=JERK):
 class RealizerTest(MadeUpTest):
     ARGUMENTS = {'realizer': 'false'}
 
-    asked = []     # since the last request
+    asked = []     # requests received since the last request
     answer = None  # the realiser
 
     @classmethod
@@ -58,7 +58,7 @@ class RealizerTest(MadeUpTest):
         return cls.answer(message)
 
     def ask(self, answer, collision_type='rear_end', **fields):
-        """The answer to a request for a collision 4 s from now, with this realiser."""
+        """Request a collision 4 s from t0 with this realiser; return the response."""
         type(self).answer, type(self).asked = staticmethod(answer), []
         self.show(drive(8, lambda seconds: [agent('behind', -20.0 + SPEED * seconds)]))
         fields.setdefault('believable', 'false')

@@ -38,7 +38,7 @@ class AttackedTest(MadeUpTest):
         return rospy.Time(self.start) + rospy.Duration(seconds)
 
     def attacked(self):
-        """A scene with an attack; the answer."""
+        """Publish a scene and request an attack; return the response."""
         self.show(drive(6))
         answer = self.ask_until(lambda answer: answer.code == 0 and answer.attack.header.stamp == self.time(NOW))
         self.heard['/attack'].wait(lambda attack: attack.trajectory == answer.attack.trajectory)
@@ -51,7 +51,7 @@ class AttackedTest(MadeUpTest):
         return answer
 
     def assert_tested_by(self, publish_pose):
-        """`publish_pose` says where the ego goes on to."""
+        """Check that tested_report uses the poses of `publish_pose`, the ego's motion after t0."""
         answer = self.attacked()
         self.heard['/tested_report'].clear()
         self.heard['/injected_agents'].clear()
@@ -88,7 +88,7 @@ class FixedBaseTest(AttackedTest):
 class RequestsTest(AttackedTest):
 
     def assert_forgotten(self):
-        """By all nodes: no markers, and agents pass as they are."""
+        """Check that all nodes have dropped the attack: no markers, and agents pass unchanged."""
         self.assertEqual(self.heard['/attack'].wait().trajectory.attacker_id, '')
         self.heard['/attack_markers'].wait(lambda array: len(array.markers) == 1)
         self.heard['/pattern_markers'].wait(lambda array: len(array.markers) == 1)
@@ -199,7 +199,7 @@ class RequestsTest(AttackedTest):
         self.ask_for_code('UNKNOWN_ATTACKER', attacker='nobody')
         self.ask_for_code('INVALID_INPUT', mode='hystory')
         self.assertIn('removed', rospy.ServiceProxy('/reset', Trigger)().message)
-        self.assert_forgotten()  # by the reset alone
+        self.assert_forgotten()  # after the reset only
         self.assertEqual(len(self.heard['/attack'].all()), 1)
 
     # Scenes: which, and how old
@@ -259,7 +259,7 @@ class RequestsTest(AttackedTest):
                          [frame.header.stamp for frame in self.heard['/injected_agents'].all()])
 
     def test_the_ego_is_tested_where_tf_has_it_though_odometry_drifts(self):
-        """map -> odom takes back a drift of odom -> base_link, 0.3 m/s to the side."""
+        """map -> odom compensates a drift of odom -> base_link, 0.3 m/s sideways."""
         self.assert_tested_by(self.publish_drifting)
 
     def publish_drifting(self, time, seconds):
@@ -268,7 +268,7 @@ class RequestsTest(AttackedTest):
             self.publishers['/tf'].publish(TFMessage([transform_of(time, parent, child, x, y)]))
 
     def show_at(self, times):
-        """Frames at these seconds, in this order; the scene of the last."""
+        """Publish frames at these seconds, in this order; return the scene of the last one."""
         def shown():
             self.heard['/encoded_scene'].clear()
             self.publish([(seconds, SPEED * seconds, traffic(seconds)) for seconds in times])

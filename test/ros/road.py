@@ -53,8 +53,7 @@ def inject(bag, out, collision_type, tta, now, *arguments):
 
 
 def leave_part(path, text, header=False, lines_per_item=1):
-    """What a stopped run leaves: PATH.part, and beside it the checksums of its complete items (FNV-1a, one going on
-    from the other)."""
+    """Create the files of an interrupted run: PATH.part, and the checksums of its complete items (FNV-1a, chained)."""
     part = Path(str(path) + '.part')
     part.write_bytes(text)
     lines = text.split(b'\n')[int(header):-1]
@@ -67,12 +66,12 @@ def leave_part(path, text, header=False, lines_per_item=1):
 
 
 def is_not_as_asked(injection):
-    """Whether a run of forge inject wrote a bag that does not show the crash asked for."""
+    """Return True if a run of forge inject wrote a bag that does not show the requested crash."""
     return injection.returncode == 3 and injection.stderr.splitlines()[-1].startswith('NOT_AS_ASKED: ')
 
 
 def code_of(injection):
-    """The name of the status code that a run of forge inject ended with; OK with every attack that it wrote."""
+    """Return the status code of a run of forge inject; OK whenever it wrote an attack."""
     if injection.returncode == 0 or is_not_as_asked(injection):
         return 'OK'
     if injection.returncode == 3:
@@ -81,7 +80,7 @@ def code_of(injection):
 
 
 class RoadTest(unittest.TestCase):
-    """A test with a folder for its files, and with the bags of some scenes of the embedded data in it."""
+    """A test with a temporary folder that contains the bags of SCENES, scenes of the embedded data."""
     SCENES = []
 
     @classmethod
@@ -97,18 +96,18 @@ class RoadTest(unittest.TestCase):
         return self.folder / (scene + '.bag')
 
     def path(self, name):
-        """A path for a file of this test alone."""
+        """Return a path for a file that only this test uses."""
         return self.folder / (self.id().rsplit('.', 1)[-1] + '_' + name)
 
     def assert_close(self, actual, expected, tolerance=1e-6, name='message'):
-        """Two messages (or their parts) are equal, numbers and times to the tolerance; headers but for `seq`."""
+        """Check that two messages (or parts) are equal, numbers and times within the tolerance; ignore header.seq."""
         if isinstance(expected, (Time, Duration)):
             actual, expected = actual.to_sec() - expected.to_sec(), 0.0
         if hasattr(expected, '__slots__'):
             self.assertIs(type(actual), type(expected), name)
             for field in expected.__slots__:
                 if field == 'seq' and hasattr(expected, 'frame_id'):
-                    continue  # counts what the publisher has sent
+                    continue  # counts the publisher's messages
                 self.assert_close(getattr(actual, field), getattr(expected, field), tolerance, name + '.' + field)
         elif isinstance(expected, (list, tuple)):
             self.assertEqual(len(actual), len(expected), 'length of ' + name)
@@ -121,7 +120,7 @@ class RoadTest(unittest.TestCase):
 
 
 def messages_of(bag, topics=None):
-    """Like bag.read_messages(), but as messages of the types that are installed, which compare with others."""
+    """Like bag.read_messages(), but with the installed message classes, which can be compared."""
     for topic, (datatype, data, md5sum, _, class_of_bag), time in bag.read_messages(topics, raw=True):
         message_class = roslib.message.get_message_class(datatype) or class_of_bag
         assert message_class._md5sum == md5sum, '{} was recorded with another {}'.format(topic, datatype)
@@ -129,7 +128,7 @@ def messages_of(bag, topics=None):
 
 
 def read(path, topic):
-    """The messages of a topic with the times at which they were recorded."""
+    """Return the messages of a topic with their record times."""
     with rosbag.Bag(str(path)) as bag:
         return [(message, time) for _, message, time in messages_of(bag, topic)]
 
@@ -140,7 +139,7 @@ def read_one(path, topic):
 
 
 def read_raw(path):
-    """By topic: (time in ns, bytes) of every message."""
+    """Return {topic: [(time in ns, bytes)]}."""
     messages = {}
     with rosbag.Bag(str(path)) as bag:
         for topic, raw, time in bag.read_messages(raw=True):
@@ -149,7 +148,7 @@ def read_raw(path):
 
 
 def copy_bag(source, target, change):
-    """Copies a bag message by message; `change(topic, message)` returns what to write instead, None for nothing."""
+    """Copy a bag; `change(topic, message)` returns the message to write instead, None for no message."""
     with rosbag.Bag(str(source)) as bag, rosbag.Bag(str(target), 'w') as changed:
         for topic, message, time in messages_of(bag):
             message = change(topic, message)

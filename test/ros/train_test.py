@@ -9,7 +9,7 @@ import road
 from road import DATAROOT, VERSION
 
 FEW = {'max_agents': 4, 'max_lanes': 4, 'lane_points': 4, 'max_ways': 2, 'way_anchors': 7, 'hidden': 8, 'scene': 8,
-       'anchor': 8, 'epochs': 3, 'min_vehicle_speed': 30.0}  # no vehicle in the ego's place
+       'anchor': 8, 'epochs': 3, 'min_vehicle_speed': 30.0}  # no other vehicle is treated as the ego
 
 
 class TrainTest(road.RoadTest):
@@ -25,7 +25,7 @@ class TrainTest(road.RoadTest):
         path.write_text(text)
 
     def train(self, out, *arguments, room=None):
-        """Where `room` is given, files grow no larger, as on a full disk, bytes."""
+        """Run forge train. `room`: maximum file size (bytes), simulates a full disk."""
         command = ['forge', 'study', 'train', '--config', self.config, '--dataroot', DATAROOT, '--version', VERSION,
                    '--out', out, *arguments]
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""forge tune: on scenarios over embedded logs, how it goes on, and what it does with bad input."""
+"""forge tune: scenarios over embedded logs, resumption, and errors for invalid input."""
 import csv
 import json
 import re
@@ -114,7 +114,7 @@ class TunePlannerTest(road.RoadTest):
         self.assertLessEqual({'tuned_collision', 'collision_avoidable', 'progress'}, {row['measure'] for row in rows})
 
     def clips(self):
-        """A folder of clips: the attacks of both files."""
+        """Create a folder of clips with the attacks of both files."""
         folder, requests = self.path('clips'), self.path('requests.jsonl')
         requests.write_text(''.join((self.folder / (name + '_requests.jsonl')).read_text() for name in ('a', 'b')))
         result = road.run('generate', *ROOT, '--requests', requests, '--out', folder, '--format', 'csv-collide',

@@ -341,7 +341,7 @@ TEST_F(PanelTest, ReportsAServiceThatDoesNotRespond) {
   config.mapSetValue("Seed", 13);
   panel_.load(config);
   button("generate")->click();
-  EXPECT_TRUE(says("status", "No answer"));
+  EXPECT_TRUE(says("status", "No response"));
   EXPECT_TRUE(button("generate")->isEnabled());
 }
 

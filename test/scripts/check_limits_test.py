@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What scripts/check_limits must find in a scenario file, and what it must let pass."""
+"""scripts/check_limits: violations that it must find in a scenario file, and valid motions that it must accept."""
 import json
 import math
 import random
@@ -38,7 +38,7 @@ class CheckLimits(unittest.TestCase):
         return self.run_on(''.join(json.dumps(line) + '\n' for line in scenarios))
 
     def broken(self, *scenarios):
-        """The names of the limits that trajectories of one class are said to break."""
+        """Return the limits that are reported as violated for trajectories of one class."""
         result = self.check(*scenarios)
         lines = result.stdout.splitlines()
         names = [line.split(' seed 7: ')[1].rsplit(' ', 6)[0] for line in lines[:-1 - self.SUMMARY]]
@@ -63,7 +63,7 @@ class Vehicle:
         return scenario(Drive(self.wheelbase, *arguments, **options).points(), self.agent_class)
 
     def steering(self, speed, lateral):
-        """The angle at which that is the lateral acceleration."""
+        """Return the steering angle with this lateral acceleration."""
         return math.atan(self.wheelbase * lateral / speed**2)
 
 
@@ -103,9 +103,9 @@ def random_knots(draw, between, greatest_slope, low, high):
 
 
 def random_drive(draw, vehicle):
-    """Within all limits, often at one."""
+    """Return a random drive within all limits, often at one of them."""
     fastest = draw.uniform(3.0, vehicle.max_speed)
-    share = draw.uniform(0.0, 0.99)  # of braking; what is left of the friction circle is for turning
+    share = draw.uniform(0.0, 0.99)  # of braking; the rest of the friction circle is available for turning
     radius = max(vehicle.max_braking, vehicle.max_lateral_acceleration)
     lateral = min(vehicle.max_lateral_acceleration, radius * math.sqrt(1.0 - share**2))
     forward = min(share * radius, vehicle.max_forward_acceleration * min(1.0, vehicle.switching_speed / fastest))

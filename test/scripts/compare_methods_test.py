@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What scripts/compare_methods makes of forge's tables; a stand-in answers for forge."""
+"""scripts/compare_methods: its table for the outputs of a fake forge."""
 import os
 import subprocess
 import tempfile
@@ -9,7 +9,7 @@ from pathlib import Path
 PACKAGE = Path(__file__).resolve().parent.parent.parent
 HEAD = '| method | LC | OD | RE | JC | LTAP | 0.5-1 s | all |\n|---|---|---|---|---|---|---|---|\n'
 
-# Each rate shows what it belongs to: the place of the method among the known ones, and the mode.
+# Each rate encodes its method (the index among the known ones) and its mode.
 STAND_IN = '''#!/usr/bin/python3
 import pathlib, sys
 words = sys.argv[2:]

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What scripts/faults finds in programs that are no forge, that it lets forge pass, and which words it refuses."""
+"""scripts/faults: faults that it finds in fake programs, forge passes, and invalid arguments are rejected."""
 import os
 import subprocess
 import tempfile
@@ -21,7 +21,7 @@ class FaultsTest(unittest.TestCase):
                               env=dict(os.environ, PATH='{}:{}'.format(self.folder, os.environ['PATH'])))
 
     def pretend(self, script):
-        """A program that is taken for forge, whose output is $out."""
+        """Write a program that replaces forge; its output is $out."""
         path = self.folder / 'forge'
         path.write_text('#!/bin/bash\nfor out; do :; done\n' + script)
         path.chmod(0o755)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What python/bin/pickle_worker reads, and what it refuses."""
+"""python/bin/pickle_worker: pickles that it reads, and pickles that it rejects."""
 import array
 import base64
 import importlib.machinery
@@ -52,7 +52,7 @@ def setUpModule():
 
 
 class Called:
-    """What is pickled as a call of a function."""
+    """An object that is pickled as a function call."""
 
     def __init__(self, *call):
         self.call = call

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""scripts/ros_faults: what it takes for nonsense, and one round of two of its kinds."""
+"""scripts/ros_faults: responses that it counts as invalid, and one round of two kinds of fault."""
 import socket
 import subprocess
 import sys

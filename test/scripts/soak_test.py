@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What scripts/soak counts, when it is content, and that a seed gives the same requests again."""
+"""scripts/soak: its counts, its pass criterion, and equal requests for equal seeds."""
 import importlib.machinery
 import importlib.util
 import sys

@@ -28,8 +28,8 @@ class AttackSource {
   virtual std::string described() const = 0;
   /// Returns the fingerprints of the inputs, by name; a changed input invalidates an earlier run.
   virtual std::map<std::string, std::string> fingerprints() const = 0;
-  /// Builds the record of one attack, which starts `history` s before t0. Throws std::runtime_error
-  /// if the attack or its scene is invalid.
+  /// Returns the record of one attack, which starts `history` s before t0. Called once per attack
+  /// and history. Throws std::runtime_error if the attack or its scene is invalid.
   virtual CrashRecord record(std::size_t index, double history) = 0;
 };
 

@@ -44,6 +44,7 @@ class CommandLine {
 
   /// Returns the full name of the selected command, as "forge study measure latency".
   std::string name() const;
+  /// The root of the CLI11 commands.
   const CLI::App& app() const { return app_; }
 
  private:

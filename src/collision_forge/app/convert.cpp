@@ -188,10 +188,11 @@ void addConvert(CommandLine& line) {
   addOut(app, arguments->out, "output folder, one file per scene");
   addChoice<bool>(app, "--to", arguments->to_scenario_net, {{"bag", false}, {"scenarionet", true}},
                   "output format");
-  addChoice<RowTimes>(app, "--rows", arguments->rows,
-                      {{"even", RowTimes::kEveryStep}, {"recorded", RowTimes::kAsRecorded}},
-                      "of ScenarioNet; even: every step of export.yaml, as MetaDrive replays; "
-                      "recorded: when something was recorded, so that nothing is lost");
+  addChoice<RowTimes>(
+      app, "--rows", arguments->rows,
+      {{"even", RowTimes::kEveryStep}, {"recorded", RowTimes::kAsRecorded}},
+      "times of the states in ScenarioNet files; even: every `step` of export.yaml, which "
+      "MetaDrive needs; recorded: the recorded times, without loss");
   addJobs(app, arguments->jobs, "scenes converted in parallel");
   app.add_flag("--force", arguments->force, "also convert scenes whose output exists");
   addConfig(app, arguments->config);

@@ -125,8 +125,7 @@ ResumableFile::Options inputsOf(const Config& config, const LogSource& logs);
 /// Adds the fingerprint of the weights of `method` if it is a learned baseline.
 void addWeightsOf(const std::string& method, const Config& config, ResumableFile::Options& options);
 
-/// Returns a callback that shows the progress of reading nuScenes tables on stderr; an empty
-/// function on ranks other than the master.
+/// Returns a callback that shows the progress of reading nuScenes tables on stderr.
 NuScenesProgress showReading();
 
 /// Prints each warning on stderr as "warning: SUBJECT: WARNING".

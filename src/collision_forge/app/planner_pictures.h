@@ -17,7 +17,7 @@ namespace forge {
 ScenarioView viewOfCollision(const PlannerCase& one, const PlannerRow& row, const Config& config);
 
 /// Returns the view of the evasive manoeuvre that would have avoided the collision, with the
-/// attacker's reaction to it. `row.escape_drive` must be set.
+/// attacker's reaction to it. `row.evasion_drive` must be set.
 ScenarioView viewOfEvasiveManoeuvre(const PlannerCase& one, const PlannerRow& row);
 
 /// Writes PATH.png and PATH.gif.

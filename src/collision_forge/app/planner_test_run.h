@@ -44,13 +44,16 @@ class PlannerTestRun {
   /// Throws ConfigError, PlannerFileError, and the exceptions of lockFolders().
   explicit PlannerTestRun(PlannerTestArguments arguments);
 
+  /// The configuration, with the user's planners.
   const Config& config() const { return config_; }
+  /// Planners, background and policies of the arguments.
   const TestPlan& plan() const { return plan_; }
+  /// Path of results.jsonl in the output folder.
   const std::string& resultsPath() const { return results_path_; }
 
   /// Tests the planners on all cases; resumes an interrupted run. `fingerprints`: inputs of the
-  /// results besides configuration, logs, cases and planners. The master writes tables and pictures
-  /// to OUT, prints the summary and returns the results; other ranks return an empty vector. Throws
+  /// results besides configuration, logs, cases and planners. Writes tables and pictures to OUT,
+  /// prints the summary and returns the results, without motions. Throws
   /// std::runtime_error if no case could be tested.
   std::vector<PlannerTestResult> run(const PlannerCases& cases,
                                      const ResumableFile::Options& fingerprints = {}) const;

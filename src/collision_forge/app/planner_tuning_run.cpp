@@ -33,7 +33,7 @@ struct PlannersFile {
   std::string text;
 };
 
-/// The inputs of a tuning run, the same on every rank.
+/// The inputs of a tuning run.
 struct Tuning {
   const TuningArguments& arguments;
   const Config& config;
@@ -89,7 +89,7 @@ Run partRun(const Tuning& tuning, const std::string& name, const PlannerCases& c
   return run;
 }
 
-/// Tests every variant on the training cases. Returns the results on the master, else nothing.
+/// Tests every variant on the training cases and returns the results.
 std::vector<PlannerTestResult> driveVariants(const Tuning& tuning) {
   return testCases(partRun(tuning, "train", *tuning.cases.train), *tuning.cases.train,
                    [&](const PlannerCase& one) {
@@ -106,8 +106,7 @@ std::vector<PlannerVariant> comparedVariants(const Tuning& tuning, std::size_t b
   return pair;
 }
 
-/// Tests default and tuned planner on the test cases. Returns the results on the master, else
-/// nothing.
+/// Tests default and tuned planner on the test cases and returns the results.
 std::vector<PlannerTestResult> compare(const Tuning& tuning, std::size_t best) {
   const std::vector<PlannerVariant> pair = comparedVariants(tuning, best);
   return testCases(

@@ -19,8 +19,8 @@ namespace forge {
 
 /// The command-line arguments of a tuning run.
 struct TuningArguments {
-  std::string planner = "pdm";
-  OwnPlanners own_planners;
+  std::string planner = "pdm";  ///< one of plannerNames()
+  OwnPlanners own_planners;     ///< files and commands of the user's planners
   std::string grid;  ///< YAML file with the values; empty: tuning.yaml of the configuration
   LogSource logs;
   Background background = Background::kReplay;  ///< motion of other agents
@@ -39,9 +39,8 @@ struct TuningCases {
 };
 
 /// Tunes a planner on the cases that `open` returns; resumes an interrupted run. Writes the tuned
-/// planners.yaml, tables and the HTML report to the folders of `arguments`. Called by all ranks;
-/// the master writes. Returns an exit code. Throws ConfigError, PlannerFileError and the exceptions
-/// of lockFolders() and `open`.
+/// planners.yaml, tables and the HTML report to the folders of `arguments`. Returns an ExitCode.
+/// Throws ConfigError, PlannerFileError and the exceptions of lockFolders() and `open`.
 int tunePlanner(const TuningArguments& arguments,
                 const std::function<TuningCases(const Config&)>& open);
 

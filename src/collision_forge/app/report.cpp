@@ -57,8 +57,8 @@ void addReport(CommandLine& line) {
       app.add_option("--out", arguments->out, "output folder; open its index.html in a browser");
   CLI::Option* compared =
       app.add_option("--compare", arguments->compared,
-                     "instead: prints what changed from run A to run B of forge test (folders or "
-                     "results.jsonl): cases that are newly hit and newly avoided")
+                     "instead of a report, prints the cases that are newly hit or newly avoided in "
+                     "run B of forge test compared with run A (folders or results.jsonl)")
           ->expected(2)
           ->type_name("A B")
           ->check(CLI::ExistingPath)

@@ -9,7 +9,7 @@ void addStudyCommands(CommandLine& line) {
            "Not available: this build was configured with COLLISION_FORGE_STUDY=OFF.",
            []() -> int {
              throw std::runtime_error(
-                 "this build has no study; rebuild it with -DCOLLISION_FORGE_STUDY=ON");
+                 "this build has no study commands; rebuild it with -DCOLLISION_FORGE_STUDY=ON");
            })
       .allow_extras();
 }

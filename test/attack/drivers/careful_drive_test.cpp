@@ -74,7 +74,7 @@ TEST(CarefulDrive, CannotAvoidACutInRightBeforeTheEgo) {
   EXPECT_FALSE(of(drives, DriverModel::kCcDriver).avoids);
 }
 
-TEST(CarefulDrive, NobodyBrakesForAFollower) {
+TEST(CarefulDrive, NoDriverBrakesForAFollower) {
   const auto drives =
       driveCarefully({egoOn(straight(5.0)), {}, {}}, attackerOn(straight(12.0, -20.0)));
   for (const CarefulDrive& drive : drives) {

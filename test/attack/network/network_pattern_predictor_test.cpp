@@ -13,7 +13,7 @@ namespace {
 
 CollisionRequest crossing() {
   CollisionRequest request = requestFor(CollisionType::kJunctionCrossing);
-  request.crash.rules = TypeRules::kAngle;  // everybody is a candidate
+  request.crash.rules = TypeRules::kAngle;  // every agent is a candidate
   return request;
 }
 

@@ -52,13 +52,13 @@ TEST_F(AddedPastTest, DrivesAsPlannedAtAllFrames) {
   }
 }
 
-TEST_F(AddedPastTest, TouchedNobodyUntilNow) {
+TEST_F(AddedPastTest, RequiresNoContactBeforeT0) {
   EXPECT_STREQ(drive(160.0, 8.0), "would have touched an agent before t0") << "is where the ego is";
   scene_.others = {AddedScene::longPast("stands", kCarSize, {-20.0, 0.0, 0.0}, 0.0)};
   EXPECT_STREQ(drive(200.0, 8.0), "would have touched an agent before t0");
 }
 
-TEST_F(AddedPastTest, TouchesNobodyBeforeTheContact) {
+TEST_F(AddedPastTest, RequiresNoContactBeforeTheRequestedOne) {
   scene_.add("stands", {20.0, 0.0, 0.0}, 0.0);
   EXPECT_STREQ(drive(200.0, 8.0), "would touch another agent first");
 }

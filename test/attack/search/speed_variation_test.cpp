@@ -19,18 +19,18 @@ TEST(SpeedVariation, DistanceIntegratesItsAcceleration) {
   for (const double end : {3.0, -4.0}) {
     const double step = std::copysign(kStep, end);
     double speed = 0.0;
-    double way = 0.0;
+    double distance = 0.0;
     for (int i = 0; i < static_cast<int>(std::abs(end) / kStep + 0.5); ++i) {
       const double middle = speed + 0.5 * step * acceleration(step * (i + 0.25));
       speed += step * acceleration(step * (i + 0.5));
-      way += step * middle;
+      distance += step * middle;
     }
-    EXPECT_NEAR(variation.way(end), way, 1e-3) << end;
+    EXPECT_NEAR(variation.distanceGained(end), distance, 1e-3) << end;
   }
-  EXPECT_EQ(variation.way(0.0), 0.0);
+  EXPECT_EQ(variation.distanceGained(0.0), 0.0);
 }
 
-TEST(SpeedVariation, IsZeroByDefault) { EXPECT_EQ(SpeedVariation().way(-3.0), 0.0); }
+TEST(SpeedVariation, IsZeroByDefault) { EXPECT_EQ(SpeedVariation().distanceGained(-3.0), 0.0); }
 
 TEST(SpeedVariation, DependsOnIdAndSeedOnly) {
   const SpeedVariation first = variationOf("a", 1);

@@ -112,7 +112,7 @@ TEST(DriveCheck, PowerLimitsTheAccelerationAtSpeed) {
   EXPECT_EQ(brokenBy(driven(fast, controls, carLimits()), fast), "max_forward_acceleration");
 }
 
-TEST(DriveCheck, ABusCannotDoWhatACarCan) {
+TEST(DriveCheck, BusesHaveLowerLimitsThanCars) {
   const BoxSize size{12.0, 2.9};
   const DriveLimits bus = driveLimitsOf(AgentClass::kBus, size, rows());
   Controls controls;

@@ -17,7 +17,7 @@ TEST(Simplified, KeepsCornersBeyondTheTolerance) {
   EXPECT_EQ(simplified(corner, 0.1), corner);
 }
 
-TEST(Simplified, LeavesALineWithAPointThatIsNotFiniteAsItIs) {
+TEST(Simplified, KeepsLinesWithNonFinitePoints) {
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(simplified({{0, 0}, {1, infinity}, {2, 0}}, 1.0).size(), 3u);
 }

@@ -281,7 +281,7 @@ TEST(CollideExport, ObstaclesAreCountedAndNamed) {
   EXPECT_EQ(exporter.clips(), 1);
   EXPECT_EQ(exporter.complaint(),
             "3 of 4 attacks have no clip of COLLIDE's layout: 2 with fewer than 7 frames at 2 Hz "
-            "before now, 1 without the attacker in one of the 7 frames before now");
+            "before t0, 1 without the attacker in one of the 7 frames before t0");
   EXPECT_EQ(listCollideClips(folder.path(), "val").size(), 1u);
 }
 

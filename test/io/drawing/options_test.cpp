@@ -24,7 +24,7 @@ TEST(DrawingOptions, EgoIsBlueAttackerRedAndContactYellow) {
   EXPECT_GT(options.failed_color.red, options.failed_color.green + 0.2);
 }
 
-TEST(DrawingOptions, AGifShowsWholeHundredthsOfASecond) {
+TEST(DrawingOptions, GifTimesAreWholeHundredthsOfASecond) {
   const double hundredths = 100.0 / shipped().gif_frames_per_second;
   EXPECT_EQ(hundredths, static_cast<int>(hundredths));
 }

@@ -255,7 +255,7 @@ TEST(NuScenesMap, namesAMapInTheFolderOfOlderVersions) {
       HasSubstr(folder.path() + "/maps/town.json is in the folder of version 1.2 and before"));
 }
 
-TEST(NuScenesMap, cropKeepsWhatIsNearAndCutsLinks) {
+TEST(NuScenesMap, CropKeepsNearLanesAndDropsLinksToOthers) {
   const LaneMap map = readTiny(tinyMap()).map;
   const LaneMap crop = cropped(map, {{-50.0, 0.0}, {-5.0, 0.0}}, 6.0);
   ASSERT_EQ(crop.lanes.size(), 1U);

@@ -95,7 +95,7 @@ class RecordingRepairTest : public testing::Test {
   NuScenesRecording recording_;
 };
 
-TEST_F(RecordingRepairTest, LeavesASoundRecordingAsItIs) {
+TEST_F(RecordingRepairTest, KeepsAValidRecording) {
   EXPECT_THAT(warningsOfRepair(), IsEmpty());
   EXPECT_EQ(recording_.ego_poses.size(), 10U);
   for (const NuScenesFrame& frame : recording_.frames) ASSERT_EQ(frame.annotations.size(), 1U);

@@ -38,7 +38,7 @@ TEST(OpenReportFile, NamesFileAndLineOfAnUnknownFile) {
   }
 }
 
-TEST(ReadReportLines, NumbersTheLinesAndTellsTheShareThatIsRead) {
+TEST(ReadReportLines, NumbersTheLinesAndReportsProgress) {
   const TemporaryFolder folder;
   const std::string line = R"({"format":"collision_forge/planner_test"})";
   folder.write("tests", line + "\n" + line + "\n");

@@ -71,7 +71,7 @@ TEST(PassCriteria, JudgeEachRowByEachCriterion) {
   EXPECT_THAT(verdictText(verdicts), HasSubstr("FAILED  idm: fails if hits > 0; hits = 2\n"));
 }
 
-TEST(PassCriteria, NameWhatIsWrong) {
+TEST(PassCriteria, NameTheError) {
   EXPECT_THAT(errorOf("speed > 1"), HasSubstr("unknown measure \"speed\"; known measures: hits"));
   for (const char* text :
        {"hits", "hits > ", "hits = 3", "hits > three", "hits > 3 4", "a b > 3", ""}) {

@@ -83,7 +83,7 @@ TEST(PlannerModule, RejectsAnOutputOfAnotherShape) {
 TEST(PlannerModule, RejectsANonFiniteOutput) {
   expectRefusal("    return torch.zeros([80, 3]) / 0.0\n", {"output", "not finite"});
   expectRefusal("    return torch.zeros([80, 3]) + agents.sum() / agents_mask.sum()\n",
-                {"output", "not finite", "nothing around the ego"});
+                {"output", "not finite", "no agents or lanes around the ego"});
 }
 
 TEST(PlannerModule, RejectsAFileThatNeverFinishesLoading) {

@@ -91,8 +91,8 @@ TEST(RequestReport, SolvedRequestsThatTheRoadDoesNotAllowHaveATable) {
   rows[6].status = "ROAD_DOES_NOT_ALLOW";  // of search
   const auto tables = requestTables(rows, searchPlan());
   const RateTable& answered = tableNamed(tables, "answered_of_not_allowed");
-  EXPECT_THAT(answered.methods, ElementsAre("search, answered though the road does not allow it",
-                                            "replay, answered though the road does not allow it"));
+  EXPECT_THAT(answered.methods, ElementsAre("search, solved although the road does not allow it",
+                                            "replay, solved although the road does not allow it"));
   EXPECT_THAT(ratesOf(answered), ElementsAre(0.0, 1.0));
   EXPECT_EQ(answered.rates[0].back().trials, 1);
 }

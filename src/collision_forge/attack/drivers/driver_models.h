@@ -16,7 +16,7 @@ inline constexpr DriverModel kDriverModels[] = {DriverModel::kCcDriver, DriverMo
                                                 DriverModel::kRss, DriverModel::kFsm};
 /// Returns "cc_driver", "r157_system", "rss" or "fsm".
 const char* toString(DriverModel model);
-/// Returns nothing for an unknown name.
+/// Returns the model of a name as toString() spells it; nullopt for another name.
 std::optional<DriverModel> driverModelFromString(const std::string& name);
 
 /// Parameters of the models. The defaults have the values of the publications, as ec-jrc/JRC-FSM
@@ -24,32 +24,36 @@ std::optional<DriverModel> driverModelFromString(const std::string& name);
 struct DriverOptions {
   // Competent and careful driver
   double wandering_zone = 0.375;  ///< m from the middle of its lane; farther, an agent cuts in
-  double risk_evaluation = 0.4;   ///< s of a cut-in or of hard braking until the driver sees it
-  double cc_delay = 0.75;         ///< s from then on until the driver brakes
-  double release = 0.4;           ///< m/s2 in the delay: the foot leaves the accelerator
+  double risk_evaluation = 0.4;   ///< s from the start of a cut-in or of hard braking until the
+                                  ///< driver perceives the risk
+  double cc_delay = 0.75;         ///< s from perceiving the risk until the driver brakes
+  double release = 0.4;  ///< m/s2, deceleration during cc_delay, with the accelerator released
   double full_braking = 0.774 * 9.81;  ///< m/s2, also of RSS; no model brakes harder
-  double jerk = 12.65;                 ///< m/s3 to it, also of RSS and FSM
-  double critical_ttc = 2.0;           ///< s to a contact, above which there is no risk
-  double critical_headway = 2.0;       ///< s behind a vehicle that brakes hard
-  double hard_braking = 5.0;           ///< m/s2 of the vehicle ahead
+  double jerk = 12.65;                 ///< m/s3 at which braking builds up, also of RSS and FSM
+  double critical_ttc = 2.0;           ///< s; a cut-in with a larger time to collision is no risk
+  double critical_headway = 2.0;       ///< s; hard braking ahead is a risk at smaller time headways
+  double hard_braking = 5.0;  ///< m/s2; deceleration of the vehicle ahead that counts as hard
   // System
-  double system_lateral_gap = 0.5;  ///< m beside the ego's box
-  double system_delay = 0.35;       ///< s
-  double system_braking = 6.0;      ///< m/s2
+  double system_lateral_gap = 0.5;  ///< m beside the ego's box; a nearer agent has cut in
+  double system_delay = 0.35;       ///< s from the cut-in to the start of braking
+  double system_braking = 6.0;      ///< m/s2, deceleration
   double system_margin = 0.1;       ///< s that JRC-FSM adds to the time of the regulation
   // RSS
-  double rss_delay = 0.75;        ///< s
-  double rss_acceleration = 3.0;  ///< m/s2 of the ego in the delay
-  double rss_braking = 6.0;       ///< m/s2 of both vehicles
-  double rss_lateral_gap = 0.3;   ///< m
-  double rss_lateral = 1.0;       ///< m/s2 to the side
+  double rss_delay = 0.75;  ///< s, response time
+  double rss_acceleration =
+      3.0;                       ///< m/s2, acceleration of the ego assumed during the response time
+  double rss_braking = 6.0;      ///< m/s2, deceleration assumed of both vehicles
+  double rss_lateral_gap = 0.3;  ///< m, lateral gap that must remain
+  double rss_lateral = 1.0;  ///< m/s2, lateral acceleration assumed during the response time, and
+                             ///< lateral deceleration after it
   // FSM
-  double fsm_delay = 0.75;          ///< s
-  double fsm_comfortable = 4.0;     ///< m/s2
-  double fsm_hardest = 6.0;         ///< m/s2 of the ego
-  double fsm_leader = 7.0;          ///< m/s2 of the vehicle ahead
+  double fsm_delay = 0.75;          ///< s, reaction time
+  double fsm_comfortable = 4.0;     ///< m/s2, comfortable deceleration of the ego
+  double fsm_hardest = 6.0;         ///< m/s2, hardest deceleration of the ego
+  double fsm_leader = 7.0;          ///< m/s2, deceleration assumed of the vehicle ahead
   double fsm_margin = 2.0;          ///< m, kept when both stand, and once more in the safe distance
-  double fsm_passing_margin = 0.1;  ///< s
+  double fsm_passing_margin = 0.1;  ///< s by which the ego must have passed before the other
+                                    ///< vehicle reaches its path
   // Choices of this project, for what the models leave open
   double same_direction =
       0.785;  ///< rad between headings, up to which an agent drives the same way

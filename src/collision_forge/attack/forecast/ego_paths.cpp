@@ -17,31 +17,33 @@ constexpr double kReachableLaneDistance =
     4.5;  // m; farther lanes, about one beside the ego's, are not driven
 constexpr double kReachableLaneHeading = 1.0;  // rad between the ego and a lane
 constexpr int kMaxLanes = 8;                   // nearest lanes that are followed
-constexpr int kMaxPathsPerLane = 12;           // through the branches ahead
-constexpr double kNearDeviationCost = 1.1;  // 1/m from where the turn rate leads in 1 s to the path
-constexpr double kFarDeviationCost = 1.05;  // 1/m, in 2 s
-constexpr double kBendBrakingCost = 3.3;    // s2/m of the braking that its bends need
-constexpr double kTurnCost = 0.53;          // 1/rad that it turns over 60 m
-constexpr double kFreePathCost = 5.0;       // of leaving the lanes at the present turn rate
-constexpr double kTurnRateFading = 2.3;     // s in which the turn rate fades by 1/e off the lanes
+constexpr int kMaxPathsPerLane = 12;           // paths through the branches ahead of one lane
+// Cost per metre between the path and the position after 1 s (near) or 2 s (far) at the present
+// turn rate, 1/m.
+constexpr double kNearDeviationCost = 1.1;
+constexpr double kFarDeviationCost = 1.05;
+constexpr double kBendBrakingCost = 3.3;  // s2/m; cost per m/s2 of braking that the bends need
+constexpr double kTurnCost = 0.53;        // 1/rad; cost per radian of turn over the next 60 m
+constexpr double kFreePathCost = 5.0;     // cost of the path that ignores lanes
+constexpr double kTurnRateFading = 2.3;   // s in which the turn rate decays to 1/e off the lanes
 // Limits of the quantities in WayAhead.
-constexpr double kBendReach = 80.0;        // m
+constexpr double kBendReach = 80.0;        // m ahead in which bends are considered
 constexpr double kBendMargin = 4.0;        // m, shortest distance assumed for braking before a bend
 constexpr double kStraight = 1e-3;         // 1/m; smaller curvatures count as straight
 constexpr double kMinBendBraking = -3.0;   // m/s2
 constexpr double kMaxBendBraking = 6.0;    // m/s2
 constexpr double kMaxBendCurvature = 0.1;  // 1/m
-constexpr double kTurnReach = 60.0;        // m
-constexpr double kGapReach = 60.0;         // m to the vehicle ahead
-constexpr double kMinGap = 1.5;            // m
+constexpr double kTurnReach = 60.0;        // m ahead over which the turn is measured
+constexpr double kGapReach = 60.0;         // m; a vehicle farther ahead is ignored
+constexpr double kMinGap = 1.5;            // m; smaller gaps count as this
 constexpr double kMaxHeadway = 2.0;
 constexpr double kMaxClosing = 1.0;      // 1/s
 constexpr double kLaneHalfWidth = 0.9;   // m; an agent farther to the side is beside, not ahead
 constexpr double kLeadMaxHeading = 1.0;  // rad between a vehicle ahead and the path
 
 constexpr double kSameSeconds = 6.0;       // s; paths that separate later are merged
-constexpr double kSameMargin = 10.0;       // m added to that
-constexpr double kSameDistance = 1.0;      // m
+constexpr double kSameMargin = 10.0;       // m added to the distance driven in kSameSeconds
+constexpr double kSameDistance = 1.0;      // m; paths farther apart are separate
 constexpr double kSpeedGain = 4.0;         // m/s, mean speed gain for which paths are long enough
 constexpr double kMinTurningSpeed = 1.0;   // m/s; a slower ego has no curvature
 constexpr double kMaxFreeCurvature = 0.2;  // 1/m

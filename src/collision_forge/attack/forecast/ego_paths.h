@@ -53,7 +53,7 @@ struct EgoPath {
   SampledPath line;
   double weight = 0.0;          ///< probability
   bool on_lanes = false;        ///< false: the path that ignores lanes
-  WayAhead ahead = {};          ///< without the vehicle ahead
+  WayAhead ahead = {};          ///< the road alone; wayAhead() adds the vehicle ahead
   double junction_start = 0.0;  ///< m along the path to its first junction; infinity if none
   double junction_end = 0.0;    ///< m to the end of that junction; infinity if none
 };
@@ -67,7 +67,8 @@ std::vector<EgoPath> egoPaths(const EgoNow& ego, const LaneIndex& lanes, double 
 /// (rad/s).
 SampledPath freePath(const EgoNow& ego, double turn_rate_difference, double horizon);
 
-/// Returns path.ahead with headway and closing of the nearest vehicle ahead of the ego on the path.
+/// Returns path.ahead with the headway to the nearest vehicle ahead of the ego on the path and the
+/// closing speed to it set.
 WayAhead wayAhead(const EgoPath& path, const EgoNow& ego, const Snapshot& snapshot);
 
 /// Returns the path with the smallest mean distance to the positions of `track`, the first of

@@ -14,8 +14,8 @@ namespace forge {
 
 inline constexpr double kKeptOffset = 0.3;  ///< share of an offset from the path that stays
 
-/// s; an ego that reverses to a stop has stopped by then. Recordings have too few reversing egos to
-/// fit the speeds of reversing to them.
+/// s after t0; a reversing ego that brakes has stopped by then. Chosen, not fitted: recordings have
+/// too few reversing egos.
 inline constexpr double kReverseStop = 8.0;
 
 // Parts of the samplers of the ego's futures.
@@ -46,7 +46,7 @@ std::vector<int> shareOut(const std::vector<double>& weights, int count, std::mt
 SpeedForecast forecastSpeeds(const SpeedForecaster* speeds, const DrivingSituation& situation,
                              double horizon, const EgoFutureOptions& options);
 
-/// Returns `count` rows of the forecast, stratified by the distance driven in 4 s.
+/// Returns the indices of `count` rows of the forecast, stratified by the distance driven in 4 s.
 std::vector<Eigen::Index> drawProfiles(const SpeedForecast& forecast, int count,
                                        std::mt19937_64& engine);
 

@@ -48,12 +48,13 @@ struct SpeedModelFitOptions {
 
 /// config/ego_futures.yaml
 struct EgoFutureOptions {
-  double offset_spread = 0.0;        ///< m, mean |difference| of the target offset
-  double turn_rate_spread = 0.0;     ///< rad/s, mean |difference| off lanes
-  double acceleration_fading = 0.0;  ///< s to 1/e
-  double acceleration_spread = 0.0;  ///< m/s2, mean |difference|
+  double offset_spread = 0.0;     ///< m, mean |difference| from the expected lateral offset
+  double turn_rate_spread = 0.0;  ///< rad/s, mean |difference| from the turn rate at t0, off lanes
+  double acceleration_fading = 0.0;  ///< s in which the acceleration at t0 decays to 1/e of it
+  double acceleration_spread = 0.0;  ///< m/s2, mean |difference| from the acceleration at t0
 };
 
+// Read the struct from its section. Throw ConfigError for a missing key or a value out of range.
 void readOptions(Section& section, PredictionOptions& options);
 void readOptions(Section& section, SpeedModelFitOptions& options);
 void readOptions(Section& section, EgoFutureOptions& options);

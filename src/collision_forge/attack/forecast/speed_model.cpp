@@ -11,10 +11,10 @@
 namespace forge {
 namespace {
 
-constexpr double kWeightTolerance = 1e-3;  // of a sum of rounded weights
-constexpr double kMinShare = 1e-6;         // weight of a profile with negative share
-constexpr double kLargestWeight = 1e6;     // fitted weights are a few hundred at most
-constexpr double kLargestGain = 1e3;       // m/s
+constexpr double kWeightTolerance = 1e-3;  // allowed error of the sum of rounded weights
+constexpr double kMinShare = 1e-6;         // weight of a profile whose share is negative
+constexpr double kLargestWeight = 1e6;     // larger weights are damage; fitted ones are below 1000
+constexpr double kLargestGain = 1e3;       // m/s; larger speeds are damage
 
 void checkMatrix(const Eigen::MatrixXd& matrix, Eigen::Index rows, Eigen::Index columns,
                  const std::string& field) {

@@ -28,6 +28,7 @@ class SpeedSituations {
   /// otherwise and for numbers that are not finite.
   explicit SpeedSituations(std::vector<SpeedProfileRow> rows);
 
+  /// Returns the number of rows.
   Eigen::Index size() const { return features_.rows(); }
   const std::vector<SpeedProfileRow>& rows() const { return rows_; }
 
@@ -36,10 +37,13 @@ class SpeedSituations {
   /// Returns the scene's number, -1 if unknown.
   int sceneNumber(const std::string& name) const;
 
+  /// Returns the number of the scene of a row.
   int sceneOf(Eigen::Index row) const { return scene_of_[static_cast<std::size_t>(row)]; }
   /// Returns the number of intervals of kProfileStep recorded after the row.
   int lasts(Eigen::Index row) const { return lasts_[static_cast<std::size_t>(row)]; }
+  /// Returns SpeedProfileRow::speed, m/s.
   double speed(Eigen::Index row) const { return rows_[static_cast<std::size_t>(row)].speed; }
+  /// Returns the driver's situation at the row.
   const DrivingSituation& situation(Eigen::Index row) const {
     return situations_[static_cast<std::size_t>(row)];
   }

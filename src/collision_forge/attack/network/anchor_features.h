@@ -36,7 +36,8 @@ struct EgoPathSet {
   std::vector<EgoPath> paths;
   std::vector<WayAhead> ahead;  ///< one per path, with the vehicle ahead
 };
-/// Returns the ego's most probable candidate paths, at most `max_ways`, for `horizon` s.
+/// Returns the ego's most probable candidate paths, at most `max_ways`, long enough for `horizon`
+/// s.
 EgoPathSet egoPathSet(const Snapshot& observed, const LaneIndex& lanes, double horizon,
                       int max_ways);
 

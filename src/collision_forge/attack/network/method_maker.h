@@ -18,10 +18,13 @@ class MethodMaker {
   MethodMaker(const std::string& name, const MethodRegistry& methods, const AttackOptions& options,
               PredictionModels models);
 
+  /// The method's name in the registry.
   const std::string& name() const { return entry_.name; }
+  /// Returns true if results depend on the request's seed.
   bool isSeeded() const { return entry_.is_seeded; }
   const AttackOptions& options() const { return options_; }
 
+  /// Returns the method with all models.
   std::unique_ptr<const AttackMethod> make() const { return makeOf(models_); }
   /// Returns the method with models trained without `scene`, where there are any.
   std::unique_ptr<const AttackMethod> makeWithoutScene(const std::string& scene) const {

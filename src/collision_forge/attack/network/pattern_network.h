@@ -45,10 +45,11 @@ class PatternNetwork {
     return folds_.withoutScene(scene);
   }
 
-  /// Encodes a scene. Throws std::invalid_argument if a feature matrix has the wrong size or a
-  /// number is not finite.
+  /// Returns the encoding of a scene, PatternNetworkOptions::scene numbers. Throws
+  /// std::invalid_argument if a feature matrix has the wrong size or a number is not finite.
   Eigen::VectorXf encode(const SceneFeatures& features) const;
-  /// Combines a scene encoding with requestFeatures().
+  /// Returns the encoding of a scene and a request, the input of ego() and candidates(). `scene`
+  /// comes from encode(), `request` from requestFeatures().
   Eigen::VectorXf withRequest(const Eigen::VectorXf& scene, const Eigen::VectorXf& request) const;
   /// Returns the ego's pose distribution: one component per present anchor, in the anchors' order.
   /// Throws std::runtime_error for outputs beyond the range of a trained network,

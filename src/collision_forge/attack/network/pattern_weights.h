@@ -12,7 +12,7 @@ namespace forge {
 
 // Output scales, equal in training and inference.
 inline constexpr double kMaxLogSpread = 3.0;  ///< bound of |log(spread / anchor scale)|
-inline constexpr double kOffsetScale = 4.0;   ///< m
+inline constexpr double kOffsetScale = 4.0;   ///< m, unit of the attacker's predicted offset
 
 /// y = matrix * x + bias.
 struct LinearWeights {
@@ -33,7 +33,7 @@ struct LayerShape {
   int inputs = 0;
   int outputs = 0;
 };
-/// Returns the layers of the architecture by name.
+/// Returns the layers of a network with these widths by name.
 std::map<std::string, LayerShape> layerShapes(const PatternNetworkOptions& options);
 
 /// Throws std::invalid_argument, naming the layer, if a layer is missing, unknown, of the wrong

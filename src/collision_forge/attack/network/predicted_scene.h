@@ -15,6 +15,7 @@ class PredictedScene {
   PredictedScene(const PatternNetwork& network, const Snapshot& snapshot, const LaneIndex& lanes,
                  double horizon);
 
+  /// The ego's candidate paths, most probable first.
   const EgoPathSet& ways() const { return ways_; }
   /// The snapshot without information from later frames, see observedSnapshot().
   const Snapshot& observed() const { return observed_; }

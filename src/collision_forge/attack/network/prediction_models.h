@@ -20,6 +20,7 @@ struct PredictionModels {
   std::optional<CollisionType> known_type;
   std::string unseen_scene = {};  ///< test scene that models must not know; empty: none
 
+  /// Returns the models for kinematic prediction only.
   PredictionModels withoutNetwork() const { return {speeds, nullptr, std::nullopt, unseen_scene}; }
   /// Returns the models fitted without `scene`, for tests on it; models without such a fold are
   /// kept.

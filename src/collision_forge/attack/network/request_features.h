@@ -9,10 +9,12 @@
 
 namespace forge {
 
-inline constexpr int kRequestFeatures = 8;  ///< type one-hot (none: zeros), three functions of TTA
-inline constexpr int kCandidateFeatures = 24;  ///< of a candidate attacker
+inline constexpr int kRequestFeatures = 8;     ///< size of requestFeatures()
+inline constexpr int kCandidateFeatures = 24;  ///< size of candidateFeatures()
 
-/// Returns the network input of a request; `tta` in s.
+/// Returns the network input of a request, kRequestFeatures numbers: the type one-hot in the order
+/// of kCollisionTypes (zeros without a type), then scaled tta, its square root and 1 / (1 + tta).
+/// `tta` in s.
 Eigen::VectorXf requestFeatures(std::optional<CollisionType> type, double tta);
 
 /// A candidate attacker at t0, in the ego's frame at t0.
@@ -24,9 +26,9 @@ struct CandidateNow {
 /// t0, map frame.
 CandidateNow candidateNow(const Track& observed, const Pose2& ego_now);
 
-/// Returns the network input of a candidate: position, speed and the motion needed to reach the
-/// ego's pose at impact (`ego_at_impact`, ego frame at t0) in `tta` s. `ego_speed` in m/s. Uses no
-/// history.
+/// Returns the network input of a candidate, kCandidateFeatures numbers: position, speed and the
+/// motion needed to reach the ego's pose at impact (`ego_at_impact`, ego frame at t0) in `tta` s.
+/// `ego_speed` in m/s. Uses no history.
 Eigen::VectorXf candidateFeatures(const CandidateNow& candidate, double ego_speed,
                                   const Pose2& ego_at_impact, double tta, CollisionType type);
 

@@ -18,6 +18,7 @@ enum class AttackerPhase {
 };
 /// Returns "attacking", "committed" or "driving_on".
 const char* toString(AttackerPhase phase);
+/// Returns the phase of a name as toString() spells it; nullopt for another name.
 std::optional<AttackerPhase> attackerPhaseFromString(const std::string& name);
 
 /// One decision of an attacker and the motion planned with it.
@@ -68,6 +69,7 @@ class AttackerPolicy {
 enum class PolicyKind { kFixed, kAdaptive };
 /// Returns "fixed" or "adaptive".
 const char* toString(PolicyKind kind);
+/// Returns the policy of a name as toString() spells it; nullopt for another name.
 std::optional<PolicyKind> policyKindFromString(const std::string& name);
 
 /// Drives a given trajectory, whatever happens.

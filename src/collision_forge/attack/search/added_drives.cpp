@@ -11,20 +11,21 @@
 namespace forge {
 namespace {
 
-// m/s2 from now on of a vehicle that drove as the ego did so far.
+// m/s2; accelerations from t0 on of a vehicle that drove like the ego until t0.
 constexpr double kClosings[] = {0.6, 0.0, -0.6, 1.2, -1.2, -2.0};
-constexpr double kStarts[] = {1.2, 0.8, 1.8};  // m/s2 of a vehicle that stands now
-constexpr double kParked[] = {3.0, 5.0};       // m before the meeting, of a vehicle that pulls out
-constexpr double kLeastGap = 1.5;              // m to the ego until now, in the ego's lane
-constexpr double kRidingGap = 0.5;  // m from the ego's side to a motorcycle in its lane until now
-constexpr double kAside = 0.7;      // m from the lane's middle of a vehicle that crosses the centre
-                                    // line, if no vehicle that keeps to the middle can
-constexpr double kCyclingSpeeds[] = {4.2, 5.5, 3.3};  // m/s of cyclists, who do not drive as the
-                                                      // traffic: recorded median and 90 %
+constexpr double kStarts[] = {1.2, 0.8, 1.8};  // m/s2; accelerations of a vehicle that stands at t0
+constexpr double kParked[] = {3.0, 5.0};       // m before the contact at which a vehicle is parked
+constexpr double kLeastGap = 1.5;              // m to the ego until t0, in the ego's lane
+constexpr double kRidingGap = 0.5;  // m from the ego's side to a motorcycle in its lane until t0
+// m; left offset from the middle of its lane of a vehicle that crosses the centre line, tried if no
+// vehicle in the middle of its lane can.
+constexpr double kAside = 0.7;
+// m/s of cyclists, who do not ride at the speed of the traffic: recorded median and 90 %.
+constexpr double kCyclingSpeeds[] = {4.2, 5.5, 3.3};
 constexpr double kLeastCrossingSpeed = 4.5;  // m/s; slower vehicles do not get across in time
 constexpr double kStep = AddedDrive::kStep;
-constexpr double kGettingGoing = 0.4;  // s until a starting vehicle has its acceleration
-constexpr double kOwnLane = 1.5;       // m from the path's middle: the path is the ego's own
+constexpr double kGettingGoing = 0.4;  // s in which a starting vehicle builds up its acceleration
+constexpr double kOwnLane = 1.5;       // m; an ego closer to the path's middle is on the path
 constexpr double kHeadway = 1.2;       // s between two vehicles on the same path
 
 std::vector<ApproachManner> followsOf(const AddedMeeting& meeting) {
@@ -250,10 +251,10 @@ bool AddedDrives::cruise(const AddedMeeting& meeting, double along, double speed
 
 /// Adds the speed variation without moving the contact and without reversing.
 void AddedDrives::vary(const SpeedVariation& variation, AddedDrive& drive) {
-  const double end = variation.way(drive.contact);
+  const double end = variation.distanceGained(drive.contact);
   double next = drive.on.back();
   const auto shift = [&](double& along, double time) {
-    next = along = std::min(next, along + variation.way(time) - end);
+    next = along = std::min(next, along + variation.distanceGained(time) - end);
   };
   for (std::size_t i = drive.on.size(); i-- > 0;) {
     shift(drive.on[i], drive.step() * static_cast<double>(i + 1));

@@ -50,7 +50,7 @@ struct ApproachManner {
 /// Longitudinal motion of an added vehicle along its path.
 struct AddedDrive {
   static constexpr double kStep = AddedWay::kStep;  ///< s
-  /// s that a standing vehicle stands at least; its motion is estimated over so long.
+  /// s; a standing vehicle stands at least this long, the time over which its motion is estimated.
   static constexpr double kWait = 2.0;
 
   double aside = 0.0;        ///< m, left offset from the path

@@ -11,9 +11,9 @@
 namespace forge {
 namespace {
 
-constexpr double kClearance = 0.3;    // m to all recorded agents until now
-constexpr double kMinOnLane = 0.97;   // of the past
-constexpr double kMaxOffRoad = 0.01;  // of the box, in the past
+constexpr double kClearance = 0.3;    // m to all recorded agents until t0
+constexpr double kMinOnLane = 0.97;   // share of the past on a lane, at least
+constexpr double kMaxOffRoad = 0.01;  // mean share of the box off the road in the past, at most
 constexpr double kStep = AddedDrive::kStep;
 constexpr int kSteps = 2;           // steps of a drive per instant of the traffic
 constexpr int kSmoothing = 3;       // steps to either side over which a speed is averaged
@@ -53,8 +53,8 @@ bool AddedPast::touchesAhead(const AddedDrive& drive, const ReferencePath& path,
   return false;
 }
 
-/// Returns the number of steps back from t0 during which the vehicle is on its path and touches
-/// nobody, rounded down to an instant of the traffic.
+/// Returns the number of steps back from t0 during which the vehicle is on its path and touches no
+/// agent, rounded down to an instant of the traffic.
 std::size_t AddedPast::clearSteps(const AddedDrive& drive, const ReferencePath& path,
                                   const BoxSize& size) const {
   for (std::size_t i = 0; i < drive.back.size(); ++i) {

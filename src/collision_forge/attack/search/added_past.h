@@ -22,7 +22,7 @@ class AddedPast {
 
   /// Drives the motion up to t0 within the limits of the class and size of `track`, and appends its
   /// states at the recorded frames (global map frame). Requires that the vehicle exists since the
-  /// first frame or appears outside the ego's view, touches nobody, and stays clear until shortly
+  /// first frame or appears outside the ego's view, touches no agent, and stays clear until shortly
   /// before the contact. Returns null on success, else the reason, worded to follow a count ("no
   /// vehicle can be added: 3 REASON"). After a failure `track` is unspecified.
   const char* drive(const AddedDrive& drive, const ReferencePath& path, Track& track);

@@ -12,7 +12,8 @@
 
 namespace forge {
 
-/// Confidence that a motorcycle costs where the request names no class: few are on the roads.
+/// Subtracted from the score of an added motorcycle if the request names no class, because
+/// motorcycles are rare in traffic.
 inline constexpr double kRidingCost = 0.15;
 
 /// A vehicle that is not in the recording, and how it could hit the ego.

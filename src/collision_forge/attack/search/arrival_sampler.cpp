@@ -98,13 +98,13 @@ AimedArrival ArrivalSampler::wide(const Contender& contender, const Aim& aim, bo
   AimedArrival aimed;
   aimed.ego = egos_[random_.index(egos_.size())];
   const double heading = random_.uniform(type.min_heading, type.max_heading);
-  const double slide = random_.uniform(-kMaxContactPosition, kMaxContactPosition);
+  const double contact_position = random_.uniform(-kMaxContactPosition, kMaxContactPosition);
   double sign = std::copysign(1.0, aim.touching.yaw);
   if (isOneBand(type)) sign = random_.uniform(-1.0, 1.0) > 0.0 ? 1.0 : -1.0;
   const BoxSize& ego_size = input_.snapshot.ego.size;
   const BoxSize& size = contender.track->size;
   aimed.offset = attackerOffset(ego_size, size, touchedSide({{}, ego_size}, {aim.touching, size}),
-                                wrapAngle(sign * heading), slide, kContactDepth);
+                                wrapAngle(sign * heading), contact_position, kContactDepth);
   aimed.contact = random_.uniform(earliest_, latest_);
   aimed.lead = std::max(0.0, random_.uniform(-search.max_lead, search.max_lead));
   const Pose2 target = compose(egoAt(aimed.ego, aimed.contact), aimed.offset);

@@ -24,14 +24,17 @@ constexpr double kEffortWeight = 0.02;  // cost of driving at the limits, share 
 // steering_weight. 0.8 rad/s at the wheels of a car with a wheelbase of 2.7 m: twice the limit of
 // CommonRoad's vehicle models (v_delta, 0.4 rad/s).
 constexpr double kQuickSteering = 0.3;
-constexpr int kPatience = 2;       // rounds after which steering an attacker ends that is still ...
-constexpr double kHopeless = 5.0;  // ... so many m short of the target
-// Budget of the bicycle for plausible attackers that follow no route: they are the second try.
+// SteeringSearch ends for an attacker that is still kHopeless m short of the target after kPatience
+// rounds.
+constexpr int kPatience = 2;
+constexpr double kHopeless = 5.0;
+// Budget of the bicycle for SearchedMotion::kAny of plausible attackers, the second try after the
+// search along routes.
 constexpr int kAnyMotionBicycleTargets = 20;
 constexpr int kAnyMotionBicycleRounds = 2;
 constexpr double kShrink = 0.6;      // factor on perturbations per round
-constexpr double kRounding = 0.999;  // of a limit, so that a bicycle at the limit passes
-constexpr double kOnPattern = 0.02;  // m from the pattern: on target
+constexpr double kRounding = 0.999;  // factor on limits, so that a bicycle at the limit passes
+constexpr double kOnPattern = 0.02;  // m; a contact nearer to its pattern needs no correction
 
 VehicleLimits scaled(VehicleLimits limits, double margin) {
   limits.max_forward_acceleration *= margin;

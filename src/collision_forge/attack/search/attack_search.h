@@ -10,8 +10,9 @@ namespace forge {
 /// arrivals (relative pose, heading, speed, accelerations, time) at the given patterns, around them
 /// and along the touched sides; corrects the best ones towards their pattern; perturbs the best;
 /// and tries the bicycle family if no quintic is good enough. Plausible attackers along routes are
-/// searched by searchManoeuvres() instead (SearchInput::isByRoutes()). Returns attacks with a share
-/// above 0, best first. Random draws depend only on the request's seed.
+/// searched by searchManoeuvres() instead (SearchInput::isByRoutes()). Returns the attacks that hit
+/// the ego in at least one future (FutureScore::share > 0), highest objective first. Random draws
+/// depend only on the request's seed.
 std::vector<FoundAttack> searchAttacks(const SearchInput& input, const AttackOptions& options);
 
 }  // namespace forge

@@ -10,7 +10,8 @@ namespace {
 
 constexpr int kIterations = 12;        // of damped least squares, at most
 constexpr double kConvergence = 0.02;  // share of the cost; smaller gains end the iterations
-constexpr double kTurnHeading = 0.8;   // rad to the arrival's heading: a tight turn is tried, too
+constexpr double kTurnHeading = 0.8;   // rad; for larger turns to the arrival, a tight turn is also
+                                       // tried
 // Deviations that have the same weight in least squares:
 constexpr double kPositionScale = 0.1;       // m
 constexpr double kHeadingScale = 0.03;       // rad

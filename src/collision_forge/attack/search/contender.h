@@ -28,12 +28,12 @@ struct Aim {
 /// A candidate attacker and the motions that it could drive.
 struct Contender {
   const Track* track = nullptr;
-  std::vector<Aim> aims;  ///< its patterns, most promising first
-  DriveStart start;
-  DriveLimits limits;      ///< of its class
-  DriveState drive_start;  ///< single-track state at t0, if it keeps its class's limits
-  /// Keeps the class's limits; empty if only the strict limits apply.
-  std::optional<TrackDriver> driver;
+  std::vector<Aim> aims;   ///< its patterns, most promising first
+  DriveStart start;        ///< its motion at t0, and the sampling of its candidates
+  DriveLimits limits;      ///< of its class; unset without `driver`
+  DriveState drive_start;  ///< single-track state at t0; unset without `driver`
+  std::optional<TrackDriver>
+      driver;  ///< drives within `limits`; empty if only the strict limits apply
   std::vector<RouteDriver> routes;  ///< paths that it may follow, in a search by routes
 };
 

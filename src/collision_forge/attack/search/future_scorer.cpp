@@ -9,12 +9,12 @@ namespace forge {
 namespace {
 
 constexpr std::size_t kLanes = 8;  // SIMD width: row lengths are multiples of it
-constexpr double kWatched =
-    6.0;  // m, centre circles further apart are passed over; boxes close in less a step
-constexpr float kFar = 1e9F;
-constexpr double kCloseGap = 2.0;       // m; a miss by this much is worth 1/e of a near hit
-constexpr double kCloseHeading = 0.26;  // rad (15 degrees); the same for the heading
-constexpr double kCloseTime = 0.5;      // s; the same for the time
+// m; boxes whose circumcircles are farther apart are not tested: they cannot touch within a step.
+constexpr double kWatched = 6.0;
+constexpr float kFar = 1e9F;            // m; gap before any test
+constexpr double kCloseGap = 2.0;       // m; a miss by this gap has a closeness of 1/e
+constexpr double kCloseHeading = 0.26;  // rad (15 degrees); the same for an error in heading
+constexpr double kCloseTime = 0.5;      // s; the same for an error in time
 
 /// A box pose, or arrays of poses.
 template <typename Value>

@@ -15,11 +15,13 @@ inline constexpr double kHeadingMargin = 0.0087;
 
 /// Score of one attacker motion over the sampled ego futures.
 struct FutureScore {
-  double share = 0.0;      ///< share 0..1 of futures in which all conditions hold
-  double closeness = 0.0;  ///< mean closeness 0..1 of the others, over all futures
-  // With a share above 0:
-  std::size_t met = 0;  ///< index of a future in which all conditions hold
-  Pose2 contact;        ///< attacker in the ego box's frame at the contact there
+  double share = 0.0;  ///< share 0..1 of futures in which all conditions hold
+  /// Closeness (0..1, by the gap or the errors in heading and time) summed over the futures in
+  /// which a condition fails, divided by the number of all futures.
+  double closeness = 0.0;
+  std::size_t met = 0;  ///< index of a future in which all conditions hold; valid if share > 0
+  Pose2
+      contact;  ///< attacker in the ego box's frame at the contact in future `met`; valid as `met`
 };
 
 /// Scores thousands of attacker motions against all ego futures, whose poses are stored by time

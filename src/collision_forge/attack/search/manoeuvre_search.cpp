@@ -24,20 +24,22 @@
 namespace forge {
 namespace {
 
-// Drafts of every attacker. The values were chosen on recorded scenes (docs/results.md): s before
-// the contact unless stated otherwise.
+// Values of RouteDraft that are tried for every attacker, chosen on recorded scenes
+// (docs/results.md).
 constexpr double kContacts[] = {0.0, -0.25, 0.25};           // s, added to the requested time
-constexpr double kDepartures[] = {1.0, 1.4, 0.8, 2.2, 3.0};  // the attacker leaves its lane
-constexpr double kLeads[] = {0.0, 0.5};                      // it has the offset of the contact
-constexpr double kLateBraking[] = {0.0, 3.0, 5.0};           // m/s2 of a leader before the contact
-constexpr double kStarts[] = {1.6, 2.3, 3.2};                // a standing attacker moves off
-constexpr double kWalkingSpeeds[] = {1.3, 1.7, 2.4};  // m/s of a pedestrian who steps out, walking,
-                                                      // fast and running; mean walkers have 1.24
-constexpr double kWalkingAcceleration = 1.0;          // m/s2, Euro NCAP's walker
-constexpr double kDepartureWeight = 0.2;  // cost of each second off the lane before before_contact
-                                          // (config/believability.yaml), share of the futures
-constexpr double kOffRoadWeight = 1.0;    // cost of a wholly off-road drive, share of the futures
-constexpr double kSlides[] = {-0.7, 0.0, 0.7};
+constexpr double kDepartures[] = {1.0, 1.4, 0.8, 2.2, 3.0};  // s, RoutePlan::departure
+constexpr double kLeads[] = {0.0, 0.5};                      // s, RoutePlan::lead
+constexpr double kLateBraking[] = {0.0, 3.0, 5.0};           // m/s2, late deceleration of a leader
+constexpr double kStarts[] = {1.6, 2.3, 3.2};  // s before the contact at which a standing
+                                               // attacker starts
+// m/s of a pedestrian who steps out: walking, fast and running; recorded walkers have 1.24.
+constexpr double kWalkingSpeeds[] = {1.3, 1.7, 2.4};
+constexpr double kWalkingAcceleration = 1.0;  // m/s2, Euro NCAP's walker
+// Costs, as shares of the futures:
+constexpr double kDepartureWeight = 0.2;  // per second off the lane before before_contact of
+                                          // config/believability.yaml
+constexpr double kOffRoadWeight = 1.0;    // of a wholly off-road drive
+constexpr double kContactPositions[] = {-0.7, 0.0, 0.7};
 constexpr double kShrink = 0.7;  // factor on perturbations per round
 
 struct Candidate {
@@ -175,11 +177,11 @@ class ManoeuvreSearch {
       candidate.draft.side = placement.side;
       candidate.draft.heading = placement.heading;
       const std::vector<RouteDraft> drafts = mannersFor(candidate, there - route.start().along);
-      for (const double slide : kSlides) {
+      for (const double contact_position : kContactPositions) {
         for (std::size_t i = 0; i < drafts.size(); ++i) {
-          if (!isInThisPass(slide, i)) continue;
+          if (!isInThisPass(contact_position, i)) continue;
           candidate.draft = drafts[i];
-          candidate.draft.slide = slide;
+          candidate.draft.contact_position = contact_position;
           consider(candidate);
         }
       }
@@ -188,11 +190,11 @@ class ManoeuvreSearch {
 
   /// Returns true if the draft belongs to this pass: first one draft per vehicle, then variations
   /// in one parameter. Few vehicles get all drafts at once.
-  bool isInThisPass(double slide, std::size_t manner) const {
-    const bool is_first = slide == 0.0 && manner == 0;
+  bool isInThisPass(double contact_position, std::size_t manner) const {
+    const bool is_first = contact_position == 0.0 && manner == 0;
     if (sketches_) return is_first;
-    if (input_.underway != nullptr) return slide == 0.0 || manner == 0;
-    return !has_sketches_ || (!is_first && (slide == 0.0 || manner == 0));
+    if (input_.underway != nullptr) return contact_position == 0.0 || manner == 0;
+    return !has_sketches_ || (!is_first && (contact_position == 0.0 || manner == 0));
   }
 
   /// Returns drafts with different departures and, if the ego runs into the attacker, late braking.
@@ -251,7 +253,7 @@ class ManoeuvreSearch {
     const RouteDraft& draft = candidate.draft;
     const Contender& contender = *candidate.contender;
     const Pose2 offset = attackerOffset(input_.snapshot.ego.size, contender.track->size, draft.side,
-                                        draft.heading, draft.slide, kContactDepth);
+                                        draft.heading, draft.contact_position, kContactDepth);
     const Pose2 target = compose(sampler_.egoAt(draft.ego, draft.contact), offset);
     RoutePlan plan;
     plan.arrival = draft.contact;
@@ -362,7 +364,7 @@ class ManoeuvreSearch {
     const Contender& contender = *candidate.contender;
     const Pose2 offset =
         attackerOffset(input_.snapshot.ego.size, contender.track->size, candidate.draft.side,
-                       candidate.draft.heading, candidate.draft.slide, 0.0);
+                       candidate.draft.heading, candidate.draft.contact_position, 0.0);
     const auto apart = [&](const Aim& aim) {
       return cornerMiss(missBetween(aim.pattern->attacker_offset, offset), contender.track->size);
     };
@@ -428,8 +430,8 @@ class ManoeuvreSearch {
   void move(RouteDraft& draft, double scale) {
     draft.contact = std::clamp(draft.contact + random_.bell(0.15 * scale), sampler_.earliest(),
                                sampler_.latest());
-    draft.slide = std::clamp(draft.slide + random_.bell(0.4 * scale), -kMaxContactPosition,
-                             kMaxContactPosition);
+    draft.contact_position = std::clamp(draft.contact_position + random_.bell(0.4 * scale),
+                                        -kMaxContactPosition, kMaxContactPosition);
     draft.heading = wrapAngle(draft.heading + random_.bell(0.05 * scale));
     draft.departure = std::max(search_.step, draft.departure + random_.bell(0.4 * scale));
     draft.lead = std::max(0.0, draft.lead + random_.bell(0.2 * scale));

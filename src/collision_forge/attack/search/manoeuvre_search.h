@@ -6,14 +6,19 @@
 
 namespace forge {
 
-inline constexpr int kDrafted = 6;  ///< vehicles that are searched further: best first drafts
+/// Vehicles that are searched in full. If there are more, one draft of each vehicle is scored
+/// first, and only the vehicles with the best drafts are searched further.
+inline constexpr int kDrafted = 6;
 
-/// Searches for attacks by vehicles that drive like drivers: along a route of lanes at one chosen
-/// speed until their manoeuvre (leaving the lane, braking, crossing) leads to the contact. Starts
-/// where routes lead to the ego at the type's headings, then perturbs the best. Returns attacks
-/// with a share above 0, best first. If `input.underway` is set, returns all kept candidates, even
-/// with share 0; the last element is the current plan. Random draws depend only on the request's
-/// seed.
+/// Searches for attacks in which the attacker drives as drivers do: along a route of lanes at one
+/// chosen speed until its manoeuvre (leaving the lane, braking, crossing) leads to the contact.
+/// Drafts one candidate per route and placement that fits the requested type (RouteDraft), scores
+/// the candidates over all futures of the ego (FutureScorer), and perturbs the best ones.
+///
+/// Returns the attacks that hit the ego in at least one future (FutureScore::share > 0), highest
+/// objective first. If `input.underway` is set, returns all kept candidates, even with share 0; the
+/// last element is the current plan. Random draws depend only on the request's seed. Not for
+/// requests without plausibility: see searchAttacks().
 std::vector<FoundAttack> searchManoeuvres(const SearchInput& input, const AttackOptions& options);
 
 }  // namespace forge

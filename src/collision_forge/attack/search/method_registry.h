@@ -49,10 +49,13 @@ class MethodRegistry {
 
   /// In the order of add().
   const std::vector<Entry>& entries() const { return entries_; }
+  /// Returns the names in the order of add().
   std::vector<std::string> names() const;
+  /// Returns true if a method has this name.
   bool has(const std::string& name) const;
 
-  /// Throws std::invalid_argument for an unknown name, listing the known ones.
+  /// Returns the entry of a name. Throws std::invalid_argument for an unknown name, listing the
+  /// known ones.
   const Entry& at(const std::string& name) const;
 
  private:

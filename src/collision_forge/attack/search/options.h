@@ -36,10 +36,10 @@ struct AddedVehicleOptions {
   std::vector<AddedKind> kinds;
   int candidates = 0;            ///< vehicles searched if the ego's future is known
   int predicted_candidates = 0;  ///< vehicles searched if it is predicted
-  double preference = 0.0;       ///< score (0..1) by which it must exceed a recorded attacker
-  double sensing_range = 0.0;    ///< m from the ego, beyond which a vehicle may appear
-  double least_past = 0.0;       ///< s that it is visible before t0
-  std::vector<double> speeds;    ///< m/s, tried in this order
+  double preference = 0.0;     ///< scoreOf() by which an added attacker must exceed a recorded one
+  double sensing_range = 0.0;  ///< m from the ego, beyond which a vehicle may appear
+  double least_past = 0.0;     ///< s before t0 for which an added vehicle is visible, at least
+  std::vector<double> speeds;  ///< m/s, tried in this order
 };
 
 /// config/search.yaml, section search; fields with a default are not in the file. The study and
@@ -62,20 +62,21 @@ struct SearchOptions {
   double good_steering = 0.6;   ///< ... or its curvature changes faster, 1/(m s)
   double max_lead = 0.6;        ///< s straight on before the contact at most, in half of the draws
   // Budget:
-  int ego_poses = 3;  ///< poses of the ego at impact that are aimed at, spread along its path
-  int draws = 16;     ///< arrivals per pattern, the pattern's own first
-  int homed = 3;      ///< best candidates whose arrival is corrected by the distance to the pattern
-  int corrections = 3;              ///< per candidate
-  int kept = 10;                    ///< best candidates that are perturbed
-  int rounds = 4;                   ///< of perturbation
-  int perturbations = 60;           ///< per round
-  int bicycle_targets = 40;         ///< arrivals of the bicycle, if no quintic is good enough
-  int bicycle_rounds = 6;           ///< of perturbation
+  int ego_poses = 3;    ///< poses of the ego at impact that are aimed at, spread along its path
+  int draws = 16;       ///< arrivals per pattern, the pattern's own first
+  int homed = 3;        ///< best candidates whose arrival is shifted by the error of their contact
+  int corrections = 3;  ///< per candidate
+  int kept = 10;        ///< best candidates that are perturbed
+  int rounds = 4;       ///< of perturbation
+  int perturbations = 60;    ///< per round
+  int bicycle_targets = 40;  ///< arrivals tried with the bicycle, if no quintic is good enough
+  int bicycle_rounds = 6;    ///< of perturbation
   int bicycle_perturbations = 100;  ///< per round
   int steering_rounds = 9;          ///< of SteeringSearch
 };
 
-/// Where the attackers of COLLIDE end, as seen from the ego: recovered from the files of the set.
+/// End poses of the attackers in COLLIDE relative to the ego, recovered from the files of the data
+/// set.
 struct NominalOptions {
   double end_distance = 4.0;   ///< m between the middles, in front (opposite direction) or behind
   double side_distance = 3.0;  ///< m to the left or right (junction crossing, ltap)
@@ -84,7 +85,7 @@ struct NominalOptions {
   double lane_change_heading = 0.3491;  ///< rad (20 degrees) to the ego; the files have 10 to 30
 };
 
-/// Everything that the road from a snapshot to an attacker trajectory is tuned by.
+/// All options of the computation from a snapshot to an attacker trajectory.
 struct AttackOptions {
   PredictionOptions prediction;
   SearchOptions search;
@@ -98,21 +99,23 @@ struct AttackOptions {
 /// Attackers that a list of requests names: any vehicle, or each possible one by its id.
 enum class Attackers { kAny, kEach };
 
-/// Contents of a list of requests. Defaults of stride, ttas and min_ego_speed and their units:
+/// Contents of a list of requests. The defaults of stride, ttas and min_ego_speed are in
 /// config/requests.yaml.
 struct RequestListOptions {
-  double stride = 0.0;
-  std::vector<double> ttas;
-  double min_ego_speed = 0.0;
+  double stride = 0.0;         ///< s between the times of requests
+  std::vector<double> ttas;    ///< s from t0 to the contact
+  double min_ego_speed = 0.0;  ///< m/s; times with a slower ego are left out
   std::vector<CollisionType> types{std::begin(kCollisionTypes), std::end(kCollisionTypes)};
   Attackers attackers = Attackers::kAny;
   std::uint64_t seed = 0;  ///< of every request
 };
 
+/// Reads the struct from config/requests.yaml. Throws ConfigError for a missing key or a value out
+/// of range.
 void readOptions(Section& section, RequestListOptions& options);
 
 /// Reads prediction.yaml, search.yaml, believability.yaml, vehicle_limits.yaml and
-/// ego_futures.yaml.
+/// ego_futures.yaml. Throws ConfigError.
 void readAttackOptions(const ConfigFolder& directory, AttackOptions& options);
 
 }  // namespace forge

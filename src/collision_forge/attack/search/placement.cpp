@@ -80,10 +80,11 @@ double partingDistance(const BoxSize& ego, const BoxSize& attacker, const Pose2&
 }
 
 Pose2 attackerOffset(const BoxSize& ego, const BoxSize& attacker, Side side, double heading,
-                     double slide, double depth) {
+                     double contact_position, double depth) {
   const bool along_x = side == Side::kFront || side == Side::kRear;
   const double half_side = 0.5 * (along_x ? ego.width : ego.length);
-  const Pose2 from{along_x ? 0.0 : slide * half_side, along_x ? slide * half_side : 0.0, heading};
+  const Pose2 from{along_x ? 0.0 : contact_position * half_side,
+                   along_x ? contact_position * half_side : 0.0, heading};
   const double push = partingDistance(ego, attacker, from, outward(side)) - depth;
   const Vector2 position = from.position() + push * outward(side);
   return {position.x(), position.y(), heading};

@@ -49,11 +49,11 @@ double partingDistance(const BoxSize& ego, const BoxSize& attacker, const Pose2&
                        const Vector2& direction);
 
 /// Returns the attacker's box centre and heading in the ego box's frame when pushed in from `side`
-/// until the boxes overlap by `depth` m along the push. `heading` in rad. `slide` in [-1, 1]:
-/// contact position along the side, as a share of half the side (positive: forward; on front and
-/// rear: left).
+/// until the boxes overlap by `depth` m along the push. `heading` in rad. `contact_position` in
+/// [-1, 1]: contact position along the side, as a share of half the side (positive: forward; on
+/// front and rear: left).
 Pose2 attackerOffset(const BoxSize& ego, const BoxSize& attacker, Side side, double heading,
-                     double slide, double depth);
+                     double contact_position, double depth);
 
 /// Returns the pose at the same heading, on the line through the ego's centre and the attacker's,
 /// at which the boxes only touch. An attacker at the ego's centre is moved backwards.

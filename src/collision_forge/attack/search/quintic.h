@@ -6,12 +6,12 @@ namespace forge {
 
 /// Position, velocity and acceleration on one axis at one end of a quintic.
 struct AxisState {
-  double position = 0.0;
-  double velocity = 0.0;
-  double acceleration = 0.0;
+  double position = 0.0;      ///< m, or another unit that the caller chooses
+  double velocity = 0.0;      ///< unit of `position` per s
+  double acceleration = 0.0;  ///< unit of `position` per s2
 };
 
-/// Polynomial of degree five through two axis states (Takahashi et al. 1989). Units of position, s.
+/// Polynomial of degree five through two axis states (Takahashi et al. 1989).
 class Quintic {
  public:
   /// Throws std::invalid_argument unless `duration` > 0 (s).

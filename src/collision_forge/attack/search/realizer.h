@@ -13,9 +13,10 @@ namespace forge {
 struct RealizationTask {
   const std::vector<CollisionPattern>& patterns;  ///< most promising first
   const VerificationInput& input;
-  bool exact = false;                  ///< require the contact at one of the patterns (isExact())
-  const AttackerWays& ways = kNoWays;  ///< for plausible attackers, like `motion`
-  SearchedMotion motion = SearchedMotion::kByRoutes;
+  bool exact = false;  ///< require the contact at one of the patterns (isExact())
+  /// Paths of attackers, used instead of the paths along their lanes; for plausible attackers only.
+  const AttackerWays& ways = kNoWays;
+  SearchedMotion motion = SearchedMotion::kByRoutes;  ///< for plausible attackers only
 };
 
 /// Searches from the patterns (searchAttacks()) and returns the first attack, best first, that

@@ -17,6 +17,7 @@ class RecordedTraffic {
   /// Instants are numbered from t0: 0 is t0, negative before it.
   int firstInstant() const { return first_; }
   int lastInstant() const { return first_ + static_cast<int>(bodies_.size()) - 1; }
+  /// Returns the time between two instants, s.
   double interval() const { return interval_; }
 
   /// Returns true if the box, enlarged by `clearance` (m) on all sides, overlaps an agent or the

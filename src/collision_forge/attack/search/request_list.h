@@ -14,7 +14,7 @@ namespace forge {
 struct RequestTally {
   std::size_t instants = 0;  ///< every RequestListOptions::stride
   std::size_t slow = 0;      ///< with an ego below RequestListOptions::min_ego_speed
-  std::size_t late = 0;      ///< too close to the end of the recording for every TTA
+  std::size_t late = 0;      ///< too close to the end of the recording for any TTA
 };
 
 /// Returns the requests that a recording allows: at the frame nearest to every `list.stride` s from

@@ -11,18 +11,18 @@
 
 namespace forge {
 
-/// How hard a driver drives until its manoeuvre.
+/// Largest accelerations that a driver uses until its manoeuvre.
 struct DrivingStyle {
-  double forward = 0.0;  ///< m/s2
-  double braking = 0.0;  ///< m/s2
+  double forward = 0.0;  ///< m/s2, acceleration
+  double braking = 0.0;  ///< m/s2, deceleration
   double lateral = 0.0;  ///< m/s2, in bends
   double jerk = 0.0;     ///< m/s3
-  double cost = 0.0;     ///< share of the futures
+  double cost = 0.0;     ///< added to Attack::effort, as a share of the futures
 };
 
-/// The calmest first: a driver takes the first style that arrives in time. The first three were
-/// chosen so that a classifier can hardly separate attackers from recorded vehicles
-/// (docs/results.md); the last one is for drivers in trouble.
+/// Styles, calmest first: a driver takes the first one with which it arrives in time. The first
+/// three were chosen so that a classifier can hardly separate attackers from recorded vehicles
+/// (docs/results.md); the last one is for emergencies.
 inline constexpr std::array<DrivingStyle, 4> kDrivingStyles{{{0.4, 1.0, 2.0, 0.5, 0.0},
                                                              {1.0, 1.0, 2.0, 1.0, 0.06},
                                                              {2.0, 2.5, 2.8, 3.0, 0.14},
@@ -32,19 +32,20 @@ inline constexpr double kRouteReach = 7.0;        ///< m from a route to the ego
 inline constexpr double kArrivalPrecision = 0.3;  ///< m along the route that an arrival may miss
 inline constexpr double kMaxDeparture = 5.0;      ///< m from the lane's middle in a manoeuvre
 inline constexpr double kMaxLean = 0.6;           ///< rad between vehicle and lane at the contact
-/// rad kept to either end of the band of headings of the type when an arrival is chosen.
+/// rad; arrivals are chosen this far inside both ends of the type's heading band.
 inline constexpr double kArrivalHeadingMargin = 0.03;
-/// m from the lane's middle that a vehicle may stand that pulls out; parked cars are 2 to 4 m away.
+/// m from the middle of the lane within which a vehicle may stand that pulls out; parked cars are 2
+/// to 4 m away.
 inline constexpr double kParkingDistance = 4.5;
 
 /// Task of a driver on its route. All times in s.
 struct RoutePlan {
-  double arrival = 0.0;            ///< s after t0
-  PathPose at;                     ///< pose on the route at the arrival
-  double departure = 0.0;          ///< s before arrival: starts to leave its lane
-  double lead = 0.0;               ///< s before arrival: has reached its lateral position
-  double late = 0.0;               ///< s before arrival: late_acceleration begins; 0: never
-  double late_acceleration = 0.0;  ///< m/s2
+  double arrival = 0.0;    ///< s after t0
+  PathPose at;             ///< pose on the route at the arrival
+  double departure = 0.0;  ///< s before the arrival at which the vehicle starts to leave its lane
+  double lead = 0.0;       ///< s before the arrival at which it has reached its lateral position
+  double late = 0.0;       ///< s before the arrival at which `late_acceleration` begins; 0: never
+  double late_acceleration = 0.0;  ///< m/s2 along the route, from `late` to the arrival
   double wait = 0.0;               ///< s after t0 for which a standing vehicle waits
 };
 
@@ -71,11 +72,13 @@ struct RouteCourse {
 /// bends and with a small variation, and leaves the lane only for the contact. Immutable.
 class RouteDriver {
  public:
-  /// `now`: the vehicle's state at t0; `limits`: its vehicle's.
+  /// `now`: the vehicle's state at t0; `limits`: the limits of its class.
   RouteDriver(ReferencePath path, const DriveState& now, const DriveLimits& limits,
               const SpeedVariation& variation = {});
 
+  /// The route.
   const ReferencePath& path() const { return path_; }
+  /// The vehicle's pose on the route at t0.
   const PathPose& start() const { return start_; }
   /// Returns the lateral offset (m, left) at `along` (m): decays from the offset and heading at t0
   /// to 0.

@@ -16,6 +16,7 @@ class SearchMethod : public AttackMethod {
  public:
   /// Uses SearchRealizer.
   SearchMethod(const AttackOptions& options, std::shared_ptr<const PatternPredictor> predictor);
+  /// Uses `realizer`. Neither pointer may be null.
   SearchMethod(const AttackOptions& options, std::shared_ptr<const PatternPredictor> predictor,
                std::shared_ptr<const TrajectoryRealizer> realizer);
 

@@ -16,30 +16,31 @@
 
 namespace forge {
 
-/// Contact and pattern of a request for an exact contact differ by at most so much. A candidate
-/// also ends the search only if its contact is at most kExactDistance beyond the pattern's
-/// tolerance.
+/// Largest differences between contact and pattern if a request asks for an exact contact. Such a
+/// search ends early only with a contact at most kExactDistance beyond the pattern's tolerance.
 inline constexpr double kExactDistance = 0.3;  ///< m
 inline constexpr double kExactHeading = 0.09;  ///< rad (5 degrees)
 
-/// Share of every vehicle limit that is used; the rest is for readers that round points.
+/// Share of every vehicle limit that is used: programs that round the points of a trajectory must
+/// not find a violation.
 inline constexpr double kLimitMargin = 0.998;
-inline constexpr double kContactDepth = 0.25;  ///< m of overlap aimed at: no grazing contacts
-// Costs and values of a candidate, as shares of the sampled futures:
-inline constexpr double kClosenessWeight = 0.2;  ///< value of a near miss
-inline constexpr double kPatternWeight = 0.3;  ///< cost of a contact far from its pattern; half ...
-inline constexpr double kNearPattern = 0.5;    ///< ... this far (m) beyond the pattern's tolerance
-inline constexpr double kOffLaneWeight = 1.0;  ///< cost of driving on no lane until shortly before
+inline constexpr double kContactDepth = 0.25;  ///< m of overlap aimed at, so that no contact grazes
+// Terms of a candidate's objective, in units of the share of futures that it hits:
+inline constexpr double kClosenessWeight = 0.2;  ///< gain for FutureScore::closeness = 1
+inline constexpr double kPatternWeight =
+    0.3;                                     ///< cost of a contact far from its pattern; half of it
+inline constexpr double kNearPattern = 0.5;  ///< this far (m) beyond the pattern's tolerance
+inline constexpr double kOffLaneWeight = 1.0;   ///< cost of driving on no lane until shortly before
 inline constexpr double kWrongWayWeight = 1.0;  ///< cost of driving against all lanes around
 
 /// Free parameters of an attack along a route; the motion follows from them.
 struct RouteDraft {
-  std::size_t ego = 0;      ///< targeted future, an index into SearchInput::egos
-  double contact = 0.0;     ///< s after t0
-  Side side = Side::kLeft;  ///< touched side of the ego's box
-  double heading = 0.0;     ///< rad, attacker's heading relative to the ego's
-  double slide = 0.0;       ///< contact position along the side, see attackerOffset()
-  // See RoutePlan; s, m/s2.
+  std::size_t ego = 0;            ///< targeted future, an index into SearchInput::egos
+  double contact = 0.0;           ///< s after t0
+  Side side = Side::kLeft;        ///< touched side of the ego's box
+  double heading = 0.0;           ///< rad, attacker's heading relative to the ego's
+  double contact_position = 0.0;  ///< contact position along the side, see attackerOffset()
+  // As in RoutePlan: s, m/s2.
   double departure = 0.0;
   double lead = 0.0;
   double late = 0.0;
@@ -49,7 +50,7 @@ struct RouteDraft {
 
 /// A draft with its path.
 struct DraftedWay {
-  ReferencePath way;
+  ReferencePath way;  ///< path of the attacker
   RouteDraft draft;
   std::size_t style = 0;  ///< RouteSpeed::style
 };
@@ -104,8 +105,8 @@ struct SearchInput {
   const std::vector<CollisionPattern>& patterns;  ///< most promising first
   const CollisionRequest& request;
   const LaneIndex& lanes;
-  bool exact = false;  ///< weights the contact at the pattern as highly as a hit
-  const AttackerWays& ways = kNoWays;
+  bool exact = false;                  ///< weights the contact at the pattern as highly as a hit
+  const AttackerWays& ways = kNoWays;  ///< used instead of the paths along the attackers' lanes
   SearchedMotion motion = SearchedMotion::kByRoutes;
   const Underway* underway = nullptr;  ///< set: search along routes for this one attacker
 

@@ -8,7 +8,7 @@ namespace forge {
 
 double SpeedVariation::frequency() const { return 2.0 * M_PI / period; }
 
-double SpeedVariation::way(double time) const {
+double SpeedVariation::distanceGained(double time) const {
   const double rate = frequency();
   const double turned = rate * time + phase;
   return amplitude / rate * (std::cos(phase) * time - (std::sin(turned) - std::sin(phase)) / rate);

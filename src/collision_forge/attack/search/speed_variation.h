@@ -5,8 +5,9 @@
 
 namespace forge {
 
-// The wave of acceleration of a driver that keeps its speed; chosen as kDrivingStyles.
-inline constexpr double kMaxVariation = 1.0;    ///< m/s2
+// Ranges from which variationOf() draws. Chosen so that a classifier can hardly separate attackers
+// from recorded vehicles.
+inline constexpr double kMaxVariation = 1.0;    ///< m/s2, largest amplitude
 inline constexpr double kShortestPeriod = 4.0;  ///< s
 inline constexpr double kLongestPeriod = 8.0;   ///< s
 
@@ -17,13 +18,14 @@ struct SpeedVariation {
   double period = 1.0;     ///< s
   double phase = 0.0;      ///< rad
 
-  double frequency() const;  ///< rad/s
+  double frequency() const;  ///< 2 pi / period, rad/s
   /// Returns the distance (m) gained by `time` (s after t0) over a driver without variation and
   /// with the same speed at t0.
-  double way(double time) const;
+  double distanceGained(double time) const;
 };
 
-/// Returns a vehicle's variation, deterministic in its id and the request's seed.
+/// Returns the variation of the vehicle `id`: a pseudorandom draw that depends only on the id and
+/// the request's seed.
 SpeedVariation variationOf(const std::string& id, std::uint64_t seed);
 
 }  // namespace forge

@@ -9,18 +9,17 @@
 namespace forge {
 namespace {
 
-// Motions that are drawn in the first round and in each later one, and the nearest ones that the
-// next round is drawn like.
-constexpr int kFirstPopulation = 3008;
-constexpr int kPopulation = 704;
-constexpr int kElites = 30;
+constexpr int kFirstPopulation = 3008;  // motions drawn in the first round
+constexpr int kPopulation = 704;        // motions drawn in each later round
+constexpr int kElites = 30;             // best motions, whose distribution the next round samples
 static_assert(kElites < kPopulation && SteeringSearch::kConsidered <= kPopulation);
-constexpr double kAccelerationDeviation = 4.0;        // m/s2, of the knots of the first round
+// Standard deviations of the knots in the first round, and their lower bounds in later rounds.
+constexpr double kAccelerationDeviation = 4.0;        // m/s2
 constexpr double kCurvatureDeviation = 0.3;           // 1/m
-constexpr double kLeastAccelerationDeviation = 0.05;  // m/s2, of any round
+constexpr double kLeastAccelerationDeviation = 0.05;  // m/s2
 constexpr double kLeastCurvatureDeviation = 0.001;    // 1/m
-constexpr double kHeadingWeight = 8.0;  // m that a radian beyond the type's band of headings costs
-constexpr double kClearance = 0.4;      // m to the ego before the contact may be
+constexpr double kHeadingWeight = 8.0;  // m; cost per radian beyond the type's heading band
+constexpr double kClearance = 0.4;      // m to keep from the ego before the first allowed contact
 constexpr int kKnots = SteeringKnots::kCount;
 constexpr int kWide = SteeringSearch::kWide;
 constexpr float kFar = 1e6F;    // m

@@ -9,7 +9,8 @@
 namespace forge {
 
 inline constexpr double kPreview = 0.8;  ///< s that the steering looks ahead
-/// Share of every limit of the class that is used; the rest allows for readers that round poses.
+/// Share of every limit of the class that is used: programs that round poses must not find a
+/// violation.
 inline constexpr double kLimitShare = 0.93;
 
 /// One step of a planned motion: the state of the box centre.

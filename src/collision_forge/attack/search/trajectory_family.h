@@ -54,7 +54,8 @@ class BicycleFamily {
   /// Marquardt 1963); empty if it stays too far away.
   std::optional<SteeringKnots> solve(const DriveStart& start, const Arrival& arrival) const;
 
-  /// Overwrites `points`: steers for `duration` s, then goes straight.
+  /// Overwrites `points` with DriveStart::points points: steers by `knots` for `duration` s, then
+  /// goes straight.
   void roll(const DriveStart& start, const SteeringKnots& knots, double duration,
             std::vector<TrajectoryPoint>& points) const;
 

@@ -41,11 +41,12 @@ struct Impact {
 Vector2 contactVelocity(const ImpactBody& first, const ImpactBody& second, const Vector2& point);
 
 /// Returns the impulse between two bodies: planar impulse-momentum model (R. M. Brach, "Energy loss
-/// in vehicle collisions", SAE 871993, and Accident Analysis and Prevention 15, 1983). The bodies
-/// do not slide at the end of the impact unless that needs more than `friction`. Without an impulse
-/// if the bodies separate. If `restitution` would add energy, which needs long levers, it counts as
-/// 0. Throws std::invalid_argument, naming body and field, for a mass or inertia that is not
-/// positive, a number that is not finite, or a contact out of the ranges above.
+/// in vehicle collisions", SAE 871993, and Accident Analysis and Prevention 15, 1983). The
+/// tangential impulse stops the sliding between the bodies, but is at most `friction` times the
+/// normal impulse. The impulse is zero if the bodies separate. If `restitution` would add energy,
+/// which can happen if the contact is far from the centres of mass, it counts as 0. Throws
+/// std::invalid_argument, naming body and field, for a mass or inertia that is not positive, a
+/// number that is not finite, or a contact out of the ranges above.
 Impact planarImpact(const ImpactBody& first, const ImpactBody& second,
                     const ImpactContact& contact);
 

@@ -11,44 +11,48 @@ class Section;
 
 /// Mass and yaw inertia of a class by its box.
 struct BodyOptions {
-  double mass = 0.0;  ///< kg: mass + per_size * (length * width)^exponent ...
-  double per_size = 0.0;
-  double exponent = 1.0;
-  double least_mass = 0.0;  ///< kg; ... but at least this
+  // mass of a vehicle = max(least_mass, mass + per_size * (length * width)^exponent)
+  double mass = 0.0;        ///< kg
+  double per_size = 0.0;    ///< kg/m^(2 exponent)
+  double exponent = 1.0;    ///< without unit
+  double least_mass = 0.0;  ///< kg
   double inertia = 1.0;     ///< share of a uniform box's yaw inertia
 };
 
 /// Coefficient of restitution by closing speed v (m/s): least + low_speed * exp(-decay * v).
 struct RestitutionOptions {
-  double least = 0.0;
-  double low_speed = 0.0;
-  double decay = 0.0;  ///< s/m
+  double least = 0.0;      ///< 0..1, at high speeds
+  double low_speed = 0.0;  ///< 0..1, added at v = 0
+  double decay = 0.0;      ///< s/m
 };
 
-/// Curves of one side: [a, b] of a logistic function of delta-v.
+/// Injury probability of occupants if one side is hit, 1 / (1 + exp(-(a + b * delta-v /
+/// OccupantOptions::speed_unit))), as [a, b].
 struct OccupantCurve {
-  std::array<double, 2> mais2 = {};
-  std::array<double, 2> mais3 = {};
+  std::array<double, 2> mais2 = {};  ///< of an injury of MAIS 2 or more
+  std::array<double, 2> mais3 = {};  ///< of an injury of MAIS 3 or more
 };
 
+/// Injury curves of occupants by the side that is hit.
 struct OccupantOptions {
   std::string curve;        ///< name of the publication
-  double speed_unit = 1.0;  ///< m/s
+  double speed_unit = 1.0;  ///< m/s; unit of delta-v in the publication
   OccupantCurve front;
   OccupantCurve side;
   OccupantCurve rear;
 };
 
-/// Curves of pedestrians and riders: [a, b, c, d] as config/severity.yaml defines them.
+/// Injury probability of pedestrians and riders: 1 / (1 + exp(-(a + b * dv + c * dh + d * dv *
+/// dh))), as [a, b, c, d]; config/severity.yaml defines dv (km/h) and dh (cm).
 struct VulnerableOptions {
-  std::string curve;               ///< name of the publication
-  double car_bonnet_edge = 0.0;    ///< cm
-  double other_bonnet_edge = 0.0;  ///< cm
-  std::array<double, 4> mais2 = {};
-  std::array<double, 4> mais3 = {};
-  std::array<double, 4> fatal = {};
-  double bicycle_shift = 0.0;     ///< km/h
-  double motorcycle_shift = 0.0;  ///< km/h
+  std::string curve;                 ///< name of the publication
+  double car_bonnet_edge = 0.0;      ///< cm, height of a car's bonnet edge
+  double other_bonnet_edge = 0.0;    ///< cm, the same for other vehicles
+  std::array<double, 4> mais2 = {};  ///< of an injury of MAIS 2 or more
+  std::array<double, 4> mais3 = {};  ///< of an injury of MAIS 3 or more
+  std::array<double, 4> fatal = {};  ///< of a fatal injury
+  double bicycle_shift = 0.0;        ///< km/h more than a pedestrian's for the same probability
+  double motorcycle_shift = 0.0;     ///< km/h, the same for a motorcyclist
 };
 
 /// Motion on the road after the impact, until both parties stand.
@@ -63,15 +67,16 @@ struct AfterImpactOptions {
 
 /// Bounds of delta-v (km/h) from which S1, S2 and S3 of ISO 26262 apply.
 struct SeverityBounds {
-  std::array<double, 3> lower = {};
-  std::array<double, 3> upper = {};
+  std::array<double, 3> lower = {};  ///< lower of the published bounds
+  std::array<double, 3> upper = {};  ///< upper of the published bounds
 };
 
 /// config/severity.yaml, which has the sources.
 struct SeverityOptions {
   std::array<BodyOptions, 11> bodies;  ///< in the order of AgentClass
-  double engagement = 0.0;             ///< s
-  double friction = 0.0;
+  double engagement =
+      0.0;  ///< s from the first touch to the overlap in whose middle the impulse acts
+  double friction = 0.0;  ///< largest ratio of tangential to normal impulse, >= 0
   RestitutionOptions restitution;
   AfterImpactOptions after_impact;
   OccupantOptions occupants;
@@ -82,6 +87,7 @@ struct SeverityOptions {
   SeverityBounds oblique;
 };
 
+/// Reads the struct from its section. Throws ConfigError for a missing key or a value out of range.
 void readOptions(Section& section, SeverityOptions& options);
 
 }  // namespace forge

@@ -9,9 +9,9 @@ namespace {
 // Tolerances for values derived from poses, because the state changes within a step.
 constexpr double kSlip = 0.01;       // m across the mean heading per step
 constexpr double kBackwards = 1e-3;  // m, for rounding at standstill
-constexpr double kSlowWay = 0.05;  // m; a shorter step gives no steering angle, its turn is limited
-constexpr double kSlowTurn =
-    2e-3;  // rad by which such a turn may exceed the maximum steering angle's
+constexpr double kSlowWay = 0.05;  // m; a shorter step gives no steering angle: its turn is checked
+constexpr double kSlowTurn = 2e-3;  // rad by which the turn of such a step may exceed the turn at
+                                    // the maximum steering angle
 constexpr double kAngleError = 0.005;         // rad
 constexpr double kRateError = 0.02;           // rad/s
 constexpr double kSpeedError = 0.05;          // m/s

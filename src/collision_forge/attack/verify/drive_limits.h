@@ -84,6 +84,8 @@ struct DriveState {
 /// kStandstillSpeed the vehicle stands with straight wheels.
 DriveState driveStateOf(const Motion& motion, const DriveLimits& limits);
 
+/// Reads the keys `drivable` and `lengths`. Throws ConfigError for a missing key or a value out of
+/// range.
 void readOptions(Section& section, DriveLimitOptions& options);
 
 }  // namespace forge

@@ -14,8 +14,8 @@ struct BrokenLimit {
   /// Key in config/vehicle_limits.yaml, or "finite", "no_reversing", "speed_of_positions", or a
   /// name of findBrokenDrive().
   const char* name = "";
-  double value = 0.0;
-  double limit = 0.0;
+  double value = 0.0;  ///< value of the trajectory
+  double limit = 0.0;  ///< largest allowed value
 };
 
 /// Keeps the violated limit with the greatest ratio of value to limit.
@@ -29,6 +29,7 @@ class WorstLimit {
     ratio_ = ratio;
     found_ = BrokenLimit{name, value, limit};
   }
+  /// Returns the worst violation so far; empty if there is none.
   const std::optional<BrokenLimit>& found() const { return found_; }
 
  private:

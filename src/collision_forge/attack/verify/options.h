@@ -16,8 +16,8 @@ struct VehicleLimits {
   double max_curvature = 0.0;             ///< 1/m
   double max_speed = 0.0;                 ///< m/s
   double curvature_min_speed = 0.0;  ///< m/s; below it the heading limits replace max_curvature
-  double heading_slack = 0.0;        ///< rad
-  double heading_per_metre = 0.0;    ///< rad/m
+  double heading_slack = 0.0;      ///< rad of turn allowed at speeds below curvature_min_speed ...
+  double heading_per_metre = 0.0;  ///< ... plus this many rad per m driven at such speeds
 };
 
 /// Limits of plausible driving, config/believability.yaml, which has the reasons.
@@ -44,6 +44,7 @@ struct VerificationOptions {
   double off_road_interval = 0.5;    ///< s between the poses averaged by offRoadShare()
 };
 
+// Read the struct from its section. Throw ConfigError for a missing key or a value out of range.
 void readOptions(Section& section, VehicleLimits& limits);
 /// Reads `strict`, `drivable` and `lengths` of config/vehicle_limits.yaml.
 void readVehicleLimits(Section& section, VerificationOptions& options);

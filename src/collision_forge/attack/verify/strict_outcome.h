@@ -11,7 +11,9 @@ struct StrictOutcome {
   bool full_type_kept = false;  ///< the full definition of the type is met
   bool is_plausible = true;     ///< the attack is plausible, or the request does not require that
 
+  /// Returns true for a success with types defined by the heading at contact alone.
   bool meetsAngleBands() const { return report.verified() && is_plausible; }
+  /// Returns true for a success with the full definition of the types.
   bool meetsFullDefinitions() const { return meetsAngleBands() && full_type_kept; }
 };
 

@@ -7,7 +7,8 @@
 
 namespace forge {
 
-/// Opens a file of the configuration, with its overlay merged. Throws ConfigError.
+/// Opens the file `name` ("search.yaml") of the configuration, with its overlay merged. Throws
+/// ConfigError.
 Section openConfigFile(const ConfigFolder& folder, const std::string& name);
 
 /// Opens `text`, the content of a configuration file; error messages name `path`. Throws

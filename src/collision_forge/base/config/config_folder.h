@@ -8,9 +8,9 @@
 namespace forge {
 
 /// A folder of configuration files with an optional overlay. If both folders have a file, mappings
-/// are merged key by key and other values of the overlay replace the values below them. A relative
-/// path is resolved against the folder of the file that gives it; a value that the overlay merely
-/// repeats counts as given by the complete folder.
+/// are merged key by key and other values of the overlay replace the values of the complete folder.
+/// A relative path is resolved against the folder of the file that gives it; a value that the
+/// overlay merely repeats counts as given by the complete folder.
 ///
 /// File names are like "search.yaml" or "study/training.yaml". All functions throw ConfigError.
 class ConfigFolder {

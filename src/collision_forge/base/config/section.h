@@ -66,6 +66,7 @@ class Section {
     for (const auto& entry : choices) names.push_back(entry.first);
     return choices[indexOf(key, names)].second;
   }
+  /// A string; may be empty.
   std::string text(const std::string& key);
   /// A path, resolved against the folder of the file that gives it; "" stays "".
   std::string path(const std::string& key);

@@ -24,9 +24,10 @@ struct OrientedBox {
 /// Returns the corners counter-clockwise, front left first.
 std::array<Vector2, 4> corners(const OrientedBox& box);
 
+/// Number of the sample points of placesOf().
+inline constexpr std::size_t kBoxSamples = 9;
 /// Returns sample points of a box for quick queries about the ground below it: a grid of three by
 /// three, spaced 0.4 of the length and 0.4 of the width around the centre.
-inline constexpr std::size_t kBoxSamples = 9;
 std::array<Vector2, kBoxSamples> placesOf(const OrientedBox& box);
 
 /// Returns the box with every side moved inwards by `margin` (m; outwards if negative); sides stay
@@ -63,8 +64,9 @@ double intersectionOverUnion(const OrientedBox& a, const OrientedBox& b);
 
 /// A side of a box, in the box's frame.
 enum class Side { kFront, kRear, kLeft, kRight };
+/// Returns "front", "rear", "left" or "right".
 const char* toString(Side side);
-/// Returns the side named "front", "rear", "left" or "right"; nullopt for another name.
+/// Returns the side of a name as toString() spells it; nullopt for another name.
 std::optional<Side> sideFromString(const std::string& name);
 
 /// Returns the side of `box` that `other` touches: the side beyond whose line `other` lies

@@ -37,6 +37,7 @@ class LaneIndex {
   /// centreline beyond its limit (200 km, 100 km). Ignores outgoing ids that the map does not have.
   explicit LaneIndex(std::shared_ptr<const LaneMap> map);
 
+  /// Returns the map of the constructor.
   const LaneMap& map() const { return *map_; }
   std::shared_ptr<const LaneMap> sharedMap() const { return map_; }
 
@@ -46,7 +47,8 @@ class LaneIndex {
     return centerlines_.at(lane);
   }
 
-  /// Returns the indices of the successor lanes, in the order of Lane::outgoing.
+  /// Returns the indices of the successor lanes, in the order of Lane::outgoing. Throws
+  /// std::out_of_range for an index beyond the map's lanes.
   const std::vector<std::size_t>& successors(std::size_t lane) const {
     return successors_.at(lane);
   }
@@ -73,9 +75,10 @@ class LaneIndex {
   std::vector<LanePath> pathsAhead(std::size_t lane, double arc_length, double distance,
                                    std::size_t max_paths) const;
 
-  /// Returns the successor that turns least: its largest heading difference from the end of `lane`,
-  /// anywhere along it, is smallest; the first in Lane::outgoing of equals. Returns nullopt if no
-  /// lane follows. Throws std::invalid_argument for a lane without a centreline.
+  /// Returns the successor that turns least: the one whose heading stays closest to the heading at
+  /// the end of `lane` (smallest maximum difference along the successor); the first of equals in
+  /// Lane::outgoing. Returns nullopt if no lane follows. Throws std::invalid_argument for a lane
+  /// without a centreline.
   std::optional<std::size_t> straightestSuccessor(std::size_t lane) const;
 
   /// Fast queries on the centrelines, accurate to 0.25 m.

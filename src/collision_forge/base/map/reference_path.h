@@ -25,8 +25,8 @@ class ReferencePath {
     double stretch = 1.0;    ///< m travelled per m of arc length, below 1 in sharp bends
   };
 
-  static constexpr double kBendSpacing = 1.0;  ///< m between bends()
-  static constexpr std::size_t kMinControls = 4;
+  static constexpr double kBendSpacing = 1.0;     ///< m between bends()
+  static constexpr std::size_t kMinControls = 4;  ///< control points of a cubic with one piece
 
   /// Smooths a centreline (or several joined ones) over a few metres: recorded centrelines have
   /// kinks that no driver follows.

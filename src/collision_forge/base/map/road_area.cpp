@@ -16,11 +16,12 @@ namespace forge {
 namespace {
 
 constexpr double kSpacing = 0.5;       // m between nodes; the cells of AreaRaster
-constexpr double kMostNodes = 1.6e7;   // of a grid: 2 km x 2 km at kSpacing, 130 MB
-constexpr double kReach = 25.0;        // m from an edge: half the width of a large junction
-constexpr double kJoint = 0.5;         // m between ends that continue each other
-constexpr double kExtension = 3.0;     // m by which an open end is continued
-constexpr double kTwoSided = 0.2;      // share of votes from which a side has road
+constexpr double kMostNodes = 1.6e7;   // nodes of a grid: 2 km x 2 km at kSpacing, 130 MB
+constexpr double kReach = 25.0;        // m; road reaches at most this far from an edge (half the
+                                       // width of a large junction)
+constexpr double kJoint = 0.5;         // m between open ends that are joined, at most
+constexpr double kExtension = 3.0;     // m by which an open end is extended straight
+constexpr double kTwoSided = 0.2;      // a side with this share of an edge's votes has road
 constexpr double kVoteSpacing = 1.0;   // m between the votes of a centreline
 constexpr double kSmallestRing = 0.3;  // m2; smaller areas and islands are noise
 
@@ -228,8 +229,7 @@ class NearestPieces {
   std::vector<float> squared_;         // m2, distance to it
 };
 
-/// Returns true if `point` is left of the piece's edge at `foot`; nullopt where an open end says
-/// nothing about it.
+/// Returns true if `point` is left of the piece's edge at `foot`; nullopt beyond an open end.
 std::optional<bool> isLeft(const EdgePiece& piece, const EdgeFoot& foot, const Vector2& point) {
   const Vector2 away = point - foot.point;
   Vector2 tangent = piece.direction();
@@ -303,7 +303,8 @@ class RoadArea {
   }
 
  private:
-  /// Distance to the nearest edge, m, positive on its road side; negative if no edge says anything.
+  /// Returns the distance to the nearest edge, m, positive on its road side; negative if no edge
+  /// decides.
   double valueAt(const Vector2& point, const EdgePiece* piece) const {
     if (piece == nullptr) return -kSpacing;
     const EdgeFoot foot = footOn(*piece, point);

@@ -15,9 +15,10 @@ namespace forge {
 /// - A point is road if it is on the road side of the nearest edge, at most 25 m from it. Medians
 ///   and islands, whose road is outside, become holes.
 /// - Edges may be open polylines in any order. An open end closer than 0.5 m to another continues
-///   there; any other end is taken to continue straight for 3 m. Beyond that it says nothing.
-/// - Where no edge says anything or a centreline is not inside, the strip of kLaneWidth along the
-///   centreline is added. Driveways are added as they are.
+///   there; any other end is taken to continue straight for 3 m. No edge decides about points
+///   beyond.
+/// - Where no edge decides, or where a centreline is outside the result, the strip of kLaneWidth
+///   along the centreline is added. Driveways are added as they are.
 ///
 /// The nearest edge is found on a grid of 0.5 m (coarser for maps larger than 2 km) and the border
 /// is interpolated between its nodes: on smooth edges exact to a few centimetres; sharp corners are

@@ -32,7 +32,8 @@ struct PatternMiss {
 /// Returns the difference between two poses of the attacker that are given in the same frame.
 PatternMiss missBetween(const Pose2& expected, const Pose2& actual);
 
-/// Returns an upper bound, in m, on the displacement of any corner of the attacker's box.
+/// Returns an upper bound, in m, on the displacement of any corner of the attacker's box of size
+/// `attacker` between its predicted and its actual pose.
 double cornerMiss(const PatternMiss& miss, const BoxSize& attacker);
 
 /// One sample of the attacker's motion. Global map frame; the pose is the box centre.
@@ -126,7 +127,8 @@ struct Attack {
   /// Penalty for unusual driving, in units of confidence: 0 for the most common behaviour. Set only
   /// if the request asks for plausible attackers.
   double effort = 0.0;
-  /// Further attacks if the request asks for them (findAlternatives()); theirs is empty.
+  /// Further attacks if the request asks for them (findAlternatives()); they have no alternatives
+  /// of their own.
   std::vector<Attack> alternatives = {};
 };
 

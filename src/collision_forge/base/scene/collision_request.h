@@ -13,13 +13,17 @@ namespace forge {
 /// Information that a request may use: kHistory the frames up to t0, kReplay the recorded future as
 /// well, kAdaptive as kHistory, and the attacker replans at every later frame.
 enum class Mode { kHistory, kReplay, kAdaptive };
+/// Returns "history", "replay" or "adaptive".
 const char* toString(Mode mode);
+/// Returns the mode of a name as toString() spells it; nullopt for another name.
 std::optional<Mode> modeFromString(const std::string& name);
 
 /// Which vehicles may attack if the request names none: kExisting recorded vehicles, kNew an added
 /// one, kAny both; an existing one wins if its confidence is equal.
 enum class AttackerChoice { kAny, kExisting, kNew };
+/// Returns "any", "existing" or "new".
 const char* toString(AttackerChoice choice);
+/// Returns the choice of a name as toString() spells it; nullopt for another name.
 std::optional<AttackerChoice> attackerChoiceFromString(const std::string& name);
 
 /// A closed interval.
@@ -35,8 +39,8 @@ struct CollisionRequest {
   std::optional<std::string> attacker;  ///< agent id; empty: any vehicle that `choice` allows
   AttackerChoice choice = AttackerChoice::kAny;
   Mode mode = Mode::kHistory;
-  std::uint64_t seed = 0;
-  int alternatives = 1;  ///< number of attacks, which differ in attacker or manoeuvre
+  std::uint64_t seed = 0;  ///< of all random draws; the same request and seed give the same attack
+  int alternatives = 1;    ///< number of attacks, which differ in attacker or manoeuvre
   // Further constraints on the attack; an empty field allows any value.
   std::optional<AgentClass> attacker_class;
   std::optional<Manoeuvre> manoeuvre;
@@ -77,6 +81,7 @@ enum class StatusCode : std::uint8_t {
   kStaleScene = 16,           ///< the newest scene is older than LiveOptions::max_scene_age
   kInternalError = 17,        ///< a fault of this package, whatever the request
 };
+/// Returns the name of the constant in GenerateCollision.srv, for instance "NO_CANDIDATE".
 const char* toString(StatusCode code);
 /// Returns true for codes that depend on the scene or t0: the request may succeed elsewhere.
 bool dependsOnScene(StatusCode code);

@@ -53,7 +53,9 @@ void keepWithin(std::vector<Track>& agents, const InputLimits& limits,
 // The next three throw for the ego, the times and the number of agents, and remove other agents as
 // keepWithin() does.
 
-/// Also checks the map, if any, and that all stamps have one clock, in the unit that they claim.
+/// Also checks the map, if any; that the median interval of the ego's states is at most kMaxGap and
+/// not below 0.2 ms, as it would be if the stamps had another unit; and that the times of ego and
+/// frames overlap or are at most 10 s apart, as they have one clock.
 void checkScene(Scene& scene, const InputLimits& limits, const std::string& where,
                 std::vector<std::string>* warnings = nullptr);
 /// Checks a scene as known at t0.

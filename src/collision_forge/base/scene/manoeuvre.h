@@ -31,8 +31,9 @@ inline constexpr Manoeuvre kManoeuvres[] = {
     Manoeuvre::kOvertaking,     Manoeuvre::kWrongWay,      Manoeuvre::kStraightCrossing,
     Manoeuvre::kTurnIntoPath,   Manoeuvre::kTurnAcrossPath};
 
-/// "lead_stopped", "lead_brakes", ...
+/// Returns "lead_stopped", "lead_brakes", ...: the constant's name in lower case.
 const char* toString(Manoeuvre manoeuvre);
+/// Returns the manoeuvre of a name as toString() spells it; nullopt for another name.
 std::optional<Manoeuvre> manoeuvreFromString(const std::string& name);
 
 }  // namespace forge

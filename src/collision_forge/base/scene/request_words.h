@@ -13,8 +13,9 @@ namespace forge {
 /// (OD, HO, head_on), ...".
 std::string collisionTypeWords();
 
-/// "drivable", "strict".
+/// Returns "drivable" or "strict".
 const char* toString(LimitSet limits);
+/// Returns the set of a name as toString() spells it; nullopt for another name.
 std::optional<LimitSet> limitSetFromString(const std::string& name);
 
 /// Returns the names of all manoeuvres of a collision type, separated by commas.

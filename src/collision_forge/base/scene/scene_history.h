@@ -43,7 +43,7 @@ void keepNewest(Values& values, double age) {
 /// whatever the rate of the frames. Not thread-safe.
 class SceneHistory {
  public:
-  /// snapshot() returns at most `frames` frames.
+  /// `frames` is the largest number of frames of a snapshot; `ego` gives the size of the ego's box.
   SceneHistory(int frames, const EgoVehicle& ego);
 
   /// Starts with the frames and the map of `start`.

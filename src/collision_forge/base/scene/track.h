@@ -25,6 +25,7 @@ enum class AgentClass {
 
 /// Lower-case name as in messages and files, for instance "construction_vehicle".
 const char* toString(AgentClass agent_class);
+/// Returns the class of a name as toString() spells it; nullopt for another name.
 std::optional<AgentClass> agentClassFromString(const std::string& name);
 /// Classes that can be the attacker. The last two are attackers only if the request names them.
 inline constexpr AgentClass kAttackerClasses[] = {

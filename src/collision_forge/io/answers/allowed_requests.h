@@ -6,7 +6,8 @@
 
 namespace forge {
 
-/// Returns roadAllows() for a request, with the recorded ego motion and `options.crash`.
+/// Returns true if the lanes of the map allow a request (roadAllows()), for the recorded motion of
+/// the ego and the crash definition of `options`.
 bool roadAllowsRequest(const SceneRequest& asked, const IndexedScene& recording,
                        const AnswerOptions& options);
 

@@ -12,6 +12,7 @@ namespace forge {
 /// may exist per process.
 class InterruptionNotice {
  public:
+  /// `message` is printed followed by a line end.
   explicit InterruptionNotice(const std::string& message);
   ~InterruptionNotice();
   InterruptionNotice(const InterruptionNotice&) = delete;

@@ -7,9 +7,10 @@
 
 namespace forge {
 
-/// Locks on the output folders or files of a run. Names that are "" or repeated are skipped. Throw
-/// as OutputLock.
+/// Locks on the output folders or files of a run; released on destruction.
 using OutputLocks = std::vector<OutputLock>;
+/// Lock the folders, or the file. Names that are "" or repeated are skipped. Throw as OutputLock if
+/// another process holds a lock.
 OutputLocks lockFolders(const std::vector<std::string>& folders);
 OutputLocks lockFile(const std::string& path);
 

@@ -15,7 +15,7 @@ ResumableFile::Options withProgram(ResumableFile::Options options) {
   return options;
 }
 
-/// The file of results, and what is printed of it.
+/// The results file, and the messages about it.
 class Results {
  public:
   explicit Results(const Run& run)

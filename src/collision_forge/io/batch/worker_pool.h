@@ -18,6 +18,7 @@ namespace forge {
 /// from one thread.
 class WorkerPool {
  public:
+  /// Returns the result of the item with this index.
   using Work = std::function<std::string(std::size_t)>;
 
   /// Starts `jobs` (> 0) threads, which call `work` concurrently. Exceptions of `work` are returned

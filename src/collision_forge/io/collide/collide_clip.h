@@ -39,10 +39,10 @@ struct CollideTrack {
 struct CollideName {
   std::string batch;  ///< batch of generation, as "v4.5"
   std::string city;   ///< name of the map
-  std::string scene;
+  std::string scene;  ///< name of the nuScenes scene
   CollisionType type = CollisionType::kRearEnd;
   int placement = 0;  ///< 0 left front, 1 right front, 2 from left, 3 from right, 4 rear, 5 head-on
-  int variant = 0;
+  int variant = 0;    ///< counts clips with equal other fields
   int collision_frame = 8;  ///< 8 or above; last frame of every track
   double angle = 0.0;  ///< rad in [0, pi]: |relative heading| at first contact, to 0.01 degrees
   std::string attacker_id;
@@ -61,6 +61,7 @@ struct CollideClip : CollideName {
   double nominalTta() const { return kCollideFrameInterval * (collision_frame - kCollideNowFrame); }
   /// Returns a track by id. Throws std::out_of_range for an unknown id.
   const CollideTrack& track(const std::string& id) const;
+  // Return the track of the ego or the attacker.
   const CollideTrack& ego() const;
   const CollideTrack& attacker() const { return track(attacker_id); }
 };

@@ -16,9 +16,9 @@ namespace {
 
 static_assert(kCollideNowFrame == 7, "the texts say so");
 constexpr EnumWord<ClipObstacle> kObstacleTexts[] = {
-    {ClipObstacle::kShortHistory, "with fewer than 7 frames at 2 Hz before now"},
+    {ClipObstacle::kShortHistory, "with fewer than 7 frames at 2 Hz before t0"},
     {ClipObstacle::kEgoMissing, "without the ego in a frame"},
-    {ClipObstacle::kAttackerMissing, "without the attacker in one of the 7 frames before now"},
+    {ClipObstacle::kAttackerMissing, "without the attacker in one of the 7 frames before t0"},
     {ClipObstacle::kNoCollisionFrame, "without a recorded frame at the collision"},
     {ClipObstacle::kTrajectoryEnds, "with a trajectory that ends before the collision frame"},
     {ClipObstacle::kNoCar, "by a motorcycle, which readers would take for a car"},

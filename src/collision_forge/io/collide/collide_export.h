@@ -15,24 +15,25 @@ enum class ClipObstacle {
   kShortHistory,      ///< fewer than kCollideNowFrame frames at 2 Hz before t0
   kEgoMissing,        ///< the ego is missing in a frame of the clip
   kAttackerMissing,   ///< the attacker is missing in a frame up to t0
-  kNoCollisionFrame,  ///< the recording ends before the collision frame, or it is not after t0
+  kNoCollisionFrame,  ///< the collision frame is not after t0, or the recording ends before it
   kTrajectoryEnds,    ///< the attacker's trajectory ends before the collision frame
   kNoCar,             ///< the attacker is a motorcycle: readers give every track a car's box
   kUnfitName,         ///< the name of map, scene or attacker is empty or contains '_' or '/'
 };
 
-/// Returns a text for people that follows a number of attacks: "with fewer than 7 frames before
-/// now".
+/// Returns a text for people that follows a number of attacks: "with fewer than 7 frames at
+/// 2 Hz before t0".
 const char* toString(ClipObstacle obstacle);
 
-/// Converts an attack to the layout of COLLIDE; `scene` is the recording of its request.
+/// Converts an attack to the layout of COLLIDE. `scene` is the recording of its request; `variant`
+/// becomes CollideName::variant. Returns the reason instead if the layout cannot hold the attack.
 ///
 /// Frame kCollideNowFrame is t0; the last frame is TTA / 0.5 s, rounded, frames later. If the
 /// recording is not at 2 Hz (areCollideFrames()), it is interpolated at times 0.5 s apart. The ego
 /// and other car-like vehicles (isCarLike()) are as recorded in all frames; the attacker is as
-/// recorded up to t0 and on its trajectory after it. Poses are box centres, the ego's too. A speed
-/// is the norm of the velocity, the attacker's after t0 its trajectory's. Tracks are sorted by id;
-/// vehicles that are in no frame are left out.
+/// recorded up to t0 and on its trajectory after it. All poses are box centres. All speeds are
+/// norms of the velocity, except for the attacker after t0, which has the speed of its trajectory.
+/// Tracks are sorted by id; vehicles that are in no frame are left out.
 ///
 /// Name: batch "collision-forge", angle from the report. Placement: 4 for rear_end, 5 for
 /// opposite_direction; lane_change by the side of the ego on which the attacker's centre is;

@@ -37,14 +37,15 @@ struct TextStyle {
 /// cairo cannot make an image of that size.
 class Image {
  public:
+  /// `width` and `height` in pixels.
   Image(int width, int height, const Color& background);
   Image(const Image& other);
   Image(Image&&) = default;
   Image& operator=(const Image&) = delete;
   Image& operator=(Image&&) = default;
 
-  int width() const;
-  int height() const;
+  int width() const;   ///< pixels
+  int height() const;  ///< pixels
   /// Returns a pixel as 0x00RRGGBB; (0, 0) is the upper left one.
   std::uint32_t pixel(int x, int y) const;
 

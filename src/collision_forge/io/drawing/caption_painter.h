@@ -18,8 +18,9 @@ void paintHeader(Canvas& canvas, const FigureLayout& layout, const FigureSize& s
 void paintClock(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
                 const ScenarioView& view, const DrawingOptions& options, double time);
 
-/// Paints the legend of colours and marks, for a still or an animation.
+/// A picture file or a frame of an animation.
 enum class PictureKind { kStill, kAnimation };
+/// Paints the legend of the colours and marks that a picture of this kind shows.
 void paintLegend(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
                  const ScenarioView& view, PictureKind kind, const DrawingOptions& options);
 

@@ -23,9 +23,9 @@ struct FigureLayout {
   PixelRect map;
   PixelRect legend;
   PixelRect report;
-  PixelRect close_up;  ///< a square below its column's title
-  double line_height = 0.0;
-  double padding = 0.0;
+  PixelRect close_up;        ///< a square below its column's title
+  double line_height = 0.0;  ///< of the text
+  double padding = 0.0;      ///< between areas and around texts
 };
 
 /// Lines of text below the title of the legend and of the report.

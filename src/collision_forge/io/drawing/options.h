@@ -27,7 +27,7 @@ struct DrawingOptions {
   double view_margin = 8.0;         ///< m, margin around both paths
   double min_extent = 45.0;         ///< m, least ground along the shorter side of the highest map
   double close_up_extent = 16.0;    ///< m, side of the ground in the close-up of the contact
-  double scale_bar = 10.0;          ///< m
+  double scale_bar = 10.0;          ///< m, least length of the scale bar
   double ghost_interval = 1.0;      ///< s between translucent boxes from t0 to contact
   double ghost_opacity = 0.22;      ///< 0 invisible, 1 solid; doubled for the boxes at t0
 
@@ -55,6 +55,7 @@ struct DrawingOptions {
   Color failed_color{0.78, 0.12, 0.12};   ///< Verdict::kUnwanted, conditions that fail
 };
 
+/// Reads the struct from its section. Throws ConfigError for a missing key or a value out of range.
 void readOptions(Section& section, DrawingOptions& options);
 
 }  // namespace forge

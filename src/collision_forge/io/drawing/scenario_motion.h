@@ -31,8 +31,8 @@ class ScenarioMotion {
   /// last known time, at least standTime().
   double endTime() const;
 
-  /// Returns nullopt for unknown times. From the contact on, the vehicles move by the view's
-  /// `crash`; without it they stay at their contact poses.
+  /// Return the box at `time`; nullopt for times without a known pose. From the contact on, the
+  /// vehicles move by the view's `crash`; without it they stay at their contact poses.
   std::optional<OrientedBox> egoAt(double time) const;
   std::optional<OrientedBox> attackerAt(double time) const;
   /// Returns the speed in m/s; nullopt for unknown times.

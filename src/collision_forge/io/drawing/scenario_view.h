@@ -41,6 +41,7 @@ struct ScenarioView {
   std::vector<TrafficLight> lights = {};  ///< as Scene::lights
 };
 
+/// Returns true if the attacker touches the ego.
 inline bool hasContact(const ScenarioView& view) { return view.report.contact; }
 /// Returns true if the picture shows where ego and attacker come to rest.
 inline bool hasRest(const ScenarioView& view) { return hasContact(view) && view.crash; }

@@ -13,7 +13,7 @@ namespace forge {
 /// positive.
 void checkDrawable(const ScenarioView& view, const DrawingOptions& options);
 
-/// Factor on the ghosts' opacity for boxes at rest.
+/// Factor on DrawingOptions::ghost_opacity for boxes at rest.
 inline constexpr double kRestGhosts = 1.5;
 
 /// Paints the scene of one scenario, without text, into any part of a picture. The caller clips to
@@ -24,14 +24,16 @@ class ScenePainter {
   ScenePainter(const ScenarioView& view, const DrawingOptions& options, double mark_size,
                PictureKind kind);
 
+  /// The motion of the vehicles of the view.
   const ScenarioMotion& motion() const { return motion_; }
+  /// Returns true if the view has a contact.
   bool hasContact() const { return forge::hasContact(view_); }
 
   /// Returns the direction on the ground, rad from east, that points right in the picture, so that
   /// a straight road fills the width: the ego's axis at t0, or at keyTime() if the picture is then
   /// far less high. Within a quarter turn of east: north never points down.
   double rightwards() const;
-  /// Returns the time at which the trails of the past begin.
+  /// Returns the time at which the trails of the past begin, s on the scene's clock.
   double trailsFrom() const;
   /// Returns the corners of the boxes of ego and attacker from `from` to standTime().
   std::vector<Vector2> shownCorners(double from) const;

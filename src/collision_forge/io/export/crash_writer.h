@@ -9,9 +9,9 @@ namespace forge {
 
 /// Summary of an exported crash, for files that a writer makes of all crashes together.
 struct ExportedCrash {
-  std::string name;  ///< CrashRecord::name
-  std::string scene;
-  std::string location;
+  std::string name;        ///< CrashRecord::name
+  std::string scene;       ///< name of the recording
+  std::string location;    ///< LaneMap::location
   std::size_t states = 0;  ///< number of the ego's states
 };
 
@@ -22,12 +22,13 @@ class CrashWriter {
   virtual ~CrashWriter() = default;
 
   /// Writes the files of one crash, each with an AsideFile, and returns their paths relative to the
-  /// folder. Called once per crash, concurrently from several threads: must be thread-safe, and the
-  /// same record must give the same bytes. An exception ends the export.
+  /// folder. Called by `forge export` once per crash, concurrently from several threads: must be
+  /// thread-safe, must write only files of this crash, and must give the same bytes for the same
+  /// record. May throw any std::exception, which ends the export.
   virtual std::vector<std::string> write(const CrashRecord& record) const = 0;
 
-  /// Writes files over all crashes, if the format has any. Called once, after the last write(),
-  /// from one thread. An exception ends the export.
+  /// Writes files over all crashes, if the format has any. Called by `forge export` once, after the
+  /// last write(), from one thread. May throw any std::exception, which ends the export.
   virtual void finish(const std::vector<ExportedCrash>& crashes) const { (void)crashes; }
 };
 

@@ -36,6 +36,7 @@ struct ExportOptions {
   std::map<std::string, GeoPoint> origins;  ///< by map location; default 0, 0
 };
 
+/// Reads the struct from its section. Throws ConfigError for a missing key or a value out of range.
 void readOptions(Section& section, ExportOptions& options);
 
 }  // namespace forge

@@ -18,7 +18,7 @@ struct RoadPiece {
 struct RoadJoint {
   enum class To { kNothing, kRoad, kJunction };
   To to = To::kNothing;
-  int id = 0;
+  int id = 0;  ///< of the road or junction
 };
 
 /// A lane or lane connector as a road of its own. The reference line is the lane's centreline, in
@@ -62,13 +62,14 @@ std::vector<RoadPiece> courseOf(const Lane& lane, const LaneArcs& arcs);
 /// if there is no outline.
 double widthOf(const Lane& lane, double length, double otherwise);
 
+inline constexpr double kForkPiece = 0.3;    ///< m; length of a connecting road at a fork
+inline constexpr double kMaxJointGap = 0.1;  ///< m; lanes farther apart are not linked
 /// Returns the lanes as roads linked by the rules of ASAM OpenDRIVE 1.6 (Sec. 8.2 and 10). A lane
 /// whose only successor has no other predecessor is linked to it directly. All other links go
-/// through junctions: a connector between two lanes is the connecting road; between lanes at a fork
-/// without a connector, the first `kForkPiece` of the following lane is. Links between lanes more
-/// than `kMaxJointGap` apart and lanes without a reference line are left out.
-inline constexpr double kForkPiece = 0.3;    // m
-inline constexpr double kMaxJointGap = 0.1;  // m
+/// through junctions: a connector between two lanes becomes the connecting road; at a fork without
+/// a connector, the first kForkPiece of the following lane becomes the connecting road. Links
+/// between lanes more than kMaxJointGap apart and lanes without a reference line are left out.
+/// `lane_width` (m) is the width of lanes without an outline.
 RoadNetwork roadNetwork(const LaneMap& lanes, const LaneArcs& arcs, double lane_width);
 
 }  // namespace forge

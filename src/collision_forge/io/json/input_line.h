@@ -11,8 +11,9 @@ namespace forge {
 /// Throws InputError, naming `where`, for a line longer than limits.max_line bytes.
 void checkLineLength(const std::string& where, std::size_t length, const InputLimits& limits);
 
-/// Reads a line of untrusted input; returns false at the end. Throws as checkLineLength() without
-/// holding the whole line in memory; the stream is then at the next line.
+/// Reads a line of untrusted input into `line`, without its line end; returns false at the end of
+/// the stream. `where` names file and line in errors. Throws as checkLineLength() without holding
+/// the whole line in memory; the stream is then at the next line.
 bool readInputLine(std::istream& stream, std::string& line, const std::string& where,
                    const InputLimits& limits);
 

@@ -96,13 +96,14 @@ class JsonLineWriter {
   void endObject();
   void beginArray(const char* key);
   void endArray();
+  // Write a field of the open object, or an array element if `key` is null.
   void text(const char* key, const std::string& value);
-  /// Throws std::invalid_argument naming the key if the number is not finite: JSON has none.
+  /// Throws std::invalid_argument naming the key if the number is not finite: JSON has no such
+  /// numbers.
   void number(const char* key, double value);
   /// Writes an array, or an array in an array if `key` is null; throws as number().
   void numbers(const char* key, const std::vector<double>& values);
   void texts(const char* key, const std::vector<std::string>& values);
-  /// Writes a field, or an array element if `key` is null.
   void count(const char* key, std::uint64_t value);
   void flag(const char* key, bool value);
   void null(const char* key);

@@ -26,14 +26,16 @@ class SceneReader {
  public:
   virtual ~SceneReader() = default;
 
-  /// Returns the names of the selected scenes, in the source's order. Must not throw.
+  /// Returns the names of the selected scenes, in the source's order. Called from any thread, any
+  /// number of times; must be fast and must not throw.
   virtual std::vector<std::string> names() const = 0;
-  /// Returns a selected scene on the ground plane; values must be within the input limits. Called
-  /// each time a scene is not cached. Throws any std::exception for a scene that cannot be used;
-  /// callers report it and may go on with other scenes.
+  /// Returns a selected scene on the ground plane; times must increase and values must be within
+  /// the input limits. Called each time a scene is not cached, for different scenes concurrently:
+  /// must be thread-safe. Throws any std::exception for a scene that cannot be used; callers report
+  /// it and may go on with other scenes.
   virtual IndexedScene read(const std::string& name) = 0;
-  /// Returns the same scene before flattening, for conversion to bags. Throws as read(), and if the
-  /// source has flat scenes only.
+  /// Returns the same scene before flattening. Called by `forge convert` once per scene, on the
+  /// main thread. Throws as read(), and if the source has flat scenes only.
   virtual LoggedScene recording(const std::string& name) = 0;
 };
 
@@ -51,7 +53,8 @@ struct LogSource;
 /// Extension point: a kind of log source, as functions. Called by the thread that opens the source.
 struct LogFormat {
   const char* name;  ///< for messages, as "a nuScenes root"
-  /// Returns true if `path` looks like a source of this kind, false if it cannot be read.
+  /// Returns true if `path` looks like a source of this kind, false if it cannot be read. Called
+  /// once per source for each format in turn; must not read whole files and must not throw.
   bool (*accepts)(const std::string& path);
   /// Returns the names of all scenes. Throws std::exception for a source that cannot be read.
   std::vector<std::string> (*names)(const LogSource& source);
@@ -65,7 +68,7 @@ const LogFormat& nuScenesFormat();
 
 /// The place of recorded scenes.
 struct LogSource {
-  std::string path;
+  std::string path;  ///< folder or file
   /// nuScenes root: folder of the tables, as "v1.0-mini"; empty: the only one there.
   std::string version;
   const LogFormat* format = &nuScenesFormat();

@@ -22,10 +22,14 @@ struct NuScenesError : std::runtime_error {
 /// or has another type. Views are valid until the next row is read.
 class JsonRow {
  public:
+  /// `path`: file of the table, for messages; `fields`: names of the fields to read.
   JsonRow(std::string path, std::vector<std::string> fields);
 
+  /// Returns field 0.
   std::string_view token() const { return text(0); }
+  /// Returns a string.
   std::string_view text(std::size_t field) const;
+  /// Returns an array of strings.
   std::vector<std::string_view> texts(std::size_t field) const;
   /// Returns a number, rounded: Lyft's stamps are written with a fraction.
   std::int64_t integer(std::size_t field) const;

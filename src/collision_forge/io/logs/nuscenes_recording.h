@@ -15,8 +15,8 @@ namespace forge {
 
 /// Pose of base_link in the global map frame, as recorded with one sweep of LIDAR_TOP.
 struct NuScenesEgoPose {
-  std::int64_t timestamp_us = 0;
-  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+  std::int64_t timestamp_us = 0;                          ///< microseconds
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();  ///< m
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
 };
 

@@ -16,7 +16,8 @@ using NuScenesProgress = std::function<void(std::uint64_t done, std::uint64_t to
 /// The parts of the tables that recordings need, as rows that refer to each other by index. Samples
 /// are complete; annotations and ego poses are limited to the selected scenes.
 struct NuScenesTables {
-  // Numbers below are indices into the lists at the end, whose order is the order of the tables.
+  // A std::uint32_t below is an index into one of the lists at the end, whose order is the order of
+  // the tables. Units as in NuScenesRecording.
   struct Scene {
     std::string name;
     std::string description;
@@ -39,7 +40,7 @@ struct NuScenesTables {
     std::array<double, 4> rotation{};  ///< w, x, y, z
   };
   struct EgoPose {
-    bool is_read = false;
+    bool is_read = false;  ///< false for poses that no selected scene needs
     std::int64_t timestamp_us = 0;
     std::array<double, 3> translation{};
     std::array<double, 4> rotation{};  ///< w, x, y, z

@@ -21,6 +21,7 @@ class TokenIndex {
   std::optional<std::uint32_t> find(std::string_view token) const;
   /// Returns the token with a number that add() returned.
   std::string text(std::uint32_t number) const;
+  /// Returns the number of tokens.
   std::size_t size() const { return keys_.size(); }
 
  private:

@@ -71,6 +71,7 @@ struct CollideOptions {
   double held_out_share = 0.1;  ///< share 0..1 of scenes for validation
 };
 
+// Read the struct from its section. Throw ConfigError for a missing key or a value out of range.
 void readOptions(Section& section, ConversionOptions& options);
 void readOptions(Section& section, AttackedBagOptions& options);
 void readOptions(Section& section, std::map<std::string, DrivingSide>& locations);

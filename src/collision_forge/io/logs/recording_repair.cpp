@@ -12,13 +12,13 @@
 namespace forge {
 namespace {
 
-constexpr double kFaster = 20.0;        // m/s above the speed of most steps: a vehicle cannot
-constexpr double kNoise = 1.0;          // m, of positions
-constexpr double kBeside = 2.0;         // m from the line between the neighbours
-constexpr double kAcceleration = 20.0;  // m/s2; twice what tyres can transmit
-constexpr double kEgoShare = 0.9;       // of an agent's frames in which it is the ego
-constexpr std::size_t kEgoFrames = 3;   // fewer are a false detection or a near miss
-constexpr double kOtherSize = 1.0;      // m
+constexpr double kFaster = 20.0;  // m/s above the speed of most steps: impossible for a vehicle
+constexpr double kNoise = 1.0;    // m, noise of positions
+constexpr double kBeside = 2.0;   // m from the line between the neighbours
+constexpr double kAcceleration = 20.0;  // m/s2; twice the grip of tyres
+constexpr double kEgoShare = 0.9;       // share of its frames in which an agent is in the ego's box
+constexpr std::size_t kEgoFrames = 3;   // fewer such frames are a false detection or a near miss
+constexpr double kOtherSize = 1.0;      // m, see isOtherSize()
 constexpr double kMicrosecond = 1e-6;   // s
 
 double medianOf(std::vector<double> values) {

@@ -32,7 +32,7 @@ std::vector<std::size_t> jumpsOf(const std::vector<double>& times,
 ///   among its own agents;
 /// - gives agents of `options.categories` the category of nuScenes with the same class, and warns
 /// of
-///   the others, which become static objects;
+///   unknown categories, whose agents become static objects;
 /// - gives every agent its median size in all frames: boxes of partly seen agents are too small.
 /// Appends one line per kind of defect to `warnings`, if given.
 void repair(NuScenesRecording& recording, const DataOptions& options,

@@ -18,9 +18,9 @@ struct CommonRoadLanelet {
   LaneBounds bounds;
   std::vector<std::string> predecessors;
   std::vector<std::string> successors;
-  bool oncoming_left = false;  ///< the adjacent lanelet to the left has the opposite direction
-  bool oncoming_right = false;
-  std::set<std::string> types;            ///< laneletType
+  bool oncoming_left = false;   ///< the adjacent lanelet to the left has the opposite direction
+  bool oncoming_right = false;  ///< the same for the adjacent lanelet to the right
+  std::set<std::string> types;  ///< laneletType
   std::set<std::string> users_one_way;    ///< userOneWay
   std::set<std::string> users_both_ways;  ///< userBidirectional
   std::optional<double> speed_limit;      ///< m/s
@@ -33,7 +33,8 @@ struct CommonRoadObstacle {
   bool is_static = false;  ///< `track` has one state, which holds at all times
 };
 
-/// Begins the driving side, left or right, in the attribute `source` of files of this package.
+/// Key of the driving side in the attribute `source` of files of this package; "left" or "right"
+/// follows.
 inline constexpr char kDrivingSideKey[] = "driving_side=";
 
 /// The content of a CommonRoad file, version 2018b or 2020a (TU Munich). Metres, radians.

@@ -22,7 +22,8 @@ bool haveCommon(const Words& some, const Words& others) {
 
 const Words kCars = {"vehicle", "car"};
 const Words kOffRoad = {"sidewalk", "crosswalk", "busStop"};
-/// Types of lanelets on which cars do not drive, if the file does not say who uses them.
+/// Types of lanelets on which cars do not drive, if the file does not name the users of the
+/// lanelet.
 const Words kNotForCars = {"sidewalk", "crosswalk", "busStop",    "busLane",       "bicycleLane",
                            "shoulder", "border",    "restricted", "emergencyLane", "parking"};
 

@@ -8,15 +8,14 @@
 
 namespace forge {
 
-/// The pairs of neighbouring lanes of opposite direction in a map. With traffic on the right, each
-/// lane of such a pair is to the left of the other.
+/// Numbers of pairs of neighbouring lanes of opposite direction in a map.
 struct OppositeNeighbours {
-  int to_the_left = 0;
-  int to_the_right = 0;
+  int to_the_left = 0;   ///< each lane is to the left of the other: traffic drives on the right
+  int to_the_right = 0;  ///< each lane is to the right of the other: traffic drives on the left
 };
 
-/// Returns the driving side of a location: as configured in locations.yaml, else from most of its
-/// pairs of lanes. Without any pair: the right side, and a warning.
+/// Returns the driving side of a location: as configured in locations.yaml, else the side that most
+/// of `pairs` show. Without any pair: the right side, and a warning.
 DrivingSide drivingSide(const DataOptions& options, const std::string& location,
                         const OppositeNeighbours& pairs, WarningCounter& warnings);
 

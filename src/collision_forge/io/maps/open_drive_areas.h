@@ -21,7 +21,7 @@ enum class LaneUse {
 std::optional<LaneUse> laneUse(const std::string& type);
 
 /// Adds the drivable area and the walkways of a section to `map`. Neighbours of the same use become
-/// one polygon. `strips`: of laneStrips() for `section`.
+/// one polygon. `strips` must be the result of laneStrips() for `section`.
 void addAreas(const OpenDriveSection& section, const SectionStrips& strips, LaneMap& map);
 
 /// Returns the gaps of up to 20 m^2 that the areas of a junction's roads enclose, such as its

@@ -23,8 +23,8 @@ struct Cubic {
   double d = 0.0;
 
   double value(double x) const { return a + x * (b + x * (c + x * d)); }
-  double slope(double x) const { return b + x * (2.0 * c + x * 3.0 * d); }
-  double bend(double x) const { return 2.0 * c + 6.0 * d * x; }  ///< second derivative
+  double slope(double x) const { return b + x * (2.0 * c + x * 3.0 * d); }  ///< first derivative
+  double bend(double x) const { return 2.0 * c + 6.0 * d * x; }             ///< second derivative
 };
 
 /// A line, arc or spiral of OpenDRIVE: the curvature changes linearly along it.
@@ -102,6 +102,7 @@ class PiecewiseCubic {
 
   bool empty() const { return pieces_.empty(); }
   const std::map<double, Cubic>& pieces() const { return pieces_; }
+  // Return the value, or the derivative with respect to arc length, at an arc length (m).
   double value(double arc_length) const;
   double slope(double arc_length) const;
 

@@ -17,8 +17,8 @@ inline constexpr double kLongestSection = 500.0;
 /// Driving direction of a lane. OpenDRIVE 1.8: attribute `direction`.
 enum class LaneDirection {
   kStandard,  ///< by the driving side and the side of the reference line
-  kReversed,
-  kBoth,
+  kReversed,  ///< against kStandard
+  kBoth,      ///< either direction
 };
 
 /// A lane of a lane section.
@@ -53,15 +53,17 @@ struct OpenDriveLink {
   bool at_end = false;  ///< the other road is joined at its end, else at its start
 };
 
+/// A road of an OpenDRIVE file.
 struct OpenDriveRoad {
   std::string id;
   std::string junction;  ///< "" for a road that is not inside a junction
   DrivingSide side = DrivingSide::kRight;
-  ReferenceLine line;  ///< frame of the map; at least one piece
-  PiecewiseCubic lane_offset;
+  ReferenceLine line;          ///< frame of the map; at least one piece
+  PiecewiseCubic lane_offset;  ///< m from `line` to the border between left and right lanes,
+                               ///< positive to the left
   std::vector<OpenDriveSection> sections;  ///< ascending; at least one
-  OpenDriveLink before;
-  OpenDriveLink after;
+  OpenDriveLink before;                    ///< the element at the start of the road
+  OpenDriveLink after;                     ///< the element at its end
 };
 
 /// Reads one element <road>, of OpenDRIVE 1.4 to 1.8. `origin`: pose of the file's coordinates in

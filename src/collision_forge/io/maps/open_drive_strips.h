@@ -11,7 +11,7 @@ struct LaneStrip {
   std::vector<Pose2> centre;   ///< yaw along the lane in the direction of the reference line
   std::vector<Vector2> left;   ///< border to the left of the reference line's direction
   std::vector<Vector2> right;  ///< one point of each border per pose of `centre`
-  double widest = 0.0;         ///< m
+  double widest = 0.0;         ///< m, largest width
 };
 
 /// The strips of a section's lanes, in their order.

@@ -42,12 +42,14 @@ Scenario readScenarioLine(const std::string& where, const std::string& line,
 /// Writes an object with x and y in m, yaw in rad.
 void writePose(JsonLineWriter& writer, const char* key, const Pose2& pose);
 
+/// Writes the object `key` with the fields of a report, as docs/scenarios.md defines them.
 void writeCollisionReport(JsonLineWriter& writer, const char* key, const CollisionReport& report,
                           double now);
 
-/// Writes the array "plans". `write_points` adds the field "trajectory" to each plan.
+/// Adds the field "trajectory" with `points` to the open object of `writer`; times in s from `now`.
 using WritePoints = std::function<void(JsonLineWriter& writer,
                                        const std::vector<TrajectoryPoint>& points, double now)>;
+/// Writes the array "plans"; calls `write_points` for each plan.
 void writePlans(JsonLineWriter& writer, const std::vector<AttackerPlan>& plans, double now,
                 const WritePoints& write_points);
 

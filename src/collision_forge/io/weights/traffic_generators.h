@@ -20,8 +20,9 @@ class TrafficMethods {
  public:
   virtual ~TrafficMethods() = default;
 
-  /// Makes the method, with weights trained without `unseen_scene`; with the first weights
-  /// if all were trained with it.
+  /// Returns the method, with weights trained without `unseen_scene`; with the first weights
+  /// if all were trained with it. Called by the registry's factory, on the caller's thread, once
+  /// per method and scene under test; may throw TrafficGeneratorError.
   virtual std::unique_ptr<const AttackMethod> method(const AttackOptions& options,
                                                      const std::string& unseen_scene) const = 0;
 };

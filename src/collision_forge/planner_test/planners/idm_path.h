@@ -24,6 +24,7 @@ class IdmPath {
   /// Returns the pose at `arc_length` m, clamped to [0, end()].
   Pose2 at(double arc_length) const;
 
+  /// The nodes of the constructor, with intermediate nodes and without coinciding ones.
   const std::vector<Pose2>& nodes() const { return nodes_; }
   /// Arc lengths of nodes(), m.
   const std::vector<double>& arcLengths() const { return arc_lengths_; }

@@ -19,7 +19,7 @@ class LaneGraph {
   /// an unknown node.
   LaneGraph(std::vector<Vector2> nodes, std::vector<Edge> edges);
 
-  const std::vector<Vector2>& nodes() const { return nodes_; }
+  const std::vector<Vector2>& nodes() const { return nodes_; }  ///< m, global map frame
   const std::vector<Edge>& edges() const { return edges_; }
   /// Returns the nodes that an edge connects `node` to.
   const std::vector<std::size_t>& successors(std::size_t node) const { return successors_[node]; }

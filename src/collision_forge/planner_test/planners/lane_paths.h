@@ -13,9 +13,8 @@ using NodePath = std::vector<std::size_t>;
 /// Direction of a path: along the edges (ahead) or against them (behind).
 enum class PathDirection { kAhead, kBehind };
 
-/// Returns all paths from `node` that are at least `length` metres long or end where the lanes end,
-/// in the order of the edges at each branch; the first `max_paths` of them. A path ends as soon as
-/// it is long enough.
+/// Returns the first `max_paths` paths from `node`, in the order of the edges at each branch. A
+/// path ends at the first node at which it is `length` metres long, or where the lanes end.
 std::vector<NodePath> nodePaths(const LaneGraph& graph, std::size_t node, PathDirection direction,
                                 double length, std::size_t max_paths);
 

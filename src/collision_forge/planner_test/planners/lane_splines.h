@@ -8,8 +8,8 @@
 
 namespace forge {
 
-/// A candidate path of a vehicle, given by knots. Length 0 is the vehicle's position; negative
-/// lengths are behind it. m, global map frame.
+/// A candidate path of a vehicle, given by knots. Lengths are measured along the path from the
+/// vehicle's position; negative lengths are behind it. m, global map frame.
 class LaneSpline {
  public:
   /// A point of the path.
@@ -34,8 +34,8 @@ class LaneSpline {
   std::vector<Knot> knots_;
 };
 
-/// Lengths at which a path will be evaluated. Knots beyond them are left out; nearer values do not
-/// depend on it.
+/// Range of lengths at which a path will be evaluated. Knots beyond it are left out, which does not
+/// change the path within it.
 struct Reach {
   double ahead = 0.0;   ///< m
   double behind = 0.0;  ///< m

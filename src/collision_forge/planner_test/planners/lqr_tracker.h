@@ -23,7 +23,7 @@ struct LqrOptions {
   double curvature_rate_penalty = 0.01;  ///< of the squared curvature rate (1/(m s)) in its fit
 };
 
-/// Which roughness the fit of the speeds penalises.
+/// Quantity that the fit of the speeds penalises.
 enum class SpeedFit {
   kJerk,         ///< as nuPlan's LQRTracker
   kAcceleration  ///< as PDM-Closed: every acceleration but the last, and the last one's change
@@ -56,6 +56,7 @@ class LqrTracker {
   /// Returns the command at the time of reference `index` (clamped to the last).
   BicycleCommand command(const BicycleState& state, std::size_t index) const;
 
+  /// Speeds and curvatures fitted to the reference.
   const ReferenceProfile& profile() const { return profile_; }
 
  private:

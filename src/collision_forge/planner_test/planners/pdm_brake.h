@@ -17,8 +17,9 @@ namespace forge {
 bool firesBrake(double speed, const std::optional<double>& collision,
                 const PdmBrakeOptions& options);
 
-/// Returns the constant speed (m/s) of the braking poses; negative is backwards, the usual case
-/// below 4 m/s. `center_acceleration`: m/s2, of the box's middle.
+/// Returns the constant speed (m/s) of the braking poses; negative is backwards, the usual case for
+/// an ego slower than 4 m/s. `speed`: the ego's, m/s; `center_acceleration`: m/s2, of the box's
+/// middle.
 double brakeSpeed(double speed, double center_acceleration, const PdmBrakeOptions& options);
 
 /// Returns the acceleration (m/s2) of the box's middle along the heading: the rear axle's plus the

@@ -38,6 +38,7 @@ class PdmClosed {
   std::size_t best() const { return best_; }
   /// Returns whether the last plan() applies the emergency brake instead of the best candidate.
   bool isEmergencyBraking() const { return is_emergency_braking_; }
+  /// The path of the constructor.
   const PdmPath& centerline() const { return centerline_; }
 
  private:

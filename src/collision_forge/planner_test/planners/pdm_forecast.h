@@ -18,7 +18,7 @@ struct ForecastAgent {
   Vector2 velocity = Vector2::Zero();  ///< m/s, along or against the heading
   double radius = 0.0;                 ///< m, of the box's circumcircle
   bool is_static_object = false;
-  bool is_red_light = false;  ///< to stop at; not scored
+  bool is_red_light = false;  ///< a lead of proposals; collisions with it are not scored
   bool is_standing = false;   ///< static objects always are
 };
 
@@ -32,7 +32,7 @@ class PdmForecast {
   PdmForecast(const std::vector<Track>& agents, const OrientedBox& ego, double step, int steps,
               const PdmAgentOptions& options, std::set<std::string>& ignored);
 
-  double step() const { return step_; }
+  double step() const { return step_; }  ///< s between two steps
   const std::vector<ForecastAgent>& agents() const { return agents_; }
   /// Returns the positions of all agents after `step` steps, which must not exceed the
   /// constructor's `steps`.

@@ -31,16 +31,19 @@ struct PdmPlace {
 /// frame, m.
 class PdmMap {
  public:
-  /// The union of `areas` is the drivable area until setDrivable() is called.
+  /// `intersections`: outlines, open rings. The union of `areas` is the drivable area until
+  /// setDrivable() is called.
   PdmMap(const std::vector<PdmArea>& areas, const std::vector<std::vector<Vector2>>& intersections);
   /// Replaces the drivable area by a raster of 0.5 m resolution; corners may be up to `margin`
   /// metres off it. `drivable` must outlive the map; null restores the union of the areas.
   void setDrivable(const AreaRaster* drivable, double margin);
-  /// Adds an outline on the route that belongs to no lane.
+  /// Adds an area that counts as on the route and has no lane and no speed limit: the strip along
+  /// the route where it leaves the lanes. `outline` is an open ring.
   void addRoute(const std::vector<Vector2>& outline);
 
   /// Returns the relation of a box to the areas, the route and the drivable area.
   PdmPlace placeOf(const OrientedBox& box) const;
+  /// Returns true if an intersection contains the point.
   bool isInIntersection(const Vector2& point) const;
 
  private:

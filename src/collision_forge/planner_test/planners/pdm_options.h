@@ -23,11 +23,11 @@ struct PdmMapOptions {
 
 /// Limits on the agents that are forecast; of each kind the nearest are kept.
 struct PdmAgentOptions {
-  double radius = 50.0;  ///< m around the ego's middle; farther agents are not seen
-  int vehicles = 50;     ///< number of agents, like the next three
-  int pedestrians = 25;  ///< includes animals
-  int bicycles = 10;
-  int static_objects = 50;
+  double radius = 50.0;          ///< m around the ego's middle; farther agents are not seen
+  int vehicles = 50;             ///< number of agents, like the next three
+  int pedestrians = 25;          ///< includes animals
+  int bicycles = 10;             ///< includes no motorcycles, which are vehicles
+  int static_objects = 50;       ///< includes red lights
   double standing_speed = 0.05;  ///< m/s; at or below it an agent stands; nuPlan's metrics
 };
 
@@ -46,7 +46,8 @@ struct PdmComfortOptions {
 
 /// Weights and thresholds of PdmScorer.
 struct PdmScoringOptions {
-  double progress_weight = 0.0;  ///< config/planners.yaml, section pdm.scoring, like the next two
+  // Weights of the terms in PdmScore::total: config/planners.yaml, section pdm.scoring.
+  double progress_weight = 0.0;
   double ttc_weight = 0.0;
   double comfort_weight = 0.0;
   double static_collision_score = 0.5;  ///< score of a collision with a static object

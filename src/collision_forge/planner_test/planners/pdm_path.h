@@ -15,8 +15,9 @@ class PdmPath {
   /// Throws std::invalid_argument unless at least two nodes differ in position.
   explicit PdmPath(std::vector<Pose2> nodes);
 
-  double length() const { return progress_.back(); }
-  /// Interpolates position and heading linearly between the nodes; yaw is wrapped.
+  double length() const { return progress_.back(); }  ///< m
+  /// Returns the pose at `progress` (m). Interpolates position and heading linearly between the
+  /// nodes; yaw is wrapped.
   Pose2 at(double progress) const;
   /// Returns the progress (m) of the nearest place, the first of equals.
   double project(const Vector2& point) const;

@@ -47,18 +47,20 @@ class Planner {
  public:
   virtual ~Planner() = default;
 
-  /// Called once, before the first plan(). Throws std::invalid_argument for a task that the planner
-  /// cannot drive.
+  /// Called once, by the rollout's thread, before the first plan(). Copy what plan() needs: `task`
+  /// need not outlive the call. Throws std::invalid_argument for a task that the planner cannot
+  /// drive.
   virtual void initialize(const DrivingTask& task) = 0;
 
   /// Called every Driving::interval seconds of scene time. Returns the ego's trajectory (middle of
   /// the box, global map frame): points at strictly increasing times, the first at the
-  /// observation's time, the last not before the next call. The caller checks the result. May throw
-  /// PlannerTimeout, LatePlan or any std::exception.
+  /// observation's time, the last not before the next call. The caller checks the result. Must use
+  /// only this and earlier observations. May throw PlannerTimeout, LatePlan or any std::exception.
+  /// The scene waits for the result, so a slow planner slows the test down but does not change it.
   virtual std::vector<TrajectoryPoint> plan(const Observation& observation) = 0;
 
   /// Called after the rollout, for figures. Returns the motions that the last plan() chose from, as
-  /// poses of the middle of the ego's box; empty if the planner does not choose.
+  /// poses of the middle of the ego's box; empty if the planner does not choose. Must not throw.
   virtual std::vector<std::vector<Pose2>> proposals() const { return {}; }
 };
 

@@ -28,9 +28,9 @@ inline constexpr std::size_t kContractPoseNumbers = 3;  ///< x, y, yaw
 
 /// Shape of a tensor of 32-bit floats in row-major order.
 struct ContractTensor {
-  const char* name;
-  std::array<std::size_t, 3> sizes;
-  std::size_t dimensions;  ///< number of valid `sizes`
+  const char* name;                  ///< for messages
+  std::array<std::size_t, 3> sizes;  ///< elements per dimension
+  std::size_t dimensions;            ///< number of valid `sizes`
 
   /// Returns the number of elements.
   constexpr std::size_t count() const {
@@ -40,6 +40,7 @@ struct ContractTensor {
   }
 };
 
+/// Index into kContractInputs.
 enum ContractInput { kEgoHistory, kAgents, kAgentsMask, kLanes, kLanesMask, kRoute };
 
 /// The arguments of forward(), in this order.

@@ -40,7 +40,7 @@ class PlannerProcess {
 
   /// Returns false after begin() or plan() has thrown; such a process must be replaced.
   bool isUsable() const { return is_usable_; }
-  /// processKey() of the options.
+  /// Returns processKey() of the options.
   const std::string& key() const { return key_; }
 
  private:
@@ -53,9 +53,10 @@ class PlannerProcess {
   bool is_usable_ = true;
 };
 
-/// Identifies a command with its parameters.
+/// Returns a text that is equal for equal commands with equal parameters.
 std::string processKey(const PlannerProcessOptions& options);
 
+/// Reuses running processes, because starting one takes long.
 using PlannerProcesses = IdleWorkers<PlannerProcess, PlannerProcessOptions>;
 
 /// A planner outside this process: config/planners.yaml, section external.

@@ -35,7 +35,7 @@ struct PlanRequest {
   double interval = 0.0;    ///< s, with is_begin
   Observation observation;  ///< else
 };
-/// Throws JsonLineError.
+/// Returns the request in a line. Throws JsonLineError.
 PlanRequest readPlanRequest(const std::string& line);
 
 /// Returns the response to planLine().

@@ -86,7 +86,8 @@ void PlannerWorker::receiveAnswer(std::vector<float>& numbers) {
   }
   std::uint32_t size = 0;
   process_.receive(&size, sizeof(size));
-  if (kind != kAnswerError || size > kLongestText) throw std::runtime_error("answers nonsense");
+  if (kind != kAnswerError || size > kLongestText)
+    throw std::runtime_error("its response has an unknown format");
   std::string text(size, '\0');
   process_.receive(text.data(), size);
   throw std::runtime_error(text);

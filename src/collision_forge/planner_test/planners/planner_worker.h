@@ -53,7 +53,7 @@ class PlannerWorker {
   bool is_usable_ = true;
 };
 
-/// Identifies the file, its version and the options.
+/// Returns a text that is equal for equal options and unchanged content of the file.
 std::string workerKey(const TorchscriptFileOptions& options);
 
 /// Reuses loaded files, because loading takes about a second.

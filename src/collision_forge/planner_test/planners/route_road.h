@@ -9,7 +9,7 @@
 
 namespace forge {
 
-/// The road along a route as nuPlan's maps describe it, derived from a map of lanes.
+/// The road along a route in the form of nuPlan's maps, derived from a map of lanes.
 struct RouteRoad {
   std::vector<Pose2> nodes;  ///< of the smooth routeCenterline(), about 1 m apart
   PdmMap map;                ///< `lanes` of roadAlong() must outlive it

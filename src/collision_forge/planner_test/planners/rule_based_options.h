@@ -4,7 +4,7 @@
 
 namespace forge {
 
-/// Which of its candidate paths the ego follows.
+/// Choice among the ego's candidate paths.
 enum class EgoWay {
   kFirst,       ///< the first of the nearest lane
   kAlongRoute,  ///< the path that stays nearest to its route

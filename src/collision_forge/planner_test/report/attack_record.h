@@ -35,8 +35,8 @@ std::string attackRecord(const Scenario& scenario, const Attack& attack,
 
 /// A figure of a test and the page's link to it.
 struct PictureLink {
-  std::string name;
-  std::string link;
+  std::string name;  ///< shown to the user
+  std::string link;  ///< URL relative to the page
 };
 
 /// Data of a planner's test beyond its results.

@@ -9,7 +9,8 @@
 /// previous one, which compresses well.
 namespace forge {
 
-/// Returns the values, rounded to multiples of `unit`, as differences.
+/// Returns the values as multiples of `unit`, rounded: the first one, then the difference of each
+/// to the one before.
 std::vector<double> differences(const std::vector<double>& values, double unit);
 
 /// Writes "x" and "y" into the open object: cm.

@@ -27,9 +27,9 @@ ReportFileKind kindOf(const std::string& where, const std::string& line) {
     if (format == "collision_forge/scenario") return ReportFileKind::kScenarios;
     if (format == "collision_forge/planner_test") return ReportFileKind::kPlannerTests;
     throw std::runtime_error(where + ": format = \"" + format +
-                             "\" is neither of scenarios nor of planner tests");
+                             "\" is neither the format of scenario files nor of results.jsonl");
   }
-  throw std::runtime_error(where + ": is no line of scenarios or of planner tests");
+  throw std::runtime_error(where + ": is neither a scenario nor a planner-test result");
 }
 
 }  // namespace

@@ -126,7 +126,7 @@ std::string shortcomingOf(const StrictOutcome& recorded) {
   if (!report.first_other_id.empty()) return "touches " + report.first_other_id + " before";
   if (!report.limits_kept) return report.broken_limit;
   if (!report.on_time) return "touches the recorded ego too early or too late";
-  if (!recorded.full_type_kept) return "touches the recorded ego in another way than its type";
+  if (!recorded.full_type_kept) return "touches the recorded ego, but not as its type requires";
   return report.unbelievable;
 }
 

@@ -25,13 +25,13 @@ struct ReportRow {
   /// "otherwise" (touches the ego, but not as requested) or "missed"; for planners "hit",
   /// "hit_other", "clear", "failed" or "untested".
   std::string outcome;
-  std::string status;   ///< status code as in the files, e.g. "OK"
-  std::string message;  ///< for users: why there is no attack, or which check the attack fails
-  std::string manoeuvre;
-  std::string attacker_class;
-  std::string origin;      ///< "recorded" or "added"
-  std::string believable;  ///< these two are "yes", "no" or empty
-  std::string avoidable;
+  std::string status;     ///< status code as in the files, e.g. "OK"
+  std::string message;    ///< for users: why there is no attack, or which check the attack fails
+  std::string manoeuvre;  ///< as toString(Manoeuvre)
+  std::string attacker_class;              ///< as toString(AgentClass)
+  std::string origin;                      ///< "recorded" or "added"
+  std::string believable;                  ///< "yes": plausible; "no"; empty: unknown
+  std::string avoidable;                   ///< "yes", "no" or empty
   std::string avoided_by;                  ///< careful drivers, separated by commas
   std::optional<double> now;               ///< s, scene clock; t0
   std::optional<double> now_in_recording;  ///< s from the recording's first frame to t0, if known
@@ -46,8 +46,8 @@ struct ReportRow {
   std::optional<double> overlap;       ///< [0, 1]
   std::optional<double> confidence;    ///< [0, 1]
   // Indices of records in the page (PageFile::add()).
-  std::optional<double> attack;
-  std::optional<double> test;
+  std::optional<double> attack;    ///< attackRecord()
+  std::optional<double> test;      ///< plannerRecord()
   std::optional<double> place;     ///< of the scene
   std::optional<double> commands;  ///< of the ShellCommands
 };

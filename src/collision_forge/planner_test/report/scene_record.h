@@ -11,8 +11,8 @@ namespace forge {
 
 /// Part of a scene that its attacks need; empty at first.
 struct SceneExtent {
-  double begin = 0.0;  ///< s, scene clock
-  double end = 0.0;
+  double begin = 0.0;           ///< s, scene clock
+  double end = 0.0;             ///< s, scene clock
   std::vector<Vector2> places;  ///< m, positions on the attackers' paths
 
   /// Extends the interval to [`from`, `to`] (s, scene clock) and adds the positions of `points`;

@@ -19,7 +19,7 @@ std::vector<WitnessedHit> readWitnessedHits(const std::string& folder, const Inp
     const JsonLine line(where(), text);
     JsonObject object = line.root();
     const auto policy = policyKindFromString(object.text("policy"));
-    if (!policy) object.fail("policy", "is no policy of an attacker");
+    if (!policy) object.fail("policy", "is not an attacker policy");
     hits.push_back({object.text("name"), rowName(object.text("planner"), *policy)});
   }
   return hits;

@@ -15,8 +15,8 @@
 
 namespace forge {
 
-/// The product's configuration as read from config/; each module gets its part. StudyConfig adds
-/// the options of studies.
+/// The configuration in config/, without config/study/, whose options StudyConfig adds. Each module
+/// gets its part.
 struct Config : AnswerOptions {
   EncodingOptions encoding;
   LiveOptions live;

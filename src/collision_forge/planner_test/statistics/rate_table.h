@@ -10,7 +10,8 @@
 
 namespace forge {
 
-/// A criterion that an attack meets or not, or a value of it; tables show its rate.
+/// A criterion that an attack meets or not, or a value of the attack. Tables show its rate, or its
+/// mean.
 struct Measure {
   std::string name;   ///< column name in results.csv
   std::string title;  ///< shown above the table
@@ -21,8 +22,8 @@ struct Measure {
 /// Rates of one measure: one row per method, one column per group (groupTrials()).
 struct RateTable {
   Measure measure;
-  std::vector<std::string> methods;
-  std::vector<std::string> groups;
+  std::vector<std::string> methods;      ///< titles of the rows
+  std::vector<std::string> groups;       ///< titles of the columns
   std::vector<std::vector<Rate>> rates;  ///< by method, then by group
 };
 
@@ -34,8 +35,8 @@ RateTable tabulateTrials(const Measure& measure, const MethodTrials& trials);
 
 /// Unit in which a table shows its values.
 struct TableUnit {
-  const char* name = "%";
-  double scale = 100.0;  ///< factor from the value to the shown number
+  const char* name = "%";  ///< shown in the title
+  double scale = 100.0;    ///< factor from the value to the shown number
 };
 
 /// Returns e.g. "81.2 [78, 84]", "81.2" without an interval, "-" without trials.

@@ -25,7 +25,7 @@ struct Trial {
   double value = 0.0;  ///< 1 for a success, 0 for a failure
 };
 
-/// Confidence interval.
+/// Confidence interval of a rate, in its unit; its level is StatisticsOptions::confidence.
 struct Interval {
   double low = 0.0;
   double high = 0.0;
@@ -36,16 +36,15 @@ inline constexpr std::size_t kMinScenes = 5;
 
 /// Pooled rate: successes over trials with equal weights, or the mean of other values.
 struct Rate {
-  int trials = 0;
-  double value = 0.0;                ///< valid if `trials` > 0
+  int trials = 0;                    ///< number of trials
+  double value = 0.0;                ///< 0..1, or the unit of the values; valid if `trials` > 0
   std::optional<Interval> interval;  ///< empty below kMinScenes scenes
 };
 
 /// Returns the rate with a bootstrap interval over scenes: resamples the scenes with replacement
 /// `resamples` times and takes the middle `confidence` of the resampled rates, with linear
-/// interpolation between order statistics. Every resample has trials. Deterministic for the same
-/// trials and seed, independent of the order of trials (up to rounding for values other than 0 and
-/// 1).
+/// interpolation between order statistics. Deterministic for the same trials and seed, independent
+/// of the order of trials (up to rounding for values other than 0 and 1).
 Rate pooledRate(const std::vector<Trial>& trials, const StatisticsOptions& options = {});
 
 /// Returns the `share` quantile (0..1) of sorted values, with linear interpolation. `sorted` must

@@ -29,7 +29,7 @@ enum class ContactCause {
 };
 /// Returns the name in results.jsonl.
 const char* toString(ContactCause cause);
-/// Returns nothing for an unknown name.
+/// Returns the value of a name as toString() spells it; nullopt for another name.
 std::optional<ContactCause> contactCauseFromString(const std::string& name);
 
 /// State of one of the two agents at contact.
@@ -73,7 +73,7 @@ enum class ContactPlace {
 };
 /// Returns "lane", "junction" or "elsewhere".
 const char* toString(ContactPlace place);
-/// Returns nothing for an unknown name.
+/// Returns the value of a name as toString() spells it; nullopt for another name.
 std::optional<ContactPlace> contactPlaceFromString(const std::string& name);
 
 /// Returns the kind of road at `point`. Lanes and connectors within `radius` metres count as near.

@@ -20,7 +20,7 @@ struct AvoidabilityOptions {
   double step = 0.1;                  ///< s; must equal RolloutOptions::step
   std::vector<double> accelerations;  ///< m/s2
   std::vector<double> offsets = {0.0,  1.0, -1.0, 2.0,
-                                 -2.0, 3.5, -3.5};   ///< m to the left of the ego's way
+                                 -2.0, 3.5, -3.5};   ///< m to the left of the ego's path
   std::vector<double> durations = {1.0, 2.0, 20.0};  ///< s of the first phase
   double return_time = 0.4;          ///< s in which an offset is reached at the current speed ...
   double min_return_distance = 3.0;  ///< m; ... but over at least this distance
@@ -40,7 +40,7 @@ enum class EvasiveManoeuvre {
 };
 /// Returns "keeping", "braking", "accelerating", "steering" or "both".
 const char* toString(EvasiveManoeuvre manoeuvre);
-/// Returns nothing for an unknown name.
+/// Returns the value of a name as toString() spells it; nullopt for another name.
 std::optional<EvasiveManoeuvre> evasiveManoeuvreFromString(const std::string& name);
 
 /// Control targets of the ego during one phase of an evasive plan.

@@ -24,6 +24,7 @@ struct NuplanScoreOptions {
   double max_overspeed = 2.23;    ///< m/s over the limit, mean, at which the score reaches 0
   int acceleration_window = 8;    ///< states over which accelerations are smoothed
   int rate_window = 15;           ///< states from which jerk and yaw rates are derived
+  // Weights of the terms in the mean of NuplanScore::total.
   double progress_weight = 5.0;
   double ttc_weight = 5.0;
   double speed_limit_weight = 4.0;  ///< used if a lane has a limit; nuScenes' lanes have none
@@ -55,8 +56,8 @@ const std::array<NuplanPart, 8>& nuplanParts();
 
 /// The ego's contact, as the score needs it.
 struct NuplanContact {
-  bool at_fault = false;
-  bool is_static_object = false;
+  bool at_fault = false;          ///< the ego is at fault, isAtFault()
+  bool is_static_object = false;  ///< the ego touches a static object
 };
 
 /// Accumulates the data of a rollout step by step and computes its score.

@@ -17,11 +17,11 @@ namespace forge {
 class PublishedProtocol {
  public:
   virtual ~PublishedProtocol() = default;
-  /// Returns whether the attacker hits an ego that drives `ego` from t0 on. Throws
-  /// std::invalid_argument if `ego` has no points.
+  /// Returns whether the attacker hits an ego that drives `ego` from t0 on. Called by testPlanner()
+  /// once per planner, on a worker thread. Throws std::invalid_argument if `ego` has no points.
   virtual bool isHit(const std::vector<TrajectoryPoint>& ego) const = 0;
   /// Returns whether the attacker hits the ego that idm_published drives from the clip's first
-  /// frame on.
+  /// frame on. Called by testPlanner() once per clip, on a worker thread.
   virtual bool isIdmHit(const PublishedIdmOptions& idm) const = 0;
 };
 

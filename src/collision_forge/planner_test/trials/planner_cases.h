@@ -11,14 +11,16 @@
 
 namespace forge {
 
-/// Extension point: the cases of a run of forge test, by index. All functions are called from
-/// several threads at once and must be thread-safe and deterministic.
+/// Extension point: the cases of a run of forge test, by index. testCases() calls names() and
+/// fingerprint() a few times, and at() once per case on worker threads. All functions are called
+/// from several threads at once and must be thread-safe and deterministic.
 class PlannerCases {
  public:
   virtual ~PlannerCases() = default;
-  /// Returns one unique name per case; its size is the number of cases.
+  /// Returns one unique name per case; its size is the number of cases. Must not throw.
   virtual const std::vector<std::string>& names() const = 0;
-  /// Returns a text that changes if any case changes; a resumed run compares it.
+  /// Returns a text that changes if any case changes; a resumed run compares it. May throw any
+  /// std::exception, which ends the run.
   virtual std::string fingerprint() const = 0;
   /// Returns a case. Throws any std::exception if the case cannot be read; the run then records it
   /// as kUnreadable and continues.

@@ -76,11 +76,13 @@ inline constexpr const char* kUnfit = "UNFIT";
 /// Results of all planners in one case.
 struct PlannerTestResult {
   std::string name;
-  std::string source;  ///< these five are valid with isRead()
-  std::string scene;
+  // Valid with isRead():
+  std::string source;  ///< PlannerCase::source
+  std::string scene;   ///< name
   CollisionType type = CollisionType::kRearEnd;
-  double tta = 0.0;
+  double tta = 0.0;  ///< s, requested
   double now = 0.0;  ///< s, scene clock; t0
+  // Valid for all results:
   Background background = Background::kReplay;
   std::string status;      ///< "OK", or why there is no test: a StatusCode, kUnreadable or kUnfit
   std::string message;     ///< for users; empty with OK
@@ -92,7 +94,9 @@ struct PlannerTestResult {
   /// idm_published, with only `published_hit` set: that test drives the clip from its first frame.
   std::vector<PlannerRow> rows;
 
+  /// Returns true if the planners were tested in the case.
   bool isTested() const { return status == "OK"; }
+  /// Returns true if the case could be read.
   bool isRead() const { return status != kUnreadable; }
 };
 

@@ -40,6 +40,7 @@ class RequestCases : public PlannerCases {
   std::string fingerprint() const override;
   PlannerCase at(std::size_t index) const override;
 
+  /// Returns the request of a case.
   const CollisionRequest& request(std::size_t index) const { return requests_[index].request; }
   /// Generates the attacker's first plan; takes as long as a request.
   Scenario scenario(std::size_t index) const;

@@ -42,13 +42,13 @@ enum class PlannerFailure {
 };
 /// Returns "none", "error", "empty", "not_finite", "unordered", "late", "timed_out" or "off_map".
 const char* toString(PlannerFailure failure);
-/// Returns nothing for an unknown name.
+/// Returns the value of a name as toString() spells it; nullopt for another name.
 std::optional<PlannerFailure> plannerFailureFromString(const std::string& name);
 
 /// The ego's first contact.
 struct PlannerContact {
-  std::string other_id;
-  bool is_attacker = false;
+  std::string other_id;                           ///< id of the touched agent
+  bool is_attacker = false;                       ///< the touched agent is the attacker
   double time = 0.0;                              ///< s, scene clock
   ContactPlace place = ContactPlace::kElsewhere;  ///< of the ego
   std::optional<CollisionType> type;              ///< see typeOf(); empty if no type applies
@@ -57,7 +57,7 @@ struct PlannerContact {
   Side other_side = Side::kFront;  ///< side of the other box
   double impact_speed = 0.0;       ///< m/s, norm of the relative velocity
   CrashSeverity severity;          ///< of ego and other agent
-  double ego_speed = 0.0;          ///< m/s
+  double ego_speed = 0.0;          ///< m/s, speed of the ego at contact
   ContactCause cause = ContactCause::kLateral;
   bool at_fault = false;  ///< of the ego; see isAtFault()
 };

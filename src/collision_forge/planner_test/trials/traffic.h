@@ -14,7 +14,7 @@ namespace forge {
 enum class Background { kReplay, kIdm };
 /// Returns "replay" or "idm".
 const char* toString(Background background);
-/// Returns nothing for an unknown name.
+/// Returns the value of a name as toString() spells it; nullopt for another name.
 std::optional<Background> backgroundFromString(const std::string& name);
 
 /// Simulates all agents except the ego, step by step. The attacker's policy observes every step
@@ -37,6 +37,7 @@ class Traffic {
   /// Velocities are estimated from past states only; the attacker's come from its trajectory.
   const std::vector<Track>& agents() const { return agents_; }
 
+  /// The attacker's policy, as of time().
   const AttackerPolicy& attacker() const { return *attacker_; }
 
   /// Advances to `time` (s, scene clock, > time()). The newest state of `ego` must be at time().

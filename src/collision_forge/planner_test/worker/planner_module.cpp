@@ -68,7 +68,7 @@ void checkInputs(const torch::jit::Module& module) {
   }
   const std::size_t expected = kContractInputs.size() + 1;
   if (arguments.size() > expected && !arguments[expected].default_value()) {
-    throw std::runtime_error("forward() has an input more: " + arguments[expected].name());
+    throw std::runtime_error("forward() has an unknown input: " + arguments[expected].name());
   }
 }
 
@@ -145,8 +145,8 @@ std::vector<float> PlannerModule::plan(const std::vector<float>& inputs) {
 
 void PlannerModule::tryOut() {
   const auto isFinite = [](float number) { return std::isfinite(number); };
-  for (const auto& [what, number] :
-       {std::pair("nothing around the ego", 0.0f), std::pair("everything full", 1.0f)}) {
+  for (const auto& [what, number] : {std::pair("no agents or lanes around the ego", 0.0f),
+                                     std::pair("all inputs filled", 1.0f)}) {
     begin();
     try {
       const std::vector<float> poses = plan(std::vector<float>(kContractNumbers, number));

@@ -22,6 +22,7 @@ class OpenedBag {
   OpenedBag(const OpenedBag&) = delete;
   OpenedBag& operator=(const OpenedBag&) = delete;
 
+  /// The open bag, as long as this object exists.
   const rosbag::Bag& bag() const { return *bag_; }
 
  private:
@@ -38,7 +39,8 @@ class NewBag {
   NewBag(const NewBag&) = delete;
   NewBag& operator=(const NewBag&) = delete;
 
-  /// `header`: header of the connection; null: default. Throws BagError.
+  /// Writes a message with `time` as its record time. `header`: header of the connection; null:
+  /// default. Throws BagError.
   template <typename Message>
   void write(const std::string& topic, const ros::Time& time, const Message& message,
              const boost::shared_ptr<ros::M_string>& header = {}) {

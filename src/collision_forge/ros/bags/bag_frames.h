@@ -46,8 +46,7 @@ class BagFrames {
   }
 
   /// Returns the pose of `frame` in the map frame, interpolated: the identity for the map frame
-  /// itself; nullopt if no chain of the added
-  /// transforms connects the two at `time`.
+  /// itself; nullopt if no chain of the added transforms connects the two at `time`.
   std::optional<Eigen::Isometry3d> poseOf(const std::string& frame, const ros::Time& time) const;
 
   /// Returns true if no further transform can change poseOf() at `time`, because newer transforms

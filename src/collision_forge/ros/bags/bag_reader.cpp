@@ -162,7 +162,7 @@ void requireTopics(const std::string& path, const Scene& scene) {
                                      names::kBaseFrame + " on " + names::kTf);
   if (missing.empty()) return;
   throw BagError(path + ": " + missing +
-                 ": is no bag of this suite; convert a bag of another stack with forge convert "
+                 ": is not a bag of this suite; convert a bag of another stack with forge convert "
                  "--topics (docs/foreign_bags.md)");
 }
 

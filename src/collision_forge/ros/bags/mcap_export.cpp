@@ -120,7 +120,7 @@ std::vector<std::string> exportToMcap(const std::string& in, const std::string& 
   try {
     return convert(in, out, options, on_progress);
   } catch (const rosbag::BagUnindexedException&) {
-    throw BagError(in + ": truncated (no index); `rosbag reindex` may save what is there");
+    throw BagError(in + ": truncated (no index); `rosbag reindex` may recover the messages");
   } catch (const rosbag::BagIOException& error) {
     if (!std::filesystem::exists(in))
       throw BagError(in + ": cannot be read: there is no such file");

@@ -15,17 +15,19 @@ namespace forge {
 inline constexpr char kRos1Encoding[] = "ros1";
 inline constexpr char kRos1Definition[] = "ros1msg";
 
+/// Definition of a message type.
 struct McapSchema {
-  std::string name;
-  std::string encoding;
-  std::string text;
+  std::string name;      ///< for ROS 1: package/Type
+  std::string encoding;  ///< for example kRos1Definition
+  std::string text;      ///< definition in this encoding
 };
 
+/// A topic of the file.
 struct McapChannel {
-  std::uint16_t schema = 0;  ///< number returned by addSchema()
-  std::string topic;
-  std::string message_encoding;
-  std::map<std::string, std::string> metadata;
+  std::uint16_t schema = 0;                     ///< number returned by addSchema()
+  std::string topic;                            ///< name
+  std::string message_encoding;                 ///< for example kRos1Encoding
+  std::map<std::string, std::string> metadata;  ///< for ROS 1: header of the connection
 };
 
 /// Writes an MCAP file (mcap.dev/spec): messages in chunks, each an LZ4 frame, with their indexes,
@@ -36,10 +38,10 @@ class McapWriter {
   /// `stream` must be binary, at the beginning of a file, and outlive the object.
   McapWriter(std::ostream& stream, const std::string& profile, const std::string& library);
 
-  /// Returns the schema's number, from 1; an equal schema is reused. Throws std::length_error after
-  /// 65,535 schemas.
+  /// Adds a schema, unless an equal one exists, and returns its number, from 1. Throws
+  /// std::length_error after 65,535 schemas.
   std::uint16_t addSchema(McapSchema schema);
-  /// Returns the channel's number, from 0. Throws like addSchema().
+  /// Adds a channel and returns its number, from 0. Throws like addSchema().
   std::uint16_t addChannel(McapChannel channel);
 
   /// Writes a message. `time`: ns, both publish and log time; may decrease.

@@ -27,6 +27,7 @@ enum class BuiltinType {
 
 struct MessageType;
 
+/// A field of a message type.
 struct MessageField {
   enum class Shape { kSingle, kFixedArray, kArray };
 
@@ -42,12 +43,13 @@ struct MessageField {
   bool is_fixed_size = false;  ///< every element has min_size bytes
 };
 
+/// A message type with the sizes of its serialised messages.
 struct MessageType {
-  std::string name;  ///< package/Type
-  std::vector<MessageField> fields;
-  std::size_t min_size = 0;
-  bool is_fixed_size = false;
-  int height = 0;  ///< depth of nesting, itself included
+  std::string name;                  ///< package/Type
+  std::vector<MessageField> fields;  ///< in the order of the definition
+  std::size_t min_size = 0;          ///< bytes of the shortest message
+  bool is_fixed_size = false;        ///< every message has min_size bytes
+  int height = 0;                    ///< levels of nested types, this one included
 };
 
 /// A ROS 1 message type and its nested types, parsed from the definition text of a bag's
@@ -61,6 +63,7 @@ class MessageDefinition {
   MessageDefinition(const MessageDefinition&) = delete;
   MessageDefinition& operator=(const MessageDefinition&) = delete;
 
+  /// Returns the type of the constructor; valid as long as this object.
   const MessageType& message() const { return *message_; }
 
  private:

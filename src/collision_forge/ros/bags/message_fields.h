@@ -16,6 +16,7 @@ enum class FieldKind {
   kTime,    ///< std::int64_t, nanoseconds, from a time
   kText,    ///< std::string, from a string, an integer (decimal) or an array of uint8 (hex)
 };
+/// A value converted to the type of a FieldKind.
 using FieldValue = std::variant<double, std::int64_t, std::string>;
 
 /// A field by its path from the message: "header.stamp", "objects[].size[0]". `[0]` is the first

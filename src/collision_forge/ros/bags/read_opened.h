@@ -18,7 +18,7 @@ auto readOpened(const std::string& path, const Read& read) {
     const OpenedBag opened(path);
     return read(opened.bag());
   } catch (const rosbag::BagUnindexedException&) {
-    throw BagError(path + ": truncated (no index); `rosbag reindex` may save what is there");
+    throw BagError(path + ": truncated (no index); `rosbag reindex` may recover the messages");
   } catch (const rosbag::BagException& error) {
     throw BagError(path + ": cannot be read: " + error.what());
   } catch (const ros::serialization::StreamOverrunException& error) {

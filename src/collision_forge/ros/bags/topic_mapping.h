@@ -15,6 +15,7 @@ namespace forge {
 /// Source of a number: the path of a field (FieldPath), or a constant for all messages.
 using NumberSource = std::variant<std::string, double>;
 
+/// Fields of a pose.
 struct PoseFields {
   std::array<NumberSource, 3> position;  ///< x, y, z, m
   /// x, y, z, w of a quaternion, or the yaw, rad.
@@ -23,15 +24,17 @@ struct PoseFields {
 
 /// A topic and the fields common to all mapped messages.
 struct TopicFields {
-  std::string topic;
+  std::string topic;          ///< name in the bag
   std::string type;           ///< package/Type
   std::string stamp;          ///< path of a time field
   std::string frame_id;       ///< required frame of poses; empty: any
   std::string frame_id_path;  ///< path of the frame of poses; empty: map_frame for all messages
 };
 
+/// Point of the ego that a pose describes.
 enum class EgoReference { kBaseLink, kBoxMiddle };
 
+/// Fields of the ego's pose.
 struct EgoMapping {
   TopicFields fields;
   PoseFields pose;
@@ -40,13 +43,16 @@ struct EgoMapping {
   bool in_transforms = false;  ///< the pose is in the transforms of `fields.topic`; `pose` is empty
 };
 
+/// Frame of an agent's velocity: the frame of the poses, or the agent's box (x forward).
 enum class VelocityFrame { kMap, kObject };
 
+/// Fields of an agent's velocity.
 struct VelocityFields {
   VelocityFrame frame = VelocityFrame::kMap;
   std::array<NumberSource, 3> velocity;  ///< x, y, z, m/s
 };
 
+/// Fields of the agents; paths with `[]` give one agent per element.
 struct AgentsMapping {
   TopicFields fields;
   std::string id;              ///< path of a number, a text or an array of uint8
@@ -59,6 +65,7 @@ struct AgentsMapping {
   std::optional<VelocityFields> velocity;  ///< empty: derived from the positions
 };
 
+/// The whole mapping.
 struct TopicMapping {
   std::string map_frame;  ///< frame of the lanes; poses in other frames are transformed to it
   EgoMapping ego;

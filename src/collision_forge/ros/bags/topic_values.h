@@ -28,6 +28,7 @@ class TopicValues {
     if (!topic.frame_id_path.empty()) want(topic.frame_id_path, FieldKind::kText);
   }
 
+  // Request fields; call before add(). A constant needs no field.
   void want(const std::string& path, FieldKind kind) {
     if (columns_.try_emplace(path, paths_.size()).second) paths_.push_back({path, kind});
   }
@@ -52,6 +53,8 @@ class TopicValues {
         std::make_unique<MessageFields>(connection.datatype, connection.msg_def, paths_);
   }
 
+  /// Reads the requested fields of a message, which replaces the one before. Its connection must
+  /// have been added. Throws BagError as MessageFields::read().
   void take(const rosbag::MessageInstance& instance) {
     bytes_.resize(instance.size());
     ros::serialization::OStream stream(bytes_.data(), static_cast<std::uint32_t>(bytes_.size()));
@@ -59,6 +62,7 @@ class TopicValues {
     values_ = readers_.at(instance.getConnectionHeader())->read(bytes_.data(), bytes_.size());
   }
 
+  /// Returns the number of rows of a field (FieldRows).
   std::size_t rows(const std::string& path) const { return values_[columns_.at(path)].size(); }
 
   /// All values in a row.
@@ -67,6 +71,7 @@ class TopicValues {
     const FieldRows& rows = values_[columns_.at(path)];
     return row < rows.size() ? rows[row] : none;
   }
+  // Return the first value in a row, or of a field or constant.
   std::string text(const std::string& path, std::size_t row) const {
     const auto& values = all(path, row);
     return values.empty() ? "" : std::get<std::string>(values.front());

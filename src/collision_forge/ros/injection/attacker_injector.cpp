@@ -105,8 +105,8 @@ AgentState AttackerInjector::stateAfterNow(double time) const {
   if (crash_ && time > crash_->contactTime()) return crash_->attackerAt(time);
   const AttackerTrajectory trajectory = fromMessage(trajectory_);
   const TrajectoryPoint point = pointAt(trajectory, time);
-  const StraightBraking slide = brakingFromEnd(trajectory, options_);
-  if (time > slide.begin) return slide.stateFrom(point.pose, time);
+  const StraightBraking braking = brakingFromEnd(trajectory, options_);
+  if (time > braking.begin) return braking.stateFrom(point.pose, time);
   return {time, point.pose, point.speed * point.pose.heading()};
 }
 

@@ -4,7 +4,7 @@
 
 namespace forge {
 
-inline constexpr double kSameTime = 1e-3;  ///< s, minimum distance of two frames
+inline constexpr double kSameTime = 1e-3;  ///< s; frames closer in time than this count as one
 
 /// Interpolates linearly; `ratio` 0 is `before`, 1 is `after`.
 template <typename Message>

@@ -18,6 +18,7 @@ namespace forge {
 /// call back.
 class LiveAttacker {
  public:
+  /// Publishes a message.
   using Publish = std::function<void(const collision_forge::Attack&)>;
   /// `kept_for`: s of frames that are kept; an attack may be this much older than the newest frame.
   LiveAttacker(Publish publish, bool keeps_attack, double kept_for)

@@ -32,6 +32,7 @@ namespace forge {
 /// Not thread-safe.
 class LiveInjector {
  public:
+  /// Publishes a message.
   using Publish = std::function<void(const collision_forge::AgentArray&)>;
 
   /// `after_contact`: kStop or kDriveOn. `publish` is called inside addFrame() and addEgo().
@@ -41,6 +42,7 @@ class LiveInjector {
   /// contact. An empty attack ends the injection. On MessageError and InputError nothing changes.
   void setAttack(const collision_forge::Attack& attack);
 
+  /// Adds a recorded frame of agents and publishes the frames that it completes.
   void addFrame(const collision_forge::AgentArray::ConstPtr& recorded);
 
   /// Sets the size of the ego's box for all later poses, m.

@@ -15,7 +15,7 @@ namespace forge {
 namespace {
 
 constexpr double kLineWidth = 0.15;         // m
-constexpr double kLineHeight = 0.03;        // m above ground, of what is painted on it
+constexpr double kLineHeight = 0.03;        // m above ground, of lane lines and road edges
 constexpr double kWayHeight = 0.1;          // m
 constexpr double kTouchHeight = 0.8;        // m
 constexpr double kLabelLetterHeight = 0.7;  // m

@@ -11,7 +11,7 @@ constexpr double kLineHeight = 1.25;    // of a letter's height
 constexpr double kMargin = 0.4;         // m between a text and a box
 constexpr double kSameDistance = 1e-6;  // m; of places that are as near the first one is taken
 
-/// Half of what a box covers along x and y.
+/// Returns half the extent of a box along x and y.
 Vector2 halfExtent(const OrientedBox& box) {
   Vector2 half(0.0, 0.0);
   for (const Vector2& corner : corners(box)) {

@@ -25,8 +25,10 @@ class MarkerList {
   /// Adds a flat box.
   void addSlab(const std::string& name_space, const OrientedBox& box, double z,
                const colors::MarkerColor& color);
+  /// Adds a flat disc. `diameter` in m.
   void addDisc(const std::string& name_space, const Vector2& center, double diameter, double z,
                const colors::MarkerColor& color);
+  /// Adds a text that faces the viewer, centred at `center`. `letter_height` in m.
   void addText(const std::string& name_space, const std::string& text, const Vector2& center,
                double letter_height, double z, const colors::MarkerColor& color);
   /// Adds lines, two points each. `width` in m.
@@ -36,6 +38,7 @@ class MarkerList {
   void addTriangles(const std::string& name_space, const std::vector<Vector2>& points, double z,
                     const colors::MarkerColor& color);
 
+  /// Returns the array; this object is then empty.
   visualization_msgs::MarkerArray take() { return std::move(markers_); }
 
  private:

@@ -31,6 +31,7 @@ inline constexpr double kPathWidth = 0.3;        // m, of lines
 inline constexpr double kContactDiameter = 1.0;  // m
 inline constexpr float kContactAlpha = 0.45F;    // of the vehicles at contact
 
+/// Returns length (x) and width (y) of a size in a message, m.
 BoxSize sizeOf(const geometry_msgs::Vector3& size);
 
 /// Returns true if agents of this class (Agent constants) can attack.

@@ -35,7 +35,7 @@ constexpr double kDrivenWidth = 0.8;    // m
 constexpr std::size_t kShownPatterns = 5;
 constexpr float kPatternAlpha = 0.5F;  // of the first; each next one has half of it
 
-constexpr double kLineTolerance = 0.03;  // m; a quarter of kLaneWidth: nobody sees it
+constexpr double kLineTolerance = 0.03;  // m; too small to be visible
 constexpr double kArrowSpacing = 15.0;   // m along a centreline
 constexpr double kArrowLength = 1.2;     // m
 constexpr double kArrowWidth = 1.0;      // m
@@ -112,7 +112,7 @@ std::vector<Vector2> trailOf(const std::vector<collision_forge::TrackState>& sta
   return lines;
 }
 
-/// The way that an attacker came that nobody recorded.
+/// Adds the past of an added attacker as a line.
 void addPast(const collision_forge::AttackerTrajectory& trajectory, MarkerList& markers) {
   markers.addLines("added_past", trailOf(trajectory.past), kTrailWidth, kTrailHeight,
                    colors::withAlpha(colors::kAdded, kTrailAlpha));

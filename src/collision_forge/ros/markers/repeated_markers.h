@@ -17,6 +17,7 @@ class RepeatedMarkers {
   RepeatedMarkers(ros::NodeHandle& node, const char* topic)
       : publisher_(node.advertise<visualization_msgs::MarkerArray>(topic, 1, true)) {}
 
+  /// Publishes the markers and keeps them for repeat().
   void publish(const visualization_msgs::MarkerArray& markers) {
     newest_ = markers;
     publisher_.publish(markers);

@@ -44,7 +44,7 @@ struct TextPrimitive {
 
 /// Objects with a common id; replaces the entity with the same id, and stays until deleted.
 struct SceneEntity {
-  std::string id;
+  std::string id;                                             ///< unique within the topic
   std::vector<std::pair<std::string, std::string>> metadata;  ///< shown when the entity is selected
   std::vector<SolidPrimitive> cubes;
   std::vector<SolidPrimitive> spheres;

@@ -12,8 +12,8 @@ namespace forge {
 
 /// A rectangle along the axes of the map.
 struct ShownArea {
-  Vector2 lowest{0.0, 0.0};
-  Vector2 highest{0.0, 0.0};
+  Vector2 lowest{0.0, 0.0};   ///< corner with the smallest x and y
+  Vector2 highest{0.0, 0.0};  ///< corner with the largest x and y
 
   Vector2 middle() const { return (lowest + highest) / 2.0; }
   Vector2 size() const { return highest - lowest; }

@@ -105,8 +105,8 @@ std::optional<bool> boolFromString(const std::string& name) {
   return std::nullopt;
 }
 
-/// Sets `value` to what an optional word means, in capitals or not; false for one that means
-/// nothing.
+/// Parses an optional word, ignoring case, into `value`; an empty word leaves `value` unchanged.
+/// Returns false for an unknown word.
 template <typename FromString, typename Value>
 bool readWord(const std::string& word, FromString from_string, Value& value) {
   if (word.empty()) return true;
@@ -173,8 +173,8 @@ std::string readControls(const collision_forge::CollisionRequest& message,
 std::vector<AgentState> pastIn(const collision_forge::AttackerTrajectory& message) {
   const std::string attacker = "attacker " + message.attacker_id + ": ";
   if (message.added == message.past.empty()) {
-    throw MessageError(attacker +
-                       (message.added ? "added, without a past" : "past, but not added"));
+    throw MessageError(attacker + (message.added ? "added is true, but past is empty"
+                                                 : "past is given, but added is false"));
   }
   std::vector<AgentState> past;
   for (const auto& state : message.past) {

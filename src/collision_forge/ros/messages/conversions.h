@@ -35,7 +35,10 @@
 #include "collision_forge/base/scene/scene.h"
 #include "collision_forge/base/scene/scene_history.h"
 
-/// Converts between the core's types and messages. Poses are planar: z, roll and pitch are dropped.
+/// Converts between the core's types and messages, field by field: fromMessage() returns the core's
+/// type, toMessage() the message. Poses are planar: z, roll and pitch are dropped, and 0 in
+/// messages. Times (s) become stamps by stampOf(). Numbers are not checked unless a comment says
+/// so.
 namespace forge {
 
 /// Thrown for an invalid message; the text has field and value.

@@ -27,6 +27,7 @@ struct DerivedObject {
   std::uint8_t classification = 0;  ///< constant of the message, 0: unknown
 };
 
+/// derived_object_msgs/ObjectArray: the tracked boxes at one time.
 struct ObjectArray {
   std_msgs::Header header;  ///< also written as header of each object
   std::vector<DerivedObject> objects;

@@ -15,7 +15,8 @@
 /// Message conversions for planner tests.
 namespace forge {
 
-/// Returns the input of an external planner; `test` and `interval` (s) as in the message.
+/// Returns the input of an external planner. `test`: number of the test, which the planner copies
+/// into its response; `interval`: s to the next call of the planner.
 collision_forge::PlanningState toMessage(const Observation& observation, const DrivingTask& task,
                                          std::uint32_t test, double interval);
 
@@ -23,6 +24,8 @@ collision_forge::PlanningState toMessage(const Observation& observation, const D
 /// `map` and for an orientation of all zeros.
 std::vector<TrajectoryPoint> fromMessage(const collision_forge::PlannedTrajectory& message);
 
+/// Returns the result of a planner test for the topic planner_outcome, in frame `map` with t0 as
+/// stamp. `planner`: its name; `policy`: the attacker's. `trial.outcome.driven` must not be empty.
 collision_forge::PlannerOutcome toMessage(const PlannerTrial& trial, const std::string& planner,
                                           PolicyKind policy);
 

@@ -58,6 +58,7 @@ class PosedFrames {
  public:
   using Pointer = boost::shared_ptr<const Message>;
 
+  /// A message with the ego's pose at its stamp.
   struct PosedFrame {
     Pointer message;
     geometry_msgs::Transform pose;  ///< base_link in the map frame

@@ -18,7 +18,7 @@ std::variant<std::vector<CollisionType>, Status> typesNamed(const std::vector<st
     const auto type = collisionTypeFromString(name);
     if (!type) {
       return Status{StatusCode::kUnknownType,
-                    "collision_types: \"" + name + "\" is no collision type"};
+                    "collision_types: \"" + name + "\" is not a collision type"};
     }
     types.push_back(*type);
   }
@@ -45,8 +45,8 @@ collision_forge::PossibleCollision inShort(const collision_forge::CollisionAnswe
   return collision;
 }
 
-/// The commonest reason why these answers decline, with the message of the first of them; empty
-/// without answers.
+/// Returns the most frequent reason of rejection among `answers`, with the message of the first
+/// answer that has it; empty without answers.
 std::string commonestReason(const std::vector<collision_forge::CollisionAnswer>& answers) {
   std::map<std::uint8_t, std::size_t> counts;
   for (const auto& answer : answers) ++counts[answer.code];

@@ -44,7 +44,7 @@ inline constexpr char kPlannerPath[] = "planner_path";                   // nav_
 inline constexpr char kTestedMap[] = "tested_map";                       // LaneMap, latched
 inline constexpr char kPlanningState[] = "planning_state";               // PlanningState
 
-// In MCAP files, beside what is in their bags.
+// In MCAP files, in addition to the topics of their bags.
 inline constexpr char kCrashScene[] = "collision_forge/scene";    // foxglove_msgs/SceneUpdate
 inline constexpr char kCrashMap[] = "collision_forge/map";        // the same, latched
 inline constexpr char kEgoSpeed[] = "collision_forge/ego_speed";  // std_msgs/Float64, m/s

@@ -88,7 +88,7 @@ Status AttackFinder::checkRecording(const Moment& moment, const CollisionRequest
   const bool is_needed = request.mode == Mode::kReplay;
   if (is_needed && !recording_) {
     return {StatusCode::kNoRecording,
-            "mode = replay needs the parameter recording, the bag on replay"};
+            "mode = replay needs the node parameter recording: the path of the replayed bag"};
   }
   if (is_needed && !moment.recorded) {
     return {StatusCode::kNoRecording,

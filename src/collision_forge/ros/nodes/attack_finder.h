@@ -28,8 +28,11 @@ class AttackFinder {
   /// mode is then rejected.
   AttackFinder(ros::NodeHandle& node, const ros::NodeHandle& private_node, const Config& config);
 
+  /// The available methods.
   const MethodRegistry& methods() const { return methods_; }
+  /// Name of the method that answer() uses if none is requested.
   const std::string& defaultMethod() const { return default_method_; }
+  /// The models of the configuration.
   const PredictionModels& models() const { return models_; }
 
   /// Returns the moment of `scene`, or the reason of rejection. Throws MessageError and InputError

@@ -286,7 +286,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
   ros::Publisher requests_;
   ros::Publisher methods_publisher_;
   std::unique_ptr<LiveAttacker> live_;
-  ros::Subscriber scene_subscriber_;  // from here on: they call what is above
+  ros::Subscriber scene_subscriber_;  // last, as its callbacks use the members above
   ros::WallTimer watch_;
   std::deque<OwnThreadService> services_;
 };

@@ -71,7 +71,7 @@ class LaneMapSubscriber {
   ros::Subscriber subscriber_;
 };
 
-/// A scene and a request, converted and checked.
+/// A scene and a request that passed checkedRequest().
 struct CheckedRequest {
   std::shared_ptr<const LaneIndex> lanes;
   Snapshot snapshot;

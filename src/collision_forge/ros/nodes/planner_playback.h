@@ -21,6 +21,7 @@ class PlannerPlayback {
 
   /// Replaces the shown test.
   void play(const PlannerTrial& trial, const CrashScenario& scenario, const std::string& planner);
+  /// Ends the animation.
   void stop();
 
  private:

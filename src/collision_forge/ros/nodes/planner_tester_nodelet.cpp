@@ -227,7 +227,7 @@ class PlannerTesterNodelet : public QueuedNodelet {
     if (type.empty() && is_newest) type = newest->pattern.collision_type;
     const auto parsed = collisionTypeFromString(type);
     if (!parsed) {
-      refuse(Response::UNKNOWN_TYPE, "collision_type = \"" + type + "\" is no collision type");
+      refuse(Response::UNKNOWN_TYPE, "collision_type = \"" + type + "\" is not a collision type");
     }
     const bool is_other = !is_given && *parsed != fromMessage(newest->pattern).type;
     if (is_other && policy == PolicyKind::kAdaptive) {

@@ -115,8 +115,9 @@ std::string TrialScenarios::numberedLine(const std::string& number) const {
   const char* end = number.data() + number.size();
   const auto [parsed_to, problem] = std::from_chars(number.data(), end, wanted);
   if (problem != std::errc() || parsed_to != end) {
-    throw TestRefusal(Codes::NO_SCENARIO,
-                      "scenario = \"" + number + "\" is neither the number of a line nor a line");
+    throw TestRefusal(
+        Codes::NO_SCENARIO,
+        "scenario = \"" + number + "\" is neither a line number nor a line of a scenario file");
   }
   std::ifstream file(sources_.scenarios, std::ios::binary);
   if (!file) {

@@ -12,8 +12,9 @@ class ViewController;
 
 namespace forge {
 
-/// Moves and scales the current view so that it shows the area of the topic `shown_area`. Only for
-/// a TopDownOrtho view whose target frame is the fixed frame; other views are not changed.
+/// RViz display that moves and scales the current view so that it shows the area of the topic
+/// `shown_area`. Only for a TopDownOrtho view whose target frame is the fixed frame; other views
+/// are not changed.
 class FitViewDisplay : public rviz::Display {
   Q_OBJECT
 

@@ -9,9 +9,9 @@ namespace forge {
 /// State of RViz's view TopDownOrtho: the middle, m in its target frame, and the scale in pixels
 /// per metre.
 struct TopView {
-  double x = 0.0;
-  double y = 0.0;
-  double scale = 1.0;
+  double x = 0.0;      ///< m
+  double y = 0.0;      ///< m
+  double scale = 1.0;  ///< pixels per metre
 };
 
 /// Returns the view that contains `area` in a picture of `width` x `height` pixels. `area` must

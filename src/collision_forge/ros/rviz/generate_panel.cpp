@@ -60,7 +60,7 @@ QPushButton* button(const char* name, const char* text) {
 /// Returns the failure as rich text; empty for a response with code OK.
 template <typename Answer>
 QString problemOf(const Answer& answer, const char* service) {
-  if (!answer) return QString("<b>No answer</b> from ") + ros::names::resolve(service).c_str();
+  if (!answer) return QString("<b>No response</b> from ") + ros::names::resolve(service).c_str();
   if (answer->code == GenerateCollision::Response::OK) return {};
   return failureText(answer->code, answer->message);
 }

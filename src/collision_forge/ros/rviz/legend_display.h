@@ -9,10 +9,10 @@ class QLabel;
 
 namespace forge {
 
-/// Returns the legend of the colours as rich text.
+/// Returns the legend of the colours of the markers as rich text.
 QString legendText();
 
-/// Shows the legend in the upper left corner of the picture.
+/// RViz display that shows the legend in the upper left corner of the 3D view.
 class LegendDisplay : public rviz::Display {
   Q_OBJECT
 

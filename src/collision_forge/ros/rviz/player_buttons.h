@@ -33,7 +33,7 @@ class PlayerButtons : public QWidget {
  Q_SIGNALS:
   /// Emitted when the player is started, stepped or moved to another time.
   void moved();
-  /// Emitted with the reason when the player does not do so.
+  /// Emitted with the reason when the player rejects a command.
   void failed(const QString& problem);
 
  private:

@@ -15,7 +15,9 @@ class PossibleTable : public QTableWidget {
  public:
   explicit PossibleTable(QWidget* parent = nullptr);
 
+  /// Replaces all rows.
   void setCollisions(std::vector<collision_forge::PossibleCollision> collisions);
+  /// The collisions in the order of the rows.
   const std::vector<collision_forge::PossibleCollision>& collisions() const { return collisions_; }
   /// Selects a row without emitting chosen().
   void mark(int row);

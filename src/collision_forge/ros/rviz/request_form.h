@@ -31,10 +31,12 @@ class RequestForm : public QWidget {
   void setAttackers(QStringList ids);
   void setMethods(const QStringList& names);
 
+  /// Restore the fields from the panel's part of an RViz configuration, and save them there.
   void load(const rviz::Config& config);
   void save(rviz::Config config) const;
 
  Q_SIGNALS:
+  /// Emitted when the user changes a field.
   void changed();
 
  private:

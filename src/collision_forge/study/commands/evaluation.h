@@ -27,8 +27,8 @@ struct EvaluationArguments {
   std::optional<LimitSet> limits;   ///< of the attackers; empty: the configuration's
   std::optional<bool> believable;   ///< attackers must be plausible; empty: the configuration's
 
-  LogSource logs;  ///< recorded scenes; for clips a nuScenes root with their maps
-  std::string out;
+  LogSource logs;   ///< recorded scenes; for clips a nuScenes root with their maps
+  std::string out;  ///< output folder
   ConfigFolder config;
   EvaluationPlan plan;  ///< evaluateRequests() replaces its limits and `believable`
   int jobs = 1;         ///< threads

@@ -43,8 +43,8 @@ void addTrain(CommandLine& line) {
   addSource(app, run->sources.logs)->required();
   CLI::Option* collide = addCollide(app, run->sources.collide);
   collide->description(
-      "folder of COLLIDE clips; --source has their maps, and logs to train on if --version is "
-      "given");
+      "folder of COLLIDE clips, whose maps are in --source; with --version, the logs in --source "
+      "are training data, too");
   app.add_option("--splits", run->sources.splits, "splits of the clips to train on")
       ->default_val(std::vector<std::string>{"train"});
   addOut(app, run->out, "folder of the run; resumes an interrupted run");

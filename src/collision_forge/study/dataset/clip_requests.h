@@ -18,9 +18,9 @@ std::vector<int> clipLengths(const DatasetOptions& options);
 /// of begin, type and draw.
 ///
 /// Clips consist of collideFrames() and begin every `begin_stride` s; t0 is kCollideNowFrame frames
-/// after the begin. For each
-/// begin and type, draws `attempts` different lengths from those with an impact before the
-/// recording's last frame. The TTA is the recorded time from t0 to the frame of the impact. Skips:
+/// after the begin. For each begin and type, draws `attempts` different lengths among the lengths
+/// whose impact is before the recording's last frame. The TTA is the recorded time from t0 to the
+/// frame of the impact. Skips:
 /// - begins with an ego slower than `min_ego_speed` at t0,
 /// - frames that are not 2 Hz apart, because readers of the clip count frames,
 /// - requests that checkRequest() rejects.

@@ -19,7 +19,7 @@ struct CalibrationGroup {
   double promised = 0.0;  ///< mean confidence, 0..1
   Rate kept;              ///< success rate
 
-  double difference() const { return kept.value - promised; }
+  double difference() const { return kept.value - promised; }  ///< success rate minus confidence
 };
 
 /// The calibration of confidences against the success rate in one column of the protocol.

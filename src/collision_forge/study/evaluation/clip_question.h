@@ -35,7 +35,9 @@ class ClipQuestion {
   ClipQuestion(const CollideClip& clip, std::shared_ptr<const LaneIndex> lanes, Mode mode,
                const StudyOptions& study);
 
+  /// The clip at t0, with its recorded future.
   const Moment& moment() const { return moment_; }
+  /// The clip's request.
   const CollisionRequest& request() const { return request_; }
 
   /// Returns the clip as a scene, the source of the snapshot and the future of moment().

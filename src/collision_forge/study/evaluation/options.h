@@ -21,7 +21,7 @@ struct EvaluationOptions {
   PublishedOptions published;
 };
 
-/// The configuration of the product with the options of evaluations.
+/// Config with the options of evaluations.
 struct StudyOptions : Config {
   EvaluationOptions evaluation;
 };

@@ -82,7 +82,7 @@ RateTable solvedOffRoadTable(const std::vector<ResultRow>& rows, const Evaluatio
   MethodTrials trials;
   for (const std::string& method : requestRowMethods(plan)) {
     if (isBaseline(method)) continue;
-    trials.push_back({method + ", answered though the road does not allow it", {}});
+    trials.push_back({method + ", solved although the road does not allow it", {}});
     for (const ResultRow& row : rowsThatRoadAllows(rows, false)) {
       if (row.method != method) continue;
       const double answered = row.status == toString(StatusCode::kOk) ? 1.0 : 0.0;

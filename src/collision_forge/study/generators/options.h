@@ -33,10 +33,10 @@ struct TrafficOptions {
 /// config/study/generators.yaml, section c_sgan. "Original": Social-GAN (Gupta et al. 2018),
 /// scripts/run_traj.sh. Integers without comment are layer widths.
 struct SocialGanOptions {
-  int epochs = 0;
-  int batch = 0;  ///< windows per step
-  double learning_rate = 0.0;
-  double max_gradient = 1.5;  ///< norm, generator only
+  int epochs = 0;              ///< passes over the training data
+  int batch = 0;               ///< windows per step
+  double learning_rate = 0.0;  ///< of the optimizer
+  double max_gradient = 1.5;   ///< norm, generator only
   int embedding = 0;
   int encoder = 0;
   int decoder = 0;
@@ -54,24 +54,24 @@ struct SocialGanOptions {
 /// config/study/generators.yaml, section c_mid. "Original": MID (Gu et al. 2022),
 /// configs/baseline.yaml.
 struct MidOptions {
-  int epochs = 0;
-  int batch = 0;  ///< windows per step
-  double learning_rate = 0.0;
+  int epochs = 0;                 ///< passes over the training data
+  int batch = 0;                  ///< windows per step
+  double learning_rate = 0.0;     ///< of the optimizer
   double attacker_weight = 3.0;   ///< loss weight of the attacker; others have 1; original 1
   int encoder = 0;                ///< width of the encoded history
   double encoder_dropout = 0.25;  ///< probability 0..1
   int width = 0;                  ///< width of a token, a multiple of 4 and of `heads`
-  int layers = 0;                 ///< of the transformer
-  int heads = 0;                  ///< of the attention
+  int layers = 0;                 ///< number of layers of the transformer
+  int heads = 0;                  ///< number of attention heads
   int feed_forward = 0;           ///< width
   double dropout = 0.1;           ///< probability 0..1
-  int diffusion_steps = 0;
-  double beta_first = 0.0;          ///< noise variance of the first step
-  double beta_last = 0.0;           ///< noise variance of the last step
-  int sampling_steps = 0;           ///< a divisor of `diffusion_steps`
-  double neighbour_reach = 0.0;     ///< m
-  double position_scale = 0.0;      ///< m, unit of positions
-  double velocity_scale = 0.0;      ///< m/s, unit of velocities
+  int diffusion_steps = 0;        ///< number of noise levels in training
+  double beta_first = 0.0;        ///< noise variance of the first step
+  double beta_last = 0.0;         ///< noise variance of the last step
+  int sampling_steps = 0;         ///< denoising steps at inference, a divisor of `diffusion_steps`
+  double neighbour_reach = 0.0;   ///< m; agents within this distance are neighbours
+  double position_scale = 0.0;    ///< m, unit of positions
+  double velocity_scale = 0.0;    ///< m/s, unit of velocities
   double acceleration_scale = 0.0;  ///< m/s^2, unit of accelerations
   double target_scale = 0.0;        ///< m/s, unit of the diffused velocity change
 };
@@ -79,9 +79,9 @@ struct MidOptions {
 /// config/study/generators.yaml, section c_strive. "Original": STRIVE (Rempe et al. 2022),
 /// configs/train_traffic.cfg.
 struct StriveOptions {
-  int epochs = 0;
-  int batch = 0;  ///< windows per step
-  double learning_rate = 0.0;
+  int epochs = 0;               ///< passes over the training data
+  int batch = 0;                ///< windows per step
+  double learning_rate = 0.0;   ///< of the optimizer
   double max_gradient = 1.0;    ///< norm; original: no limit
   int hidden = 0;               ///< layer width
   int feature = 0;              ///< width of the features of past and map
@@ -93,29 +93,29 @@ struct StriveOptions {
   double length = 0.0;          ///< m, of all agents
   double width = 0.0;           ///< m, of all agents
   double position_scale = 0.0;  ///< m, unit of positions
-  double speed_mean = 0.0;      ///< m/s
+  double speed_mean = 0.0;      ///< m/s, subtracted from speeds
   double speed_scale = 0.0;     ///< m/s, unit of speeds about the mean
   double turn_scale = 0.0;      ///< rad/s, unit of turn
-  double acceleration_scale = 0.0;  ///< m/s^2, unit of the decoder's acceleration
-  double turn_change_scale = 0.0;   ///< rad/s^2, unit of the decoder's change of turn
-  double noise = 0.01;              ///< on the scaled past in training
-  double attacker_weight = 3.0;     ///< reconstruction weight of the attacker; original 1
-  double divergence_weight = 0.004;
-  int divergence_steps = 6000;  ///< steps in which that weight rises from 0; original 20 epochs
-  double overlap_weight = 0.05;
-  double off_lanes_weight = 0.1;
+  double acceleration_scale = 0.0;   ///< m/s^2, unit of the decoder's acceleration
+  double turn_change_scale = 0.0;    ///< rad/s^2, unit of the decoder's change of turn
+  double noise = 0.01;               ///< standard deviation, added to the scaled past in training
+  double attacker_weight = 3.0;      ///< reconstruction weight of the attacker; original 1
+  double divergence_weight = 0.004;  ///< loss weight of the divergence of posterior and prior
+  int divergence_steps = 6000;    ///< steps in which that weight rises from 0; original 20 epochs
+  double overlap_weight = 0.05;   ///< loss weight of overlapOf()
+  double off_lanes_weight = 0.1;  ///< loss weight of beyondLanes()
 };
 
 /// config/study/network_published.yaml, section network. "Original": the code released with arXiv
 /// 2510.12206. Integers without comment are layer widths.
 struct PublishedNetworkOptions {
-  int epochs = 0;
-  int batch = 0;  ///< clips per step
-  double learning_rate = 0.0;
-  int decay_from = 0;    ///< steps before the first decay of the learning rate
-  int decay_every = 0;   ///< steps between decays
-  double decay = 0.75;   ///< factor of a decay, original value
-  double dropout = 0.1;  ///< probability 0..1, before the last layers of the heads
+  int epochs = 0;              ///< passes over the training data
+  int batch = 0;               ///< clips per step
+  double learning_rate = 0.0;  ///< of the optimizer, before decays
+  int decay_from = 0;          ///< steps before the first decay of the learning rate
+  int decay_every = 0;         ///< steps between decays
+  double decay = 0.75;         ///< factor of a decay, original value
+  double dropout = 0.1;        ///< probability 0..1, before the last layers of the heads
   int width = 0;
   int condition = 0;
   int selector = 0;

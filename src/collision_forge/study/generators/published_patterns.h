@@ -6,8 +6,8 @@
 
 namespace forge {
 
-inline constexpr int kConditionTypes = kConditionNumbers - 1;
-inline constexpr double kAbsentLogit = -1e9;  ///< logit of padding
+inline constexpr int kConditionTypes = kConditionNumbers - 1;  ///< numbers of the one-hot type
+inline constexpr double kAbsentLogit = -1e9;                   ///< logit of padding
 
 /// The lane pieces near the egos of a batch, of all clips in one list.
 struct PublishedPieces {

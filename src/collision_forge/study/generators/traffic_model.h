@@ -18,7 +18,8 @@ struct ErrorSum {
 
 /// Interface of a learned baseline from the literature, trained on clips. The training run, the
 /// weight file and the attack methods use it. Const members are called from several threads, the
-/// others from one.
+/// others from the training thread. Members may throw std::runtime_error (torch's c10::Error),
+/// which ends the training or the request.
 class TrafficModel : public std::enable_shared_from_this<TrafficModel> {
  public:
   virtual ~TrafficModel() = default;

@@ -10,7 +10,7 @@
 
 namespace forge {
 
-/// The configuration of the product and of its study: all files of config/.
+/// The complete configuration: all files of config/ and config/study/.
 struct StudyConfig : LearningOptions {
   SpeedModelFitOptions speed_model_fit;
   DatasetOptions dataset;

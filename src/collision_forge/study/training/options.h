@@ -7,11 +7,11 @@ namespace forge {
 
 /// config/study/training.yaml, section training. A sample is a moment of a recording or of a clip.
 struct TrainingOptions {
-  int epochs = 0;
-  int batch = 0;  ///< samples per step
-  int times = 0;  ///< prediction times per sample
-  double learning_rate = 0.0;
-  double weight_decay = 0.01;
+  int epochs = 0;                     ///< passes over the training data
+  int batch = 0;                      ///< samples per step
+  int times = 0;                      ///< prediction times per sample
+  double learning_rate = 0.0;         ///< largest, of the optimizer
+  double weight_decay = 0.01;         ///< of the optimizer
   double dropout = 0.0;               ///< probability 0..1
   double context_dropout = 0.4;       ///< probability 0..1 to drop all other agents and lanes
   double max_gradient = 5.0;          ///< norm
@@ -27,9 +27,9 @@ struct TrainingOptions {
   double vehicle_stride = 1.0;     ///< s between the samples of a vehicle
   /// Standard deviation of the noise on the ego pose that candidates are scored with: noise_along *
   /// TTA^noise_along_exponent along the heading, noise_across * TTA across it.
-  double noise_along = 0.3;  ///< m at a TTA of 1 s
-  double noise_along_exponent = 1.4;
-  double noise_across = 0.1;  ///< m/s
+  double noise_along = 0.3;           ///< m at a TTA of 1 s
+  double noise_along_exponent = 1.4;  ///< without unit
+  double noise_across = 0.1;          ///< m/s
 };
 
 /// The configuration of trainings: config/study/training.yaml, one member per section.

@@ -13,7 +13,7 @@ namespace {
 template <typename Values>
 void put(torch::Tensor& tensor, std::int64_t row, const Values& values) {
   const auto count = tensor.numel() / tensor.size(0);
-  TORCH_CHECK(count == values.size(), "a sample of another size");
+  TORCH_CHECK(count == values.size(), "the samples of a batch have different sizes");
   std::memcpy(tensor.data_ptr<float>() + row * count, values.data(),
               static_cast<std::size_t>(count) * sizeof(float));
 }

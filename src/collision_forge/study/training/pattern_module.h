@@ -42,10 +42,10 @@ TORCH_MODULE(PatternModule);
 
 /// Scalar differentiable losses. Offset and selection train only the layers candidate_*.
 struct BatchLosses {
-  torch::Tensor ego;
-  torch::Tensor heading;
-  torch::Tensor offset;
-  torch::Tensor selection;
+  torch::Tensor ego;        ///< as TrainingLosses::ego
+  torch::Tensor heading;    ///< as TrainingLosses::heading
+  torch::Tensor offset;     ///< as TrainingLosses::offset
+  torch::Tensor selection;  ///< as TrainingLosses::selection
 };
 /// Returns the losses of a batch; offset and selection are 0 without attacks in it.
 BatchLosses lossesOf(PatternModule& module, const PatternBatch& batch);

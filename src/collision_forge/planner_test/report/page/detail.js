@@ -80,8 +80,9 @@ function addAttacker(world, attack, drive, withCrash) {
 }
 
 /**
- * The direction that points to the right, radians from east, as in pictures: that of the ego at now, or at the contact
- * (else of the pattern) if the view is then far less high, or the opposite one. At most a quarter turn from east.
+ * Returns the direction on the ground that points right in the view, radians from east, at most a quarter turn from it:
+ * the heading of the ego at t0, or at the contact (else in the pattern) if the view is then far
+ * less high, or the opposite.
  */
 function rightwardsOf(world) {
   const ego = world.roles.find((role) => role.isFollowed);
