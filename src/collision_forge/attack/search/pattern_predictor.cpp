@@ -114,7 +114,7 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
   }
   if (request.crash.believable &&
       !roadAllows(prediction.future, snapshot.now, request, lanes, believability_)) {
-    prediction.status = {StatusCode::kRoadDoesNotAllow, roadRefusal(request.type, request.tta)};
+    prediction.status = {StatusCode::kRoadDoesNotAllow, roadRefusal(request)};
     return prediction;
   }
   const double nominal = request.bands().nominal_heading;
@@ -125,7 +125,8 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
     // A requested attacker was checked before and may be anywhere.
     if (!request.attacker && !isCandidate(agent, snapshot, options_)) continue;
     if (!approachFitsType(agent, snapshot, request)) continue;
-    for (const Placement& placement : placementsOf(request.type, lanes.map().driving_side)) {
+    for (const Placement& placement :
+         placementsOf(request.type, lanes.map().driving_side, request.turning)) {
       for (const double heading : headingsAt(placement, nominal)) {
         ranked.push_back(
             placedPattern(agent, placement.side, heading, *ego, snapshot, request, options_));

@@ -42,8 +42,9 @@ Scenario readScenarioLine(const std::string& where, const std::string& line,
 /// Writes an object with x and y in m, yaw in rad.
 void writePose(JsonLineWriter& writer, const char* key, const Pose2& pose);
 
+/// Writes the field `conditions` only if `has_conditions`: for requests that asksForConditions().
 void writeCollisionReport(JsonLineWriter& writer, const char* key, const CollisionReport& report,
-                          double now);
+                          double now, bool has_conditions);
 
 /// Writes the array "plans". `write_points` adds the field "trajectory" to each plan.
 using WritePoints = std::function<void(JsonLineWriter& writer,
