@@ -8,13 +8,15 @@ import rospy
 from collision_forge import srv
 from collision_forge.msg import AttackerTrajectory, CollisionRequest, PlannerParameter, TrajectoryPoint
 
-TYPES = ['lane_change', 'opposite_direction', 'rear_end', 'junction_crossing', 'ltap']
+TYPES = ['lane_change', 'opposite_direction', 'rear_end', 'junction_crossing', 'ltap', 'sideswipe_same_direction',
+         'angle_same_direction', 'angle_opposite_direction', 'any']
 PLANNERS = ['idm', 'pdm', 'rule_based']
 NUMBERS = [math.nan, math.inf, -math.inf, -1.0, 0.0, 1e300, 1e-308]
 TEXTS = ['', ' ', 'nobody', '../x', '\x1b[2J', 'x' * 10000, '0.' + 400 * '0' + '1']
 BAD_FIELDS = [('collision_type', TEXTS), ('tta', NUMBERS), ('attacker_id', TEXTS[1:]), ('mode', TEXTS[1:]),
               ('choice', TEXTS[1:]), ('manoeuvre', TEXTS[1:]), ('attacker_class', ['pedestrian'] + TEXTS[1:]),
-              ('ego_side', TEXTS[1:]), ('min_overlap', NUMBERS), ('max_impact_speed', NUMBERS), ('limits', TEXTS[1:]),
+              ('ego_side', TEXTS[1:]), ('min_overlap', NUMBERS), ('max_impact_speed', NUMBERS), ('max_gap', NUMBERS),
+              ('turning', TEXTS[1:]), ('from_side', TEXTS[1:]), ('limits', TEXTS[1:]),
               ('believable', TEXTS[1:]), ('alternatives', [17, 2 ** 32 - 1])]
 SCENARIOS = TEXTS[1:] + ['1', '{}', '{"format":', '[' * 5000, '{"format": 0.' + 348 * '0' + '1}']
 

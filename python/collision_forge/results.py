@@ -95,6 +95,23 @@ def avoiders(message: Any) -> Tuple[str, ...]:
 
 
 @dataclass(frozen=True, repr=False)
+class Conditions(Result):
+    """Quantities of an attack that a request can constrain."""
+
+    from_side: str          # side from which the attacker came, left or right
+    attacker_speed: float   # m/s at contact
+    deceleration: float     # m/s2, mean over the last 0.5 s before the contact
+    gap: float              # m at t0
+    headway: float          # s at t0
+    lateral_speed: float    # m/s, across the ego's heading at contact
+    impact_location: float  # share of the ego's width, 0 at its left edge
+
+    @classmethod
+    def of(cls, message: Any) -> 'Conditions':
+        return cls(*(getattr(message, entry.name) for entry in fields(cls)))
+
+
+@dataclass(frozen=True, repr=False)
 class Contact(Result):
     """The first touch of ego and attacker."""
 
@@ -108,6 +125,7 @@ class Contact(Result):
     overlap: float           # share of the ego's side that the attacker covers, [0, 1]
     ego_effect: Effect       # severity for the ego
     attacker_effect: Effect
+    conditions: Conditions
 
 
 @dataclass(frozen=True, repr=False)
@@ -141,7 +159,8 @@ class Report:
             contact = Contact(seconds(now, message.contact_time), Pose.of_2d(message.ego_at_contact),
                               Pose.of_2d(message.attacker_at_contact), message.relative_heading, message.ego_side,
                               message.attacker_side, message.impact_speed, message.overlap,
-                              Effect.of(message.ego_effect), Effect.of(message.attacker_effect))
+                              Effect.of(message.ego_effect), Effect.of(message.attacker_effect),
+                              Conditions.of(message.conditions))
         return cls(now, message.attacker_id, message.verified, contact, message.type_kept, message.on_time,
                    message.limits_kept, message.broken_limit, message.first_other_id, message.off_road_share,
                    message.manoeuvre if contact else '', seconds(now, message.manoeuvre_begin) if contact else None,
@@ -163,7 +182,7 @@ class Attack:
     """A generated attack."""
 
     now: Time
-    collision_type: str     # lane_change, opposite_direction, rear_end, junction_crossing or ltap
+    collision_type: str     # as in srv/GenerateCollision.srv, without any
     attacker: str           # id of its agent
     attacker_class: str     # car, truck, ...
     added: bool             # not a recorded agent

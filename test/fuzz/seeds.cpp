@@ -114,6 +114,8 @@ CollisionRequest demandingRequest() {
   request.ego_side = Side::kLeft;
   request.impact_speed = Range{1.0, 9.5};
   request.overlap = Range{0.25, 1.0};
+  request.from_side = Side::kLeft;
+  for (const RangeControl& control : kRangeControls) request.*control.asked = Range{0.25, 1.0};
   request.alternatives = 3;
   request.seed = 7;
   return request;

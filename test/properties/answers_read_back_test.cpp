@@ -115,7 +115,7 @@ TEST(AnswersReadBack, RequestLinesRoundTrip) {
   forAllCases([](Random& random) {
     SceneRequest asked{"scene-\"\\\n0001", anyNumber(random), {}};
     CollisionRequest& request = asked.request;
-    request.type = oneOf(kCollisionTypes, random);
+    request.type = oneOf(kAllCollisionTypes, random);
     request.tta = anyNumber(random);
     request.seed = std::numeric_limits<std::uint64_t>::max() - random.index(1000);
     request.crash.believable = isLikely(random, 0.5);
@@ -124,6 +124,13 @@ TEST(AnswersReadBack, RequestLinesRoundTrip) {
     if (isLikely(random, 0.5)) request.manoeuvre = oneOf(kManoeuvres, random);
     if (isLikely(random, 0.5)) request.impact_speed = Range{anyNumber(random), anyNumber(random)};
     if (isLikely(random, 0.5)) request.overlap = Range{anyNumber(random), anyNumber(random)};
+    if (isLikely(random, 0.5)) request.turning = Turning::kEgo;
+    if (isLikely(random, 0.5)) request.from_side = Side::kRight;
+    for (const RangeControl& control : kRangeControls) {
+      if (isLikely(random, 0.3)) {
+        request.*control.asked = Range{anyNumber(random), anyNumber(random)};
+      }
+    }
     const SceneRequest read = readRequestLine("here", requestLine(asked));
     EXPECT_EQ(requestLine(read), requestLine(asked));
     EXPECT_EQ(read.now, asked.now);

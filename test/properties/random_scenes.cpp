@@ -41,7 +41,7 @@ AskedMoment randomRequest(Random& random, const std::vector<Mode>& modes) {
   asked.now = frames[2 + random.index(frames.size() - 12)];
   CollisionRequest& request = asked.request;
   request.crash = embeddedConfig().crash;
-  request.type = oneOf(kCollisionTypes, random);
+  request.type = oneOf(kAllCollisionTypes, random);
   request.tta = random.uniform(1.0, 5.0);
   request.mode = oneOf(modes, random);
   request.seed = random.index(1000);

@@ -210,6 +210,32 @@ TEST(CollisionRequestMessage, OverridesTheConfiguredCrashDefinition) {
   EXPECT_EQ(request.alternatives, 4);
 }
 
+TEST(CollisionRequestMessage, RoundTripsConditions) {
+  CollisionRequest request =
+      std::get<CollisionRequest>(fromMessage(leadBrakes(), CrashDefinition()));
+  EXPECT_FALSE(asksForConditions(request)) << "fields that are not set";
+  request.turning = Turning::kEgo;
+  request.from_side = Side::kRight;
+  double value = 0.25;
+  for (const RangeControl& control : kRangeControls) {
+    request.*control.asked = Range{value, value + 0.125};
+    value += 0.25;
+  }
+  const auto message = toMessage(request);
+  const auto read = std::get<CollisionRequest>(fromMessage(message, CrashDefinition()));
+  EXPECT_EQ(read.turning, Turning::kEgo);
+  EXPECT_EQ(read.from_side, Side::kRight);
+  for (const RangeControl& control : kRangeControls) {
+    ASSERT_TRUE(read.*control.asked) << control.name;
+    EXPECT_EQ((read.*control.asked)->min, (request.*control.asked)->min) << control.name;
+    EXPECT_EQ((read.*control.asked)->max, (request.*control.asked)->max) << control.name;
+  }
+  collision_forge::CollisionRequest wrong = leadBrakes();
+  wrong.turning = "nobody";
+  EXPECT_NE(std::get<Status>(fromMessage(wrong, CrashDefinition())).message.find("turning"),
+            std::string::npos);
+}
+
 TEST(CollisionRequestMessage, NamesFieldAndValueOfAnUnknownWord) {
   using Message = collision_forge::CollisionRequest;
   const std::pair<const char*, std::string Message::*> fields[] = {

@@ -75,7 +75,9 @@ RequestList readList(const Arguments& arguments, const Config& config) {
 }
 
 /// Throws std::runtime_error if the scenario at `where` belongs to a request other than `request`.
-void checkAnswer(const std::string& where, const SceneRequest& asked, const SceneRequest& request) {
+/// An answer to a request for any type has the type of its attack.
+void checkAnswer(const std::string& where, SceneRequest asked, const SceneRequest& request) {
+  if (request.request.type == CollisionType::kAny) asked.request.type = CollisionType::kAny;
   if (requestLine(asked) == requestLine(request) && asked.request.mode == request.request.mode) {
     return;
   }

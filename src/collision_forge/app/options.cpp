@@ -49,7 +49,7 @@ void addRange(CLI::App& app, const std::string& name, std::optional<Range>& valu
 
 std::string manoeuvresByType() {
   std::string text;
-  for (const CollisionType type : kCollisionTypes) {
+  for (const CollisionType type : kAllCollisionTypes) {
     text += (text.empty() ? "" : "; ") + std::string(toString(type)) + ": " + manoeuvreNames(type);
   }
   return text;
@@ -81,6 +81,9 @@ void RequestControls::applyTo(CollisionRequest& request) const {
   if (ego_side) request.ego_side = ego_side;
   if (impact_speed) request.impact_speed = impact_speed;
   if (overlap) request.overlap = overlap;
+  if (turning) request.turning = *turning;
+  if (from_side) request.from_side = from_side;
+  for (const auto& [control, range] : ranges) request.*control->asked = range;
   if (alternatives) request.alternatives = *alternatives;
 }
 
@@ -116,6 +119,22 @@ void addControls(CLI::App& app, RequestControls& controls) {
   addRange(app, "--overlap", controls.overlap,
            "range of the share, 0 to 1, of the ego's hit side that the attacker covers; default: "
            "any");
+  addChoice<std::optional<Turning>>(
+      app, "--turning", controls.turning,
+      wordsOf<Turning>(std::vector<Turning>{Turning::kAttacker, Turning::kEgo}),
+      "vehicle that turns in type ltap; default: attacker");
+  addChoice<std::optional<Side>>(app, "--from-side", controls.from_side,
+                                 wordsOf<Side>(std::vector<Side>{Side::kLeft, Side::kRight}),
+                                 "side of the ego from which the attacker comes; default: any");
+  for (const RangeControl& control : kRangeControls) {
+    app.add_option_function<std::pair<double, double>>(
+           "--" + optionName(control.name),
+           [&controls, &control](const std::pair<double, double>& range) {
+             controls.ranges.emplace_back(&control, Range{range.first, range.second});
+           },
+           "range, " + std::string(control.unit) + ", of the " + control.meaning + "; default: any")
+        ->type_name("MIN MAX");
+  }
 }
 
 void addAlternatives(CLI::App& app, RequestControls& controls) {
@@ -205,8 +224,18 @@ CLI::Option* addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text
 std::string checkType(const std::string& name) {
   if (collisionTypeFromString(name)) return "";
   std::vector<std::string> names = {"head_on"};
-  for (const CollisionType type : kCollisionTypes) names.push_back(toString(type));
+  for (const CollisionType type : kAllCollisionTypes) names.push_back(toString(type));
   return "\"" + name + "\" is none of " + collisionTypeWords() + nearestNameHint(name, names);
+}
+
+std::vector<CollisionType> typesNamed(const std::vector<std::string>& names) {
+  std::vector<CollisionType> types;
+  for (const std::string& name : names) {
+    for (const CollisionType type : typesMeant(*collisionTypeFromString(name))) {
+      if (std::find(types.begin(), types.end(), type) == types.end()) types.push_back(type);
+    }
+  }
+  return types;
 }
 
 void addMode(CLI::App& app, Mode& mode, bool may_adapt) {

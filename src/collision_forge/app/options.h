@@ -11,6 +11,7 @@
 #include "collision_forge/base/config/nearest_names.h"
 #include "collision_forge/base/files/resumable_file.h"
 #include "collision_forge/base/scene/collision_request.h"
+#include "collision_forge/base/scene/contact_conditions.h"
 #include "collision_forge/base/scene/request_words.h"
 #include "collision_forge/io/logs/log_source.h"
 #include "collision_forge/io/logs/nuscenes_rows.h"
@@ -57,14 +58,18 @@ struct RequestControls {
   std::optional<Side> ego_side;        ///< side of the ego that is hit
   std::optional<Range> impact_speed;   ///< m/s, relative speed at contact
   std::optional<Range> overlap;        ///< share 0..1 of the ego's hit side that is covered
-  std::optional<int> alternatives;     ///< number of attacks per request
+  std::optional<Turning> turning;      ///< vehicle that turns, of type ltap
+  std::optional<Side> from_side;       ///< side from which the attacker comes
+  std::vector<std::pair<const RangeControl*, Range>> ranges;  ///< given ones of kRangeControls
+  std::optional<int> alternatives;                            ///< number of attacks per request
 
   /// Overwrites the fields of `request` for which a value was given.
   void applyTo(CollisionRequest& request) const;
 };
 /// --attacker.
 void addAttacker(CLI::App& app, RequestControls& controls);
-/// --believable, --limits, --attacker-class, --manoeuvre, --ego-side, --impact-speed, --overlap.
+/// --believable, --limits, --attacker-class, --manoeuvre, --ego-side, --impact-speed, --overlap,
+/// --turning, --from-side and an option for each of kRangeControls.
 void addControls(CLI::App& app, RequestControls& controls);
 
 /// --alternatives.
@@ -90,6 +95,9 @@ void addJobs(CLI::App& app, int& jobs, const std::string& text);
 CLI::Option* addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text);
 /// CLI11 validator: returns "" for the name of a collision type, else the error message.
 std::string checkType(const std::string& name);
+/// Returns the types that `names`, which passed checkType(), mean in a list of types, each once:
+/// "any" means all.
+std::vector<CollisionType> typesNamed(const std::vector<std::string>& names);
 /// --mode; the current content of `mode` is the default. Commands that make collisions default to
 /// replay, commands that measure methods to history. `may_adapt`: adaptive is allowed, too.
 void addMode(CLI::App& app, Mode& mode, bool may_adapt);

@@ -17,6 +17,8 @@
 namespace forge {
 namespace {
 
+constexpr int kTypeWidth = 24;  // characters of the longest name
+
 struct Arguments {
   std::string bag;
   LogSource logs;
@@ -40,10 +42,11 @@ std::shared_ptr<const IndexedScene> recordingOf(const Arguments& arguments, cons
 }
 
 std::vector<CollisionType> typesOf(const Arguments& arguments) {
-  std::vector<CollisionType> types;
-  for (const std::string& name : arguments.types) types.push_back(*collisionTypeFromString(name));
+  std::vector<CollisionType> types = typesNamed(arguments.types);
   if (types.empty() && arguments.controls.manoeuvre) {
     types.push_back(typeOf(*arguments.controls.manoeuvre));
+  } else if (types.empty() && arguments.controls.turning == Turning::kEgo) {
+    types.push_back(CollisionType::kLtap);
   }
   if (types.empty()) types.assign(std::begin(kCollisionTypes), std::end(kCollisionTypes));
   return types;
@@ -51,7 +54,7 @@ std::vector<CollisionType> typesOf(const Arguments& arguments) {
 
 std::string requestText(const CollisionRequest& request) {
   std::ostringstream text;
-  text << std::left << std::setw(19) << toString(request.type) << std::right << std::setw(4)
+  text << std::left << std::setw(kTypeWidth) << toString(request.type) << std::right << std::setw(4)
        << request.tta << " s";
   return text.str();
 }
@@ -94,7 +97,8 @@ int listPossible(const Arguments& arguments) {
 
   std::ostringstream rejected;
   std::size_t possible = 0;
-  std::cout << "type                 TTA  manoeuvre             id      attacker                "
+  std::cout << std::left << std::setw(kTypeWidth) << "type"
+            << "  TTA  manoeuvre             id      attacker                "
                "confidence  contact     impact\n";
   for (const CollisionType type : typesOf(arguments)) {
     for (const double tta : arguments.ttas.empty() ? config.requests.ttas : arguments.ttas) {
@@ -135,8 +139,9 @@ void addPossible(CommandLine& line) {
   app.add_option("--now", arguments->now,
                  "time of the request t0, s from the first frame; uses the frame at or before")
       ->required();
-  app.add_option("--type", arguments->types,
-                 "requested collision types; default: all five: " + collisionTypeWords())
+  app.add_option(
+         "--type", arguments->types,
+         "requested collision types; any: all; default: the first five of " + collisionTypeWords())
       ->check(checkType);
   app.add_option("--tta", arguments->ttas,
                  "times to attack, s: time from t0 to contact; default: ttas of requests.yaml");

@@ -186,7 +186,11 @@ void addRequests(CommandLine& line) {
                  "time between two requests of a scene, s; default: requests.yaml")
       ->check(CLI::PositiveNumber)
       ->check(checkFinite);
-  app.add_option("--types", arguments->types, "requested collision types; default: all")
+  app.add_option("--types", arguments->types,
+                 "requested collision types; any: each request is for the most plausible type; "
+                 "default: the "
+                 "first five of " +
+                     collisionTypeWords())
       ->check(checkType);
   app.add_option("--tta", arguments->ttas,
                  "times to attack, s: time from t0 to contact; default: requests.yaml")

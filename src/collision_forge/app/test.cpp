@@ -17,10 +17,17 @@ struct Arguments : PlannerTestArguments {
   std::vector<std::string> scenarios;
   bool until_hit = false;
   std::vector<std::string> scenes;
+  std::vector<std::string> types;
   std::optional<std::size_t> tries;
   std::uint64_t seed = 0;
   std::string method;
 };
+
+RequestListOptions listOf(const Arguments& arguments, const Config& config) {
+  RequestListOptions list = config.requests;
+  if (!arguments.types.empty()) list.types = typesNamed(arguments.types);
+  return list;
+}
 
 /// Random collision requests for scenes, the cases of --until-hit. Their order is independent of
 /// the order of scenes, so scenes are cached.
@@ -30,8 +37,8 @@ struct DrawnCases {
   DrawnCases(const Arguments& arguments, const Config& config)
       : scenes(arguments.logs, arguments.scenes, config, kScenesKept, {}, showReading()),
         requests(scenes, loadMethod(arguments.method, config, config.attack), config,
-                 {config.requests, arguments.tries.value_or(config.planners.until_hit.tries),
-                  arguments.seed,
+                 {listOf(arguments, config),
+                  arguments.tries.value_or(config.planners.until_hit.tries), arguments.seed,
                   [this](std::size_t done, std::size_t count) { progress.show(done, count); }}) {}
 
   ProgressLine progress{"scenes"};
@@ -90,6 +97,11 @@ void addTest(CommandLine& line) {
                        "the weaknesses of the planners, worst first");
   source->require_option(1);
   addScenes(app, arguments->scenes)->needs(until_hit);
+  app.add_option("--types", arguments->types,
+                 "collision types to draw from; any: all; default: the first five of " +
+                     collisionTypeWords())
+      ->check(checkType)
+      ->needs(until_hit);
   app.add_option("--tries", arguments->tries,
                  "number of collisions to draw; default: planners.yaml")
       ->check(CLI::PositiveNumber)

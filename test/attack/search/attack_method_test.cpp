@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <set>
+
 #include "attack/search/test_scenes.h"
 
 namespace forge {
@@ -62,6 +65,65 @@ TEST(GenerateCollision, ReturnsVerifiedAttacksOnly) {
   EXPECT_EQ(refused.status.code, StatusCode::kNoAttackWithinLimits);
   EXPECT_NE(refused.status.message.find("wrong time"), std::string::npos) << refused.status.message;
   EXPECT_TRUE(refused.trajectory.attacker_id.empty());
+}
+
+/// Finds attacks of some types, each with a confidence.
+class Finds : public AttackMethod {
+ public:
+  explicit Finds(std::map<CollisionType, double> confidences)
+      : confidences_(std::move(confidences)) {}
+
+  Attack answer(const Moment&, const CollisionRequest& request) const override {
+    EXPECT_NE(request.type, CollisionType::kAny);
+    const auto found = confidences_.find(request.type);
+    if (found == confidences_.end()) return rejection({StatusCode::kNoCandidate, "none"});
+    Attack answer;
+    answer.report = verifiedReport();
+    answer.report.confidence = found->second;
+    return answer;
+  }
+
+ private:
+  std::map<CollisionType, double> confidences_;
+};
+
+TEST(GenerateCollision, AnyTypeIsTheTypeWithTheHighestConfidence) {
+  const PredictionOptions options = shippedOptions().prediction;
+  CollisionRequest request = requestFor(CollisionType::kAny);
+  for (request.seed = 0; request.seed < 20; ++request.seed) {
+    const Finds method({{CollisionType::kRearEnd, 0.4}, {CollisionType::kAngleSameDirection, 0.6}});
+    const Attack found = generateCollision(method, moment(), request, options);
+    ASSERT_EQ(found.status.code, StatusCode::kOk);
+    EXPECT_EQ(found.pattern.type, CollisionType::kAngleSameDirection);
+    EXPECT_EQ(withTypeOf(request, found).type, CollisionType::kAngleSameDirection);
+  }
+}
+
+TEST(GenerateCollision, AmongEqualTypesTheSeedDecides) {
+  const PredictionOptions options = shippedOptions().prediction;
+  CollisionRequest request = requestFor(CollisionType::kAny);
+  std::set<CollisionType> found;
+  for (request.seed = 0; request.seed < 20; ++request.seed) {
+    const Finds method({{CollisionType::kRearEnd, 1.0}, {CollisionType::kLtap, 1.0}});
+    found.insert(generateCollision(method, moment(), request, options).pattern.type);
+  }
+  EXPECT_EQ(found, (std::set{CollisionType::kRearEnd, CollisionType::kLtap}));
+}
+
+TEST(GenerateCollision, AnyTypeIsRejectedWithTheReasonsOfAllTypes) {
+  const PredictionOptions options = shippedOptions().prediction;
+  CollisionRequest request = requestFor(CollisionType::kAny);
+  const Status none = generateCollision(Finds({}), moment(), request, options).status;
+  EXPECT_EQ(none.code, StatusCode::kNoCandidate);
+  for (const CollisionType type : kAllCollisionTypes) {
+    EXPECT_NE(none.message.find(std::string(toString(type)) + " NO_CANDIDATE"), std::string::npos)
+        << none.message;
+  }
+  request.manoeuvre = Manoeuvre::kLeadBrakes;
+  request.from_side = Side::kLeft;
+  EXPECT_EQ(generateCollision(Finds({}), moment(), request, options).status.code,
+            StatusCode::kInvalidInput)
+      << "no type has both";
 }
 
 TEST(GenerateCollision, PlausibleAttacksNeedAMapWithLanes) {

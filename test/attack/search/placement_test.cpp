@@ -35,9 +35,10 @@ OrientedBox moved(OrientedBox box, const Vector2& by) {
 
 using Placements = std::vector<std::pair<Side, double>>;
 
-Placements placementsIn(CollisionType type, DrivingSide traffic) {
+Placements placementsIn(CollisionType type, DrivingSide traffic,
+                        Turning turning = Turning::kAttacker) {
   Placements placements;
-  for (const Placement& placement : placementsOf(type, traffic)) {
+  for (const Placement& placement : placementsOf(type, traffic, turning)) {
     placements.emplace_back(placement.side, placement.sign);
   }
   return placements;
@@ -65,9 +66,16 @@ TEST(PlacementsOf, LtapComesFromTheSideOfOncomingTraffic) {
             (Placements{{Side::kRight, 1.0}, {Side::kFront, 1.0}}));
 }
 
+TEST(PlacementsOf, ATurningEgoIsHitOnTheOtherSide) {
+  EXPECT_EQ(placementsIn(CollisionType::kLtap, DrivingSide::kRight, Turning::kEgo),
+            placementsIn(CollisionType::kLtap, DrivingSide::kLeft));
+  EXPECT_EQ(placementsIn(CollisionType::kLtap, DrivingSide::kLeft, Turning::kEgo),
+            placementsIn(CollisionType::kLtap, DrivingSide::kRight));
+}
+
 TEST(PlacementsOf, KeepTheTypeAtTheNominalHeading) {
   const TypeDefinitions types = shippedCrash().types;
-  for (const CollisionType type : kCollisionTypes) {
+  for (const CollisionType type : kAllCollisionTypes) {
     for (const DrivingSide traffic : {DrivingSide::kRight, DrivingSide::kLeft}) {
       for (const Placement& placement : placementsOf(type, traffic)) {
         for (const double sign : {1.0, -1.0}) {
@@ -134,9 +142,8 @@ TEST(TouchingOffset, IsOnTheLineToTheEgosCentreWhereTheBoxesJustTouch) {
 }
 
 TEST(PlacementsAlong, ACrossingLaneIsHitAtItsOwnHeading) {
-  const TypeDefinition band = shippedCrash().types.at(CollisionType::kJunctionCrossing);
-  const auto found =
-      placementsAlong(-1.5, CollisionType::kJunctionCrossing, band, DrivingSide::kRight, 0.03, 0.6);
+  const auto found = placementsAlong(-1.5, believableRequestFor(CollisionType::kJunctionCrossing),
+                                     DrivingSide::kRight, 0.03, 0.6);
   ASSERT_EQ(found.size(), 2U) << "from the left or in front, heading to the right";
   for (const HeadedPlacement& placement : found) EXPECT_DOUBLE_EQ(placement.heading, -1.5);
   EXPECT_EQ(found[0].side, Side::kLeft);
@@ -144,10 +151,10 @@ TEST(PlacementsAlong, ACrossingLaneIsHitAtItsOwnHeading) {
 }
 
 TEST(PlacementsAlong, HeadingsAreWithinTheBandAndNearTheLanes) {
-  const TypeDefinition band = shippedCrash().types.at(CollisionType::kLaneChange);
+  const CollisionRequest request = believableRequestFor(CollisionType::kLaneChange);
+  const TypeDefinition& band = request.bands();
   const auto along = [&](double direction) {
-    return placementsAlong(direction, CollisionType::kLaneChange, band, DrivingSide::kRight, 0.03,
-                           0.6);
+    return placementsAlong(direction, request, DrivingSide::kRight, 0.03, 0.6);
   };
   const auto beside = along(0.0);
   ASSERT_EQ(beside.size(), 2U);
@@ -156,6 +163,24 @@ TEST(PlacementsAlong, HeadingsAreWithinTheBandAndNearTheLanes) {
   EXPECT_EQ(beside[1].side, Side::kLeft);
   EXPECT_DOUBLE_EQ(beside[1].heading, -band.min_heading - 0.03);
   EXPECT_TRUE(along(1.4).empty());
+}
+
+TEST(PlacementsAlong, KeepToTheRequestedSides) {
+  CollisionRequest request = believableRequestFor(CollisionType::kAngleSameDirection);
+  const auto sides = [&](double direction) {
+    std::vector<Side> found;
+    for (const HeadedPlacement& placement :
+         placementsAlong(direction, request, DrivingSide::kRight, 0.03, 0.6)) {
+      found.push_back(placement.side);
+    }
+    return found;
+  };
+  EXPECT_EQ(sides(-1.0), (std::vector{Side::kLeft, Side::kFront}));
+  request.from_side = Side::kRight;
+  EXPECT_TRUE(sides(-1.0).empty()) << "the lane comes from the left";
+  EXPECT_EQ(sides(1.0), (std::vector{Side::kRight, Side::kFront}));
+  request.ego_side = Side::kFront;
+  EXPECT_EQ(sides(1.0), std::vector{Side::kFront});
 }
 
 }  // namespace

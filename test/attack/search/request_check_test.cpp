@@ -238,6 +238,60 @@ TEST(CheckRequest, RejectsImpossibleOverlaps) {
   }
 }
 
+TEST(CheckRequest, RejectsConditionsOutOfRange) {
+  for (const RangeControl& control : kRangeControls) {
+    CollisionRequest request = asking(4.0);
+    for (const Range& range :
+         {Range{0.5, 0.4}, Range{control.least - 0.1, 0.4}, Range{0.5, control.most + 0.1},
+          Range{kNan, 0.4}, Range{0.1, kNan}}) {
+      request.*control.asked = range;
+      expectRefusal(request, twoCars(), StatusCode::kInvalidInput,
+                    {std::string(control.name) + " ="});
+    }
+    request.*control.asked = Range{0.4, 0.4};
+    EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk) << control.name;
+  }
+}
+
+TEST(CheckRequest, NamesConditionsThatContradictEachOther) {
+  const auto expect_contradiction = [](const CollisionRequest& request,
+                                       const std::vector<std::string>& fields) {
+    expectRefusal(request, twoCars(), StatusCode::kInvalidInput, fields);
+  };
+  CollisionRequest request = asking(4.0);
+  request.turning = Turning::kEgo;
+  expect_contradiction(request, {"turning = ego", "ltap", "rear_end"});
+  request.type = CollisionType::kLtap;
+  EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
+  request.manoeuvre = Manoeuvre::kTurnAcrossPath;
+  expect_contradiction(request, {"turn_across_path", "turning = ego", "straight_crossing"});
+
+  request = asking(4.0);
+  request.from_side = Side::kLeft;
+  expect_contradiction(request, {"from_side = left", "rear_end"});
+  request.type = CollisionType::kLaneChange;
+  EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
+  request.ego_side = Side::kRight;
+  expect_contradiction(request, {"from_side = left", "ego_side = right"});
+  request.from_side = Side::kFront;
+  expect_contradiction(request, {"from_side = front"});
+
+  request = asking(4.0);
+  request.impact_location = Range{0.2, 0.3};
+  request.ego_side = Side::kRear;
+  expect_contradiction(request, {"impact_location", "ego_side = rear"});
+  request = asking(4.0);
+  request.attacker_speed = Range{3.0, 5.0};
+  request.lateral_speed = Range{5.5, 6.0};
+  expect_contradiction(request, {"lateral_speed", "attacker_speed"});
+  request.lateral_speed.reset();
+  request.manoeuvre = Manoeuvre::kLeadStopped;
+  expect_contradiction(request, {"attacker_speed", "lead_stopped"});
+  request.attacker_speed.reset();
+  request.deceleration = Range{2.0, 6.0};
+  expect_contradiction(request, {"deceleration", "lead_stopped"});
+}
+
 TEST(CheckRequest, RejectsZeroAndTooManyAlternatives) {
   CollisionRequest request = asking(4.0);
   for (const int count : {-1, 0, kMaxAlternatives + 1}) {

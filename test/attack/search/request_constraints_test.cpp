@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+#include <string>
+
 #include "attack/search/test_scenes.h"
 
 namespace forge {
@@ -44,6 +48,28 @@ class RequestConstraintsTest : public testing::Test {
 TEST_F(RequestConstraintsTest, WithoutConstraintsEverythingHolds) {
   EXPECT_TRUE(holds());
   EXPECT_FALSE(named_);
+}
+
+TEST_F(RequestConstraintsTest, EveryConditionIsJudgedByItsMeasuredValue) {
+  const double gap = 18.0 - 0.5 * (kEgoSize.length + kCarSize.length);
+  const std::map<std::string, double> expected = {{"attacker_speed", 14.5},
+                                                  {"deceleration", 0.0},
+                                                  {"gap", gap},
+                                                  {"headway", gap / 14.5},
+                                                  {"lateral_speed", 0.0}};
+  for (const RangeControl& control : kRangeControls) {
+    const auto value = expected.find(control.name);
+    if (value == expected.end()) continue;
+    const double low = std::max(0.0, value->second - 0.01);
+    request_.*control.asked = Range{low, value->second + 0.01};
+    EXPECT_TRUE(holds()) << control.name;
+    EXPECT_TRUE(named_);
+    request_.*control.asked = Range{value->second + 0.01, value->second + 0.02};
+    EXPECT_FALSE(holds()) << control.name;
+    (request_.*control.asked).reset();
+  }
+  request_.impact_location = {0.4, 0.6};
+  EXPECT_FALSE(holds()) << "the ego is hit at its rear";
 }
 
 TEST_F(RequestConstraintsTest, JudgesTheCrashInTheGivenFuture) {

@@ -113,11 +113,12 @@ TEST(OnIsland, AWideFieldIsNoIsland) {
 
 /// Names of the lanes that fit a type at an ego's pose.
 std::vector<std::string> fitting(const std::shared_ptr<LaneMap>& map, CollisionType type,
-                                 const Pose2& ego) {
+                                 const Pose2& ego, Turning turning = Turning::kAttacker) {
   const LaneIndex lanes(map);
+  CollisionRequest request = believableRequestFor(type);
+  request.turning = turning;
   std::vector<std::string> names;
-  for (const FittingLane& lane :
-       fittingLanes({ego, kEgoSize}, shippedCrash().types.at(type), type, lanes, kOptions)) {
+  for (const FittingLane& lane : fittingLanes({ego, kEgoSize}, request, lanes, kOptions)) {
     names.push_back(map->lanes[lane.lane].id);
   }
   return names;
@@ -140,6 +141,31 @@ TEST(FittingLanes, ForLtapLeadToTheEgosRightInRightHandTraffic) {
   EXPECT_EQ(fitting(map, CollisionType::kLtap, ego), Names{"south"});
   map->driving_side = DrivingSide::kLeft;
   EXPECT_EQ(fitting(map, CollisionType::kLtap, ego), Names{"north"});
+}
+
+TEST(FittingLanes, ForATurningEgoAreOncomingLanes) {
+  EXPECT_EQ(fitting(twoLaneRoad(), CollisionType::kLtap, {0.0, 3.5, 0.8}, Turning::kEgo),
+            Names{"west"})
+      << "the ego has turned left by 46 degrees";
+  EXPECT_EQ(fitting(twoLaneRoad(), CollisionType::kLtap, {0.0, 3.5, -0.8}, Turning::kEgo), Names{});
+}
+
+TEST(RoadAllows, AnEgoThatTurnsOnlyIfItDoes) {
+  CollisionRequest request = believableRequestFor(CollisionType::kLtap, 2.0);
+  request.turning = Turning::kEgo;
+  const LaneIndex lanes(twoLaneRoad());
+  Track ego = futureTrack(kEgoId, kEgoSize, {0.0, 3.5, 0.8}, 0.0);
+  EXPECT_FALSE(roadAllows(ego, kNow, request, lanes, kOptions)) << "it stands at 46 degrees";
+  ego.states.front().pose.yaw = 0.0;
+  EXPECT_TRUE(roadAllows(ego, kNow, request, lanes, kOptions));
+}
+
+TEST(RoadAllows, AnyTypeIfOneOfThemIsPossible) {
+  const LaneIndex lanes(twoLaneRoad());
+  const CollisionRequest request = believableRequestFor(CollisionType::kAny, 2.0);
+  EXPECT_TRUE(roadAllows(futureTrack(kEgoId, kEgoSize, {}, 5.0), kNow, request, lanes, kOptions));
+  const Track far = futureTrack(kEgoId, kEgoSize, {0.0, 500.0, 0.0}, 5.0);
+  EXPECT_FALSE(roadAllows(far, kNow, request, lanes, kOptions));
 }
 
 TEST(FittingLanes, AllowAHeadingSlackBeyondTheBand) {
@@ -178,7 +204,7 @@ TEST(FittingLanes, AgreeWithABruteForceSearch) {
         const OrientedBox point{{sample.position.x(), sample.position.y(), 0.0}, {}};
         nearest[sample.lane] = std::min(nearest[sample.lane], distance(ego, point));
       }
-      const auto found = fittingLanes(ego, band, type, lanes, kOptions);
+      const auto found = fittingLanes(ego, believableRequestFor(type), lanes, kOptions);
       EXPECT_EQ(static_cast<std::ptrdiff_t>(found.size()),
                 std::count_if(nearest.begin(), nearest.end(),
                               [](double distance) { return distance <= kOptions.road_distance; }));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -73,6 +74,29 @@ TEST_F(ManoeuvreTest, DetectsASlowLeaderAndAFastFollower) {
   EXPECT_EQ(detect(CollisionType::kRearEnd).manoeuvre, Manoeuvre::kLeadSlow);
   report_.ego_side = Side::kRear;
   EXPECT_EQ(detect(CollisionType::kRearEnd).manoeuvre, Manoeuvre::kFollowerCloses);
+}
+
+TEST_F(ManoeuvreTest, DetectsTheManoeuvreOfAnAngleTypeFromDirectionsAndTurns) {
+  road(fourWayJunction());
+  ego({-40.0, -1.75, 0.0}, 8.0);
+  // Turns by `turn` from the heading `from` in the last two seconds.
+  const auto manoeuvre = [&](CollisionType type, double from, double turn) {
+    attacker([=](double t) {
+      const double yaw = from + turn * std::clamp(0.5 * (t - 2.0), 0.0, 1.0);
+      return TrajectoryPoint{0.0, {4.0 * t - 16.0, 0.0, wrapAngle(yaw)}, 4.0, 0.0, 0.0};
+    });
+    report_.attacker_at_contact = poseAt(trajectory_, report_.contact_time);
+    report_.relative_heading = report_.attacker_at_contact.yaw;
+    return detect(type).manoeuvre;
+  };
+  const CollisionType same = CollisionType::kAngleSameDirection;
+  const CollisionType opposite = CollisionType::kAngleOppositeDirection;
+  EXPECT_EQ(manoeuvre(same, M_PI_2, -0.8), Manoeuvre::kTurnIntoPath);
+  EXPECT_EQ(manoeuvre(same, 1.0, 0.0), Manoeuvre::kStraightCrossing);
+  EXPECT_EQ(manoeuvre(same, 0.0, -0.9), Manoeuvre::kSameDirectionTurn);
+  EXPECT_EQ(manoeuvre(opposite, M_PI_2, 0.9), Manoeuvre::kTurnIntoPath);
+  EXPECT_EQ(manoeuvre(opposite, M_PI, 0.9), Manoeuvre::kTurnAcrossPath);
+  EXPECT_EQ(manoeuvre(opposite, M_PI, 0.3), Manoeuvre::kCentreLineCrossing);
 }
 
 TEST_F(ManoeuvreTest, DetectsACutInFromTheLaneDeparture) {

@@ -139,6 +139,20 @@ TEST(Verify, TypeIsKeptIfTheApproachFits) {
   }
 }
 
+TEST(Verify, TheEgoOfAnLtapMustTurnIfItIsTheTurningVehicle) {
+  Case attack = meeting(0.0, 2.2);
+  attack.request.type = CollisionType::kLtap;
+  attack.request.turning = Turning::kEgo;
+  attack.map->driving_side = DrivingSide::kRight;
+  TypeDefinition& band = attack.request.crash.ltap_ego_turns;
+  band.min_approach = 2.0;
+  EXPECT_FALSE(attack.report().type_kept) << "the ego goes straight on";
+  attack.future.ego.states.front().pose.yaw = -0.3;
+  EXPECT_TRUE(attack.report().type_kept);
+  attack.map->driving_side = DrivingSide::kLeft;
+  EXPECT_FALSE(attack.report().type_kept);
+}
+
 TEST(Verify, WithAngleRulesOnlyTheHeadingAtContactDecidesTheType) {
   Case crossing = meeting(0.0, M_PI_2);
   crossing.request.type = CollisionType::kLtap;

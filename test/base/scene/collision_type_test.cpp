@@ -6,9 +6,10 @@ namespace forge {
 namespace {
 
 TEST(CollisionType, TypeNamesAreReadBackInAnyCase) {
-  for (const CollisionType type : kCollisionTypes) {
+  for (const CollisionType type : kAllCollisionTypes) {
     EXPECT_EQ(collisionTypeFromString(toString(type)), type);
   }
+  EXPECT_EQ(collisionTypeFromString("any"), CollisionType::kAny);
   EXPECT_EQ(collisionTypeFromString("Rear_End"), CollisionType::kRearEnd);
 }
 
@@ -24,6 +25,12 @@ TEST(CollisionType, ShortTypeNamesAreThoseOfThePaper) {
 
 TEST(CollisionType, HeadOnIsTheOppositeDirection) {
   EXPECT_EQ(collisionTypeFromString("head_on"), CollisionType::kOppositeDirection);
+}
+
+TEST(CollisionType, AnyMeansEveryOtherType) {
+  EXPECT_EQ(typesMeant(CollisionType::kAny),
+            std::vector(std::begin(kAllCollisionTypes), std::end(kAllCollisionTypes)));
+  EXPECT_EQ(typesMeant(CollisionType::kLtap), std::vector{CollisionType::kLtap});
 }
 
 }  // namespace

@@ -110,5 +110,36 @@ TEST(ContactFits, AnLtapTurnedToTheLeftInRightHandTrafficAndMirrored) {
   }
 }
 
+TEST(ContactFits, AnLtapOfTheEgoIsMirrored) {
+  for (const DrivingSide side : kBothSides) {
+    for (const double yaw : {2.0, -2.0}) {
+      const Pose2 offset{2.0, 0.0, yaw};
+      EXPECT_NE(contactFits(CollisionType::kLtap, offset, kEgo, kAttacker, side, Turning::kEgo),
+                contactFits(CollisionType::kLtap, offset, kEgo, kAttacker, side));
+    }
+  }
+}
+
+TEST(ContactFits, ASideswipeIsWhatARearEndIsNot) {
+  for (const double x : {4.6, 4.0, 0.0, -4.0, -4.6}) {
+    const Pose2 offset{x, 2.1, 0.05};
+    EXPECT_NE(fits(CollisionType::kSideswipeSameDirection, offset),
+              fits(CollisionType::kRearEnd, offset))
+        << x;
+  }
+}
+
+TEST(EgoTurns, ToTheLeftByMoreThanTheAttackerAndMirrored) {
+  TypeDefinition band;
+  band.max_heading = M_PI - 0.2;
+  for (const auto& [side, left] :
+       {std::pair(DrivingSide::kRight, 1.0), {DrivingSide::kLeft, -1.0}}) {
+    EXPECT_TRUE(egoTurns(left * 0.3, 0.1, band, side));
+    EXPECT_FALSE(egoTurns(left * 0.19, 0.1, band, side)) << "less than the band leaves";
+    EXPECT_FALSE(egoTurns(-left * 0.3, 0.1, band, side)) << "to the other side";
+    EXPECT_FALSE(egoTurns(left * 0.3, -0.31, band, side)) << "the attacker turns more";
+  }
+}
+
 }  // namespace
 }  // namespace forge

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "collision_forge/planner_test/settings/config.h"
@@ -33,6 +34,16 @@ TEST(CrashDefinition, HaveTheBandsOfTheProtocol) {
   expectBand(CollisionType::kRearEnd, 0.0, 0.0, 10.0);
   expectBand(CollisionType::kJunctionCrossing, 80.0, 90.0, 100.0);
   expectBand(CollisionType::kLtap, 80.0, 90.0, 100.0);
+}
+
+TEST(CrashDefinition, EveryRelativeHeadingBelongsToAType) {
+  for (int tenths = 0; tenths <= 1800; ++tenths) {
+    const double heading = tenths * M_PI / 1800.0;
+    EXPECT_TRUE(std::any_of(
+        std::begin(kAllCollisionTypes), std::end(kAllCollisionTypes),
+        [&](CollisionType type) { return headingFits(heading, kShipped.crash.types.at(type)); }))
+        << tenths;
+  }
 }
 
 TEST(CrashDefinition, ACrossingComesFromTheSideAndALeftTurnFromTheOppositeDirection) {

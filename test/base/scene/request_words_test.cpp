@@ -19,7 +19,7 @@ TEST(RequestWords, ParsesEveryListedCollisionType) {
     ASSERT_TRUE(collisionTypeFromString(word)) << word;
     types.insert(*collisionTypeFromString(word));
   }
-  EXPECT_EQ(types.size(), std::size(kCollisionTypes));
+  EXPECT_EQ(types.size(), std::size(kAllCollisionTypes) + 1) << "with any";
 }
 
 TEST(RequestWords, ClassesAreReadBack) {
@@ -32,7 +32,7 @@ TEST(RequestWords, ClassesAreReadBack) {
   }
 }
 
-TEST(RequestWords, EveryManoeuvreBelongsToOneType) {
+TEST(RequestWords, EveryManoeuvreOfCollideBelongsToOneOfItsTypes) {
   std::size_t found = 0;
   for (const CollisionType type : kCollisionTypes) {
     const std::string names = ", " + manoeuvreNames(type) + ",";
@@ -43,7 +43,18 @@ TEST(RequestWords, EveryManoeuvreBelongsToOneType) {
       found += is_named;
     }
   }
-  EXPECT_EQ(found, std::size(kManoeuvres));
+  EXPECT_EQ(found, std::size(kManoeuvres) - 1) << "without same_direction_turn";
+  EXPECT_EQ(typeOf(Manoeuvre::kSameDirectionTurn), CollisionType::kAngleSameDirection);
+}
+
+TEST(RequestWords, EveryTypeHasManoeuvres) {
+  for (const CollisionType type : kAllCollisionTypes) EXPECT_FALSE(manoeuvresOf(type).empty());
+  EXPECT_EQ(manoeuvresOf(CollisionType::kAny).size(), std::size(kManoeuvres));
+}
+
+TEST(RequestWords, AnAttackerThatATurningEgoMeetsGoesStraightOn) {
+  EXPECT_EQ(manoeuvreNames(CollisionType::kLtap), "turn_across_path");
+  EXPECT_EQ(manoeuvreNames(CollisionType::kLtap, Turning::kEgo), "straight_crossing");
 }
 
 TEST(RequestWords, ManoeuvresLeadToTheirPreCrashScenariosType) {

@@ -81,7 +81,7 @@ inline void addFields(const CollisionReport& report, AttackFields& fields) {
   const auto& [contact, contact_time, relative_heading, ego_at_contact, attacker_at_contact,
                ego_side, attacker_side, impact_speed, overlap, severity, careful_drivers, type_kept,
                on_time, limits_kept, broken_limit, first_other_id, first_other_time, off_road_share,
-               confidence, manoeuvre, manoeuvre_begin, road, unbelievable] = report;
+               confidence, conditions, manoeuvre, manoeuvre_begin, road, unbelievable] = report;
   const auto& [on_lane, wrong_way, off_road, on_walkway, on_island] = road;
   fields["report.contact"] = contact ? 1.0 : 0.0;
   fields["report.contact_time"] = contact_time;
@@ -111,6 +111,15 @@ inline void addFields(const CollisionReport& report, AttackFields& fields) {
   fields["report.first_other_time"] = first_other_time;
   fields["report.off_road_share"] = off_road_share;
   fields["report.confidence"] = confidence;
+  const auto& [attacker_speed, deceleration, gap, headway, lateral_speed, impact_location,
+               from_side] = conditions;
+  fields["report.conditions.attacker_speed"] = attacker_speed;
+  fields["report.conditions.deceleration"] = deceleration;
+  fields["report.conditions.gap"] = gap;
+  fields["report.conditions.headway"] = headway;
+  fields["report.conditions.lateral_speed"] = lateral_speed;
+  fields["report.conditions.impact_location"] = impact_location;
+  fields["report.conditions.from_side"] = toString(from_side);
   fields["report.manoeuvre"] = toString(manoeuvre);
   fields["report.manoeuvre_begin"] = manoeuvre_begin;
   fields["report.road.on_lane"] = on_lane;
@@ -173,6 +182,7 @@ inline Attack wholeAttack(double now) {
   report.first_other_time = now + 3.25;
   report.off_road_share = 0.75;
   report.confidence = 0.65;
+  report.conditions = {11.5, 2.25, 17.5, 1.625, 0.875, 0.3125, Side::kRight};
   report.manoeuvre = Manoeuvre::kCutIn;
   report.manoeuvre_begin = now + 1.5;
   report.road = {0.52, 0.24, 0.15, 0.12, 0.05};

@@ -76,6 +76,26 @@ TEST(RequestFile, TheRequestOverridesTheConfiguration) {
   EXPECT_EQ(requestLine(read), kLine);
 }
 
+TEST(RequestFile, ConditionsAreReadBack) {
+  SceneRequest asked = request();
+  asked.request.turning = Turning::kEgo;
+  asked.request.from_side = Side::kRight;
+  double value = 0.25;
+  for (const RangeControl& control : kRangeControls) {
+    asked.request.*control.asked = Range{value, value + 0.125};
+    value += 0.25;
+  }
+  const std::string line = requestLine(asked);
+  const CollisionRequest read = readRequestLine("", line).request;
+  EXPECT_EQ(read.turning, Turning::kEgo);
+  EXPECT_EQ(read.from_side, Side::kRight);
+  for (const RangeControl& control : kRangeControls) {
+    EXPECT_EQ((read.*control.asked)->min, (asked.request.*control.asked)->min) << control.name;
+    EXPECT_EQ((read.*control.asked)->max, (asked.request.*control.asked)->max) << control.name;
+  }
+  EXPECT_EQ(requestLine(readRequestLine("", line)), line);
+}
+
 TEST(RequestFile, ShortTypeNamesAndNullAreRead) {
   std::string line = kLine;
   replaceIn(line, "ltap", "JC");

@@ -159,6 +159,7 @@ TEST(ScenarioFile, ARejectionHasNullsAndItsMessage) {
 TEST(ScenarioFile, RoundTripsAWholeAttack) {
   Scenario scenario = attack();
   scenario.asked.request.type = CollisionType::kLaneChange;
+  scenario.asked.request.from_side = Side::kRight;
   scenario.answer = wholeAttack(kNow);
   scenario.answer.status.message = "a word on it";
   Attack another = wholeAttack(kNow);
@@ -169,6 +170,13 @@ TEST(ScenarioFile, RoundTripsAWholeAttack) {
   expectSame(read, scenario.answer);
   ASSERT_EQ(read.alternatives.size(), 1u);
   expectSame(read.alternatives.front(), another);
+}
+
+TEST(ScenarioFile, HasMeasuredConditionsIfTheRequestHasOne) {
+  Scenario scenario = attack();
+  EXPECT_EQ(scenarioLine(scenario).find("conditions"), std::string::npos);
+  scenario.asked.request.gap = Range{1.0, 20.0};
+  EXPECT_NE(scenarioLine(scenario).find("conditions"), std::string::npos);
 }
 
 TEST(ScenarioFile, EveryFieldOfAWholeAttackIsFilled) {

@@ -16,7 +16,8 @@ AdaptiveDrive requestAdaptively(const AttackMethod& method, const Moment& moment
   likely_or_not.crash.min_confidence = 0.0;
   Attack first = generateCollision(method, moment, likely_or_not, setup.attack.prediction);
   if (first.status.code != StatusCode::kOk) return {std::move(first), {}, {}};
-  return driveAdaptively(std::move(first), moment, recording, ego, request, setup);
+  const CollisionRequest driven = withTypeOf(request, first);
+  return driveAdaptively(std::move(first), moment, recording, ego, driven, setup);
 }
 
 AdaptiveDrive driveAdaptively(Attack first, const Moment& moment, const Scene& recording,

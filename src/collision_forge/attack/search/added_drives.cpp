@@ -97,11 +97,17 @@ std::vector<ApproachManner> AddedDrives::mannersFor(const AddedMeeting& meeting)
     case CollisionType::kRearEnd:
       return mannersInLane(meeting);
     case CollisionType::kLaneChange:
+    case CollisionType::kSideswipeSameDirection:
       return mannersBeside(meeting);
     case CollisionType::kOppositeDirection:
       return mannersOncoming(meeting);
+    case CollisionType::kAngleSameDirection:
+      return joined({mannersCrossing(meeting), trainsOf(meeting)});
+    case CollisionType::kAngleOppositeDirection:
+      return joined({mannersCrossing(meeting), mannersOncoming(meeting)});
     case CollisionType::kJunctionCrossing:
     case CollisionType::kLtap:
+    case CollisionType::kAny:
       break;
   }
   return mannersCrossing(meeting);
@@ -174,12 +180,20 @@ std::vector<ApproachManner> AddedDrives::mannersCrossing(const AddedMeeting& mee
   return manners;
 }
 
-/// Returns the speeds of recorded vehicles on the path, of the ego and of the configuration.
+/// Returns speeds in the requested range and the speeds of recorded vehicles on the path, of the
+/// ego and of the configuration.
 std::vector<double> AddedDrives::speedsOf(const AddedMeeting& meeting) const {
-  if (input_.request.attacker_class == AgentClass::kBicycle) {
-    return {std::begin(kCyclingSpeeds), std::end(kCyclingSpeeds)};
+  std::vector<double> speeds;
+  if (const std::optional<Range>& asked = input_.request.attacker_speed) {
+    for (const double share : {0.5, 0.2, 0.8}) {
+      addSpeed(asked->min + share * (asked->max - asked->min), speeds);
+    }
   }
-  std::vector<double> speeds = meeting.way->speeds;
+  if (input_.request.attacker_class == AgentClass::kBicycle) {
+    for (const double speed : kCyclingSpeeds) addSpeed(speed, speeds);
+    return speeds;
+  }
+  speeds.insert(speeds.end(), meeting.way->speeds.begin(), meeting.way->speeds.end());
   const double own = past_.ego.states.back().velocity.norm();
   if (own > AddedWay::kMoving) addSpeed(own, speeds);
   for (const double speed : added_.speeds) addSpeed(speed, speeds);
@@ -188,8 +202,36 @@ std::vector<double> AddedDrives::speedsOf(const AddedMeeting& meeting) const {
 
 std::vector<ApproachManner> AddedDrives::trainsOf(const AddedMeeting& meeting) const {
   std::vector<ApproachManner> trains;
-  for (const double closing : kClosings) trains.push_back({ApproachManner::kTrain, closing});
+  for (const double closing : closingsFor(meeting)) {
+    trains.push_back({ApproachManner::kTrain, closing});
+  }
   return joined({trains, followsOf(meeting)});
+}
+
+/// Returns accelerations after t0 of a vehicle that drove as the ego did so far: kClosings, after
+/// those that start at the requested gap or headway.
+std::vector<double> AddedDrives::closingsFor(const AddedMeeting& meeting) const {
+  std::vector<double> closings;
+  const AddedWay& way = *meeting.way;
+  constexpr std::size_t kSpan = 5;
+  const std::optional<Range>& asked =
+      input_.request.gap ? input_.request.gap : input_.request.headway;
+  if (asked && way.ego.size() > kSpan) {
+    const double speed = std::max(0.0, (way.ego[0] - way.ego[kSpan]) / (kSpan * kStep));
+    const AddedKind& car = added_.kinds.front();
+    const double lengths = 0.5 * (past_.ego.size.length + car.length);
+    const double along = meeting.seen({car.length, car.width}).along;
+    const double ahead = along > way.path.project(meeting.ego.center.position()) ? 1.0 : -1.0;
+    for (const double share : {0.5, 0.2, 0.8}) {
+      double gap = asked->min + share * (asked->max - asked->min);
+      if (!input_.request.gap) gap *= speed;
+      const double start = way.ego[0] + ahead * (gap + lengths);
+      closings.push_back(2.0 * (along - start - speed * meeting.contact) /
+                         (meeting.contact * meeting.contact));
+    }
+  }
+  closings.insert(closings.end(), std::begin(kClosings), std::end(kClosings));
+  return closings;
 }
 
 bool AddedDrives::plan(const AddedMeeting& meeting, const ApproachManner& manner,

@@ -89,6 +89,7 @@ class AddedDrives {
   std::vector<ApproachManner> mannersCrossing(const AddedMeeting& meeting) const;
   std::vector<double> speedsOf(const AddedMeeting& meeting) const;
   std::vector<ApproachManner> trainsOf(const AddedMeeting& meeting) const;
+  std::vector<double> closingsFor(const AddedMeeting& meeting) const;
 
   void cruiseBack(const AddedWay& way, double speed, double now, std::vector<double>& back) const;
   bool cruise(const AddedMeeting& meeting, double along, double speed, AddedDrive& drive) const;

@@ -15,12 +15,18 @@
 #include "collision_forge/attack/search/placement.h"
 #include "collision_forge/attack/search/route_driver.h"
 #include "collision_forge/attack/verify/believability.h"
+#include "collision_forge/attack/verify/measured_conditions.h"
 
 namespace forge {
 namespace {
 
 constexpr double kContacts[] = {0.0, -0.3, 0.3, -0.45, 0.45};  // s, added to the requested time
 constexpr double kMinContact = 0.3;                            // s after t0
+
+/// Returns true for types in which the attacker comes from a lane beside the ego.
+bool isFromBeside(CollisionType type) {
+  return type == CollisionType::kLaneChange || type == CollisionType::kSideswipeSameDirection;
+}
 
 bool isCar(const AddedVehicle& vehicle) { return isCarLike(vehicle.track.agent_class); }
 
@@ -69,8 +75,7 @@ class VehicleInsertion {
   long rankOf(const AddedMeeting& meeting) const {
     constexpr long kLast = 100;
     const long rank = std::lround(std::abs(meeting.across));
-    const bool is_change = input_.request.type == CollisionType::kLaneChange;
-    return is_change && meeting.isEgosPath() ? rank + kLast : rank;
+    return isFromBeside(input_.request.type) && meeting.isEgosPath() ? rank + kLast : rank;
   }
 
   bool isEnough(const std::vector<AddedVehicle>& found) const {
@@ -85,7 +90,7 @@ class VehicleInsertion {
     });
     const std::string type = toString(input_.request.type);
     if (!allows) {
-      return {StatusCode::kRoadDoesNotAllow, roadRefusal(input_.request.type, input_.request.tta)};
+      return {StatusCode::kRoadDoesNotAllow, roadRefusal(input_.request)};
     }
     if (!has_way_) {
       return {
@@ -110,8 +115,7 @@ class VehicleInsertion {
   void addMeetings(const Track& future, double contact, std::vector<AddedMeeting>& meetings) {
     const OrientedBox ego = {poseOf(future, past_.now + contact), past_.ego.size};
     const std::vector<FittingLane> fitting =
-        fittingLanes(ego, input_.request.bands(), input_.request.type, input_.driven(),
-                     options_.verification.believability);
+        fittingLanes(ego, input_.request, input_.driven(), options_.verification.believability);
     for (const FittingLane& lane : fitting) {
       // Paths to a following lane include the paths to this one.
       const std::vector<std::size_t>& next = input_.driven().successors(lane.lane);
@@ -140,17 +144,17 @@ class VehicleInsertion {
     const BoxSize size{added_.kinds.front().length, added_.kinds.front().width};
     std::vector<AddedMeeting> possible;
     for (const HeadedPlacement& placement :
-         placementsAlong(direction, type, input_.request.bands(), input_.lanes.map().driving_side,
+         placementsAlong(direction, input_.request, input_.lanes.map().driving_side,
                          kArrivalHeadingMargin, kMaxLean)) {
-      if (!isSideAllowed(placement.side)) continue;
+      if (!isEndAllowed(placement.side)) continue;
       meeting.side = placement.side;
       meeting.heading = placement.heading;
       meeting.across = meeting.seen(size).across;
       if (std::abs(meeting.across) < kMaxDeparture) possible.push_back(meeting);
     }
     // In the ego's own lane, a vehicle can follow or lead, or be parked on either side.
-    const bool all_count = type == CollisionType::kRearEnd ||
-                           (type == CollisionType::kLaneChange && meeting.isEgosPath());
+    const bool all_count =
+        type == CollisionType::kRearEnd || (isFromBeside(type) && meeting.isEgosPath());
     if (!all_count && possible.size() > 1) {
       std::swap(
           possible.front(),
@@ -162,10 +166,9 @@ class VehicleInsertion {
     meetings.insert(meetings.end(), possible.begin(), possible.end());
   }
 
-  /// Returns true if the request allows this side of the ego, given by side or by manoeuvre.
-  bool isSideAllowed(Side side) const {
+  /// Returns true if the requested manoeuvre allows this end of the ego in a rear-end collision.
+  bool isEndAllowed(Side side) const {
     const CollisionRequest& request = input_.request;
-    if (request.ego_side && *request.ego_side != side) return false;
     if (request.type != CollisionType::kRearEnd || !request.manoeuvre) return true;
     return (*request.manoeuvre == Manoeuvre::kFollowerCloses) == (side == Side::kRear);
   }
@@ -241,11 +244,25 @@ class VehicleInsertion {
     has_way_ = true;
     Track track{name, kind.agent_class, size, {}};
     if (const char* reason = added_past_.drive(drive_, path, track)) return reason;
+    if (!startsAsRequested(track)) return "have another gap or headway at t0";
     const bool keeps_aside = drive_.aside != 0.0 && manner.kind != ApproachManner::kPark;
     AddedVehicle vehicle{std::move(track), keeps_aside ? path.beside(drive_.aside) : path, {}};
     addPatterns(meeting, vehicle);
     found.push_back(std::move(vehicle));
     return nullptr;
+  }
+
+  /// Returns true if the request's gap and headway at t0 allow the vehicle.
+  bool startsAsRequested(const Track& track) const {
+    const CollisionRequest& request = input_.request;
+    if (!request.gap && !request.headway) return true;
+    const auto fits = [](const std::optional<Range>& range, double value) {
+      return !range || (value >= range->min && value <= range->max);
+    };
+    ContactConditions measured;
+    const AgentState& now = track.states.back();
+    measureStart(past_.ego.states.back(), past_.ego.size, now, track.size, measured);
+    return fits(request.gap, measured.gap) && fits(request.headway, measured.headway);
   }
 
   std::string newName(const std::vector<AddedVehicle>& found) const {
@@ -278,8 +295,8 @@ class VehicleInsertion {
     vehicle.patterns.push_back(pattern);
     if (input_.request.type == CollisionType::kRearEnd) return;
     const double sign = std::copysign(1.0, meeting.heading);
-    for (const Placement& placement :
-         placementsOf(input_.request.type, input_.lanes.map().driving_side)) {
+    for (const Placement& placement : placementsOf(
+             input_.request.type, input_.lanes.map().driving_side, input_.request.turning)) {
       if (placement.side == meeting.side || (placement.sign != 0.0 && placement.sign != sign)) {
         continue;
       }

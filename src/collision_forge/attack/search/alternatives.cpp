@@ -45,8 +45,8 @@ std::vector<CollisionRequest> furtherRequests(const Attack& first, const Snapsho
   CollisionRequest plain = request;
   plain.alternatives = 1;
   std::vector<CollisionRequest> further;
-  for (const Manoeuvre manoeuvre : kManoeuvres) {
-    if (request.manoeuvre || typeOf(manoeuvre) != request.type) continue;
+  for (const Manoeuvre manoeuvre : manoeuvresOf(request.type, request.turning)) {
+    if (request.manoeuvre) break;
     if (manoeuvre == first.report.manoeuvre) continue;
     // Driving against the lane is plausible only if it is requested.
     if (request.crash.believable && manoeuvre == Manoeuvre::kWrongWay) continue;

@@ -6,6 +6,9 @@
 namespace forge {
 
 Attack attempt(const AttackMethod& method, const Moment& moment, const CollisionRequest& request) {
+  if (request.type == CollisionType::kAny) {
+    return rejection({StatusCode::kUnknownType, "type = any: a method attacks with one type"});
+  }
   if (request.mode == Mode::kReplay || !moment.recorded) return method.answer(moment, request);
   return method.answer({moment.snapshot, std::nullopt, moment.lanes, moment.past}, request);
 }

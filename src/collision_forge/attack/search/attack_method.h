@@ -24,7 +24,7 @@ class AttackMethod {
 };
 
 /// Returns the method's result, verified or not. Hides `moment.recorded` from the method unless the
-/// request is in replay mode.
+/// request is in replay mode. Rejects CollisionType::kAny, see generateCollision().
 Attack attempt(const AttackMethod& method, const Moment& moment, const CollisionRequest& request);
 
 /// Returns one verified attack for a request, ignoring request.alternatives. Rejects without

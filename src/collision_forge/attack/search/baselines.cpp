@@ -23,10 +23,14 @@ Pose2 nominalOffset(CollisionType type, bool from_left, const NominalOptions& op
     case CollisionType::kOppositeDirection:
       return {options.end_distance, 0.0, M_PI};
     case CollisionType::kLaneChange:
+    case CollisionType::kSideswipeSameDirection:
       return {options.lane_change_ahead + std::sin(turn),
               side * (options.lane_change_side + std::cos(turn)), -side * turn};
     case CollisionType::kJunctionCrossing:
     case CollisionType::kLtap:
+    case CollisionType::kAngleSameDirection:
+    case CollisionType::kAngleOppositeDirection:
+    case CollisionType::kAny:
       break;
   }
   return {0.0, side * options.side_distance, -side * M_PI_2};

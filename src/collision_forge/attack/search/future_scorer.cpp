@@ -76,6 +76,7 @@ FutureScorer::FutureScorer(const std::vector<const Track*>& egos, const std::vec
       padded_((egos.size() + kLanes - 1) / kLanes * kLanes),
       ego_size_(egos.front()->size),
       type_(request.type),
+      turning_(request.turning),
       rules_(request.crash.rules),
       band_(request.bands()),
       driving_side_(driving_side),
@@ -164,7 +165,7 @@ bool FutureScorer::fitsType(double contact, std::size_t future, const Track& att
                             const std::vector<TrajectoryPoint>& points) const {
   const Met met = metAt(contact, future, points);
   return contactFits(type_, relativeTo(met.ego, met.attacker), ego_size_, attacker.size,
-                     driving_side_);
+                     driving_side_, turning_);
 }
 
 int FutureScorer::firstOther(const Track& attacker, const std::vector<TrajectoryPoint>& points,

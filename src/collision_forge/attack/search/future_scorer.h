@@ -85,6 +85,7 @@ class FutureScorer {
   std::vector<Other> others_;
   BoxSize ego_size_;
   CollisionType type_;
+  Turning turning_;
   TypeRules rules_;
   TypeDefinition band_;
   DrivingSide driving_side_;

@@ -1,21 +1,85 @@
 #include "collision_forge/attack/search/generate_collision.h"
 
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include "collision_forge/attack/drivers/careful_drive.h"
+#include "collision_forge/attack/forecast/random.h"
 #include "collision_forge/attack/search/alternatives.h"
+#include "collision_forge/attack/search/judge.h"
 #include "collision_forge/attack/search/request_check.h"
 
 namespace forge {
 namespace {
 
+constexpr double kGreatestScore = 1.0;  // full confidence without effort
+
 void addCarefulDrives(const Future& recorded, Attack& attack) {
   attack.report.careful_drivers = driveCarefully(recorded, attack.trajectory);
 }
 
+/// Returns the rejection of a request for any type from the rejections of all types.
+Attack refusalOfAll(const std::vector<std::pair<CollisionType, Status>>& refusals) {
+  Status status = refusals.front().second;
+  const auto has_code = [&](const auto& refusal) { return refusal.second.code == status.code; };
+  if (!std::all_of(refusals.begin(), refusals.end(), has_code)) {
+    status.code = StatusCode::kNoAttackWithinLimits;
+  }
+  status.message = "no type of collision is possible";
+  for (const auto& [type, refusal] : refusals) {
+    status.message += (&refusal == &refusals.front().second ? ": " : ", ") +
+                      std::string(toString(type)) + " " + toString(refusal.code);
+  }
+  return rejection(status);
+}
+
+/// Returns the best attack over all types that the other fields of the request allow.
+Attack generateAny(const AttackMethod& method, const Moment& moment,
+                   const CollisionRequest& request, const PredictionOptions& options) {
+  std::vector<CollisionType> types = typesMeant(CollisionType::kAny);
+  Random random(request.seed);
+  for (std::size_t i = types.size(); i > 1; --i) std::swap(types[i - 1], types[random.index(i)]);
+  std::optional<Attack> best;
+  std::vector<std::pair<CollisionType, Status>> refusals;
+  CollisionRequest one = request;
+  Status contradiction;
+  for (const CollisionType type : types) {
+    one.type = type;
+    const Status controls = checkControls(one);
+    if (controls.code != StatusCode::kOk) {
+      contradiction = controls;
+      continue;
+    }
+    Attack found = generateOne(method, moment, one, options);
+    if (found.status.code != StatusCode::kOk) {
+      if (!dependsOnScene(found.status.code)) return found;
+      refusals.emplace_back(type, found.status);
+      continue;
+    }
+    found.pattern.type = type;
+    if (!best || scoreOf(found) > scoreOf(*best)) best = std::move(found);
+    if (scoreOf(*best) >= kGreatestScore) break;
+  }
+  if (best) return *best;
+  return refusals.empty() ? rejection(contradiction) : refusalOfAll(refusals);
+}
+
 }  // namespace
 
+CollisionRequest withTypeOf(CollisionRequest request, const Attack& attack) {
+  const bool is_found = attack.status.code == StatusCode::kOk;
+  if (is_found && request.type == CollisionType::kAny) request.type = attack.pattern.type;
+  return request;
+}
+
 Attack generateCollision(const AttackMethod& method, const Moment& moment,
-                         const CollisionRequest& request, const PredictionOptions& options) {
-  Attack answer = generateOne(method, moment, request, options);
+                         const CollisionRequest& asked, const PredictionOptions& options) {
+  const bool is_any = asked.type == CollisionType::kAny;
+  Attack answer = is_any ? generateAny(method, moment, asked, options)
+                         : generateOne(method, moment, asked, options);
+  const CollisionRequest request = is_any ? withTypeOf(asked, answer) : asked;
   if (answer.status.code == StatusCode::kOk && request.alternatives > 1) {
     answer.alternatives =
         findAlternatives(answer, method, moment, withFullId(request, moment.snapshot), options);

@@ -35,6 +35,25 @@ std::string wrongAttacker(const AttackerTrajectory& attacker, const CollisionReq
   return "";
 }
 
+/// Returns which of kRangeControls or `from_side` the attack misses, worded to follow the attack;
+/// empty if none.
+std::string conditionMissed(const CollisionReport& report, const CollisionRequest& request) {
+  for (const RangeControl& control : kRangeControls) {
+    const std::optional<Range>& range = request.*control.asked;
+    if (!range) continue;
+    const double measured = report.conditions.*control.measured;
+    if (measured < range->min) return std::string("has too small a value of ") + control.name;
+    if (measured > range->max) return std::string("has too great a value of ") + control.name;
+  }
+  if (request.impact_location && report.ego_side != Side::kFront) {
+    return std::string("touched the ego's ") + toString(report.ego_side) + " side, not its front";
+  }
+  if (request.from_side && report.conditions.from_side != *request.from_side) {
+    return std::string("came from the ") + toString(report.conditions.from_side);
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string shortcomingOf(const CollisionReport& report, const CollisionRequest& request) {
@@ -60,7 +79,7 @@ std::string shortcomingOf(const CollisionReport& report, const CollisionRequest&
     if (report.overlap < request.overlap->min) return "overlapped too little of the ego's side";
     if (report.overlap > request.overlap->max) return "overlapped too much of the ego's side";
   }
-  return "";
+  return conditionMissed(report, request);
 }
 
 bool meetsRequest(const CollisionReport& report, const CollisionRequest& request) {
@@ -81,7 +100,8 @@ Status verdictOn(const Attack& answer, const CollisionRequest& request) {
 double scoreOf(const Attack& answer) { return answer.report.confidence - answer.effort; }
 
 bool hasConstraints(const CollisionRequest& request) {
-  return request.manoeuvre || request.ego_side || request.impact_speed || request.overlap;
+  return request.manoeuvre || request.ego_side || request.impact_speed || request.overlap ||
+         asksForConditions(request);
 }
 
 double confidenceOf(double share, const std::vector<double>& curve) {

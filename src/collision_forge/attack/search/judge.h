@@ -19,7 +19,7 @@ namespace forge {
 std::string shortcomingOf(const CollisionReport& report, const CollisionRequest& request);
 
 /// Returns true if the attack is verified, plausible (if required), and has the requested
-/// manoeuvre, side of the ego, impact speed and overlap.
+/// manoeuvre, side of the ego, impact speed, overlap and conditions (kRangeControls, from_side).
 bool meetsRequest(const CollisionReport& report, const CollisionRequest& request);
 
 /// Returns kOk if an attack with status kOk meets the request and its attacker is of the requested
@@ -29,7 +29,8 @@ Status verdictOn(const Attack& answer, const CollisionRequest& request);
 /// Returns the score by which attacks are compared: confidence minus effort.
 double scoreOf(const Attack& answer);
 
-/// Returns true if the request constrains manoeuvre, side of the ego, impact speed or overlap.
+/// Returns true if the request constrains manoeuvre, side of the ego, impact speed, overlap or a
+/// condition (asksForConditions()).
 bool hasConstraints(const CollisionRequest& request);
 
 /// Returns the confidence 0..1 for a share 0..1 of futures: piecewise linear through the points of

@@ -40,7 +40,9 @@ constexpr double kDepartureWeight = 0.2;  // per second off the lane before befo
                                           // config/believability.yaml
 constexpr double kOffRoadWeight = 1.0;    // of a wholly off-road drive
 constexpr double kContactPositions[] = {-0.7, 0.0, 0.7};
-constexpr double kShrink = 0.7;  // factor on perturbations per round
+constexpr std::size_t kFirstPosition = 1;  // index of the contact position that is drafted first
+constexpr double kWithin[] = {0.2, 0.5, 0.8};  // places in a requested range that are drafted
+constexpr double kShrink = 0.7;                // factor on perturbations per round
 
 struct Candidate {
   const Contender* contender = nullptr;
@@ -71,6 +73,7 @@ class ManoeuvreSearch {
         random_(input.request.seed),
         sampler_(input, options, options.verification.limits, random_) {
     const double end = input.request.tta + search_.tail;
+    setRanges();
     all_points_ = std::max(static_cast<std::size_t>(scorer_.steps()),
                            static_cast<std::size_t>(std::lround(end / search_.step)) + 1);
   }
@@ -91,6 +94,29 @@ class ManoeuvreSearch {
   }
 
  private:
+  /// Sets the drafted contact positions and late braking, from the requested ranges if there are
+  /// any.
+  void setRanges() {
+    const CollisionRequest& request = input_.request;
+    contact_positions_.assign(std::begin(kContactPositions), std::end(kContactPositions));
+    brakings_.assign(std::begin(kLateBraking), std::end(kLateBraking));
+    if (const std::optional<Range>& location = request.impact_location) {
+      // A contact position is 1 at the left edge of the front and -1 at the right one.
+      position_range_ = {1.0 - 2.0 * location->max, 1.0 - 2.0 * location->min};
+      contact_positions_.clear();
+      for (const double place : kWithin)
+        contact_positions_.push_back(within(position_range_, place));
+    }
+    if (request.deceleration) {
+      brakings_.clear();
+      for (const double place : kWithin) brakings_.push_back(within(*request.deceleration, place));
+    }
+  }
+
+  static double within(const Range& range, double place) {
+    return range.min + place * (range.max - range.min);
+  }
+
   /// Scores the current plan, and the same draft at each of the ego's positions.
   void scoreCurrentPlan() {
     Candidate candidate;
@@ -171,17 +197,16 @@ class ManoeuvreSearch {
     candidate.draft.ego = ego;
     candidate.draft.contact = contact;
     for (const HeadedPlacement& placement :
-         placementsAlong(direction, input_.request.type, input_.request.bands(),
-                         input_.lanes.map().driving_side, kArrivalHeadingMargin, kMaxLean)) {
-      if (input_.request.ego_side.value_or(placement.side) != placement.side) continue;
+         placementsAlong(direction, input_.request, input_.lanes.map().driving_side,
+                         kArrivalHeadingMargin, kMaxLean)) {
       candidate.draft.side = placement.side;
       candidate.draft.heading = placement.heading;
       const std::vector<RouteDraft> drafts = mannersFor(candidate, there - route.start().along);
-      for (const double contact_position : kContactPositions) {
+      for (std::size_t position = 0; position < contact_positions_.size(); ++position) {
         for (std::size_t i = 0; i < drafts.size(); ++i) {
-          if (!isInThisPass(contact_position, i)) continue;
+          if (!isInThisPass(position == kFirstPosition, i)) continue;
           candidate.draft = drafts[i];
-          candidate.draft.contact_position = contact_position;
+          candidate.draft.contact_position = contact_positions_[position];
           consider(candidate);
         }
       }
@@ -190,14 +215,15 @@ class ManoeuvreSearch {
 
   /// Returns true if the draft belongs to this pass: first one draft per vehicle, then variations
   /// in one parameter. Few vehicles get all drafts at once.
-  bool isInThisPass(double contact_position, std::size_t manner) const {
-    const bool is_first = contact_position == 0.0 && manner == 0;
+  bool isInThisPass(bool is_first_position, std::size_t manner) const {
+    const bool is_first = is_first_position && manner == 0;
     if (sketches_) return is_first;
-    if (input_.underway != nullptr) return contact_position == 0.0 || manner == 0;
-    return !has_sketches_ || (!is_first && (contact_position == 0.0 || manner == 0));
+    if (input_.underway != nullptr) return is_first_position || manner == 0;
+    return !has_sketches_ || (!is_first && (is_first_position || manner == 0));
   }
 
-  /// Returns drafts with different departures and, if the ego runs into the attacker, late braking.
+  /// Returns drafts with different departures and, if the ego runs into the attacker or the request
+  /// has a deceleration, late braking.
   /// `distance`: m along the route to the meeting.
   std::vector<RouteDraft> mannersFor(const Candidate& candidate, double distance) const {
     std::vector<RouteDraft> drafts;
@@ -206,7 +232,9 @@ class ManoeuvreSearch {
     draft.contact = candidate.draft.contact;
     draft.side = candidate.draft.side;
     draft.heading = candidate.draft.heading;
-    const bool leads = input_.request.type == CollisionType::kRearEnd && draft.side == Side::kFront;
+    const bool may_brake =
+        input_.request.deceleration ||
+        (input_.request.type == CollisionType::kRearEnd && draft.side == Side::kFront);
     for (const double start : startsOf(*candidate.contender, distance)) {
       draft.wait = draft.contact - start;
       if (candidate.contender->drive_start.speed > 0.0 || draft.wait <= 0.0) break;
@@ -216,7 +244,7 @@ class ManoeuvreSearch {
     draft.wait = 0.0;
     for (const double departure : kDepartures) {
       draft.departure = departure;
-      if (!leads) {
+      if (!may_brake) {
         for (const double lead : kLeads) {
           draft.lead = lead;
           drafts.push_back(draft);
@@ -225,7 +253,7 @@ class ManoeuvreSearch {
         }
         continue;
       }
-      for (const double braking : kLateBraking) {
+      for (const double braking : brakings_) {
         draft.late = braking > 0.0 ? departure : 0.0;
         draft.late_acceleration = -braking;
         drafts.push_back(draft);
@@ -431,7 +459,7 @@ class ManoeuvreSearch {
     draft.contact = std::clamp(draft.contact + random_.bell(0.15 * scale), sampler_.earliest(),
                                sampler_.latest());
     draft.contact_position = std::clamp(draft.contact_position + random_.bell(0.4 * scale),
-                                        -kMaxContactPosition, kMaxContactPosition);
+                                        position_range_.min, position_range_.max);
     draft.heading = wrapAngle(draft.heading + random_.bell(0.05 * scale));
     draft.departure = std::max(search_.step, draft.departure + random_.bell(0.4 * scale));
     draft.lead = std::max(0.0, draft.lead + random_.bell(0.2 * scale));
@@ -476,6 +504,9 @@ class ManoeuvreSearch {
   std::vector<std::unique_ptr<Contender>> contenders_;
   Random random_;
   ArrivalSampler sampler_;
+  std::vector<double> contact_positions_;  // drafted contact positions
+  Range position_range_{-kMaxContactPosition, kMaxContactPosition};
+  std::vector<double> brakings_;  // m/s2, drafted late braking
   std::size_t all_points_ = 0;
   bool sketches_ = false;                  // this pass: one draft per contender
   bool has_sketches_ = false;              // that pass was done

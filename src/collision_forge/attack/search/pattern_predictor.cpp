@@ -115,7 +115,7 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
   }
   if (request.crash.believable && !asksForPedestrian(request, snapshot) &&
       !roadAllows(prediction.future, snapshot.now, request, lanes, believability_)) {
-    prediction.status = {StatusCode::kRoadDoesNotAllow, roadRefusal(request.type, request.tta)};
+    prediction.status = {StatusCode::kRoadDoesNotAllow, roadRefusal(request)};
     return prediction;
   }
   const double nominal = request.bands().nominal_heading;
@@ -127,7 +127,8 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
     if (!request.attacker && !isCandidate(agent, snapshot, options_, request.attacker_class))
       continue;
     if (!approachFitsType(agent, snapshot, request)) continue;
-    for (const Placement& placement : placementsOf(request.type, lanes.map().driving_side)) {
+    for (const Placement& placement :
+         placementsOf(request.type, lanes.map().driving_side, request.turning)) {
       for (const double heading : headingsAt(placement, nominal)) {
         ranked.push_back(
             placedPattern(agent, placement.side, heading, *ego, snapshot, request, options_));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <stdexcept>
 
 namespace forge {
 namespace {
@@ -24,9 +26,19 @@ Vector2 outward(Side side) {
   return Vector2::Zero();
 }
 
+/// Returns true if the placement contradicts the side from which the attacker is to come.
+bool comesFromElsewhere(const Placement& placement, const std::optional<Side>& from) {
+  if (!from) return false;
+  const bool is_left = *from == Side::kLeft;
+  if (placement.side == Side::kLeft || placement.side == Side::kRight) {
+    return is_left != (placement.side == Side::kLeft);
+  }
+  return placement.sign != 0.0 && is_left != (placement.sign < 0.0);
+}
+
 }  // namespace
 
-std::vector<Placement> placementsOf(CollisionType type, DrivingSide driving_side) {
+std::vector<Placement> placementsOf(CollisionType type, DrivingSide driving_side, Turning turning) {
   switch (type) {
     case CollisionType::kRearEnd:
       return {{Side::kRear, 0.0}, {Side::kFront, 0.0}};
@@ -34,18 +46,25 @@ std::vector<Placement> placementsOf(CollisionType type, DrivingSide driving_side
       return {{Side::kFront, 0.0}};
     case CollisionType::kLaneChange:
       return {{Side::kLeft, -1.0}, {Side::kRight, 1.0}};
+    case CollisionType::kSideswipeSameDirection:
+      return {{Side::kLeft, 0.0}, {Side::kRight, 0.0}};
     case CollisionType::kJunctionCrossing:
+    case CollisionType::kAngleSameDirection:
+    case CollisionType::kAngleOppositeDirection:
       return {{Side::kLeft, -1.0}, {Side::kRight, 1.0}, {Side::kFront, -1.0}, {Side::kFront, 1.0}};
     case CollisionType::kLtap:
-      if (driving_side == DrivingSide::kRight) return {{Side::kLeft, -1.0}, {Side::kFront, -1.0}};
+      if (ltapSign(turning, driving_side) < 0.0) return {{Side::kLeft, -1.0}, {Side::kFront, -1.0}};
       return {{Side::kRight, 1.0}, {Side::kFront, 1.0}};
+    case CollisionType::kAny:
+      break;
   }
-  return {};
+  throw std::invalid_argument("type = any has no placements");
 }
 
-std::vector<HeadedPlacement> placementsAlong(double direction, CollisionType type,
-                                             const TypeDefinition& band, DrivingSide driving_side,
-                                             double margin, double max_lean) {
+std::vector<HeadedPlacement> placementsAlong(double direction, const CollisionRequest& request,
+                                             DrivingSide driving_side, double margin,
+                                             double max_lean) {
+  const TypeDefinition& band = request.bands();
   const double low = band.min_heading > kBandEnd ? band.min_heading + margin : 0.0;
   const double high = band.max_heading < M_PI - kBandEnd ? band.max_heading - margin : M_PI;
   const double nearest = std::clamp(std::abs(direction), low, std::max(low, high));
@@ -53,9 +72,11 @@ std::vector<HeadedPlacement> placementsAlong(double direction, CollisionType typ
   for (const double sign : {1.0, -1.0}) {
     const double heading = wrapAngle(sign * nearest);
     if (std::abs(angleBetween(direction, heading)) > max_lean) continue;
-    for (const Placement& placement : placementsOf(type, driving_side)) {
-      if (placement.sign == 0.0 || placement.sign == sign)
-        found.push_back({placement.side, heading});
+    for (const Placement& placement : placementsOf(request.type, driving_side, request.turning)) {
+      if (placement.sign != 0.0 && placement.sign != sign) continue;
+      if (request.ego_side.value_or(placement.side) != placement.side) continue;
+      if (comesFromElsewhere(placement, request.from_side)) continue;
+      found.push_back({placement.side, heading});
     }
     // At 0 and pi both signs are the same heading.
     if (nearest < kBandEnd || nearest > M_PI - kBandEnd) break;

@@ -18,10 +18,14 @@ struct Placement {
 /// - rear_end: behind the ego, or in front with the ego running into the attacker;
 /// - opposite_direction: in front;
 /// - lane_change: beside, heading towards the ego (from the left: sign -1);
-/// - junction_crossing: beside or in front;
+/// - junction_crossing, angle types: beside or in front;
+/// - sideswipe_same_direction: beside;
 /// - ltap: the side from which an oncoming vehicle turns across the path (left in right-hand
-///   traffic, right in left-hand traffic), or in front with the same sign.
-std::vector<Placement> placementsOf(CollisionType type, DrivingSide driving_side);
+///   traffic, right in left-hand traffic), or in front with the same sign; if the ego turns, the
+///   other side and sign.
+/// Throws std::invalid_argument for kAny.
+std::vector<Placement> placementsOf(CollisionType type, DrivingSide driving_side,
+                                    Turning turning = Turning::kAttacker);
 
 /// Maximum contact position along a side, as a share of half the side from its middle.
 inline constexpr double kMaxContactPosition = 0.9;
@@ -36,12 +40,13 @@ struct HeadedPlacement {
 };
 
 /// Returns how a vehicle on a lane of `direction` (rad, relative to the ego's heading) can hit the
-/// ego: on either side, the heading nearest to `direction` within the band narrowed by `margin`
-/// (rad; not at ends that reach 0 or pi), if it differs from `direction` by at most `max_lean`
-/// (rad).
-std::vector<HeadedPlacement> placementsAlong(double direction, CollisionType type,
-                                             const TypeDefinition& band, DrivingSide driving_side,
-                                             double margin, double max_lean);
+/// ego with the requested type: on either side, the heading nearest to `direction` within the
+/// type's band narrowed by `margin` (rad; not at ends that reach 0 or pi), if it differs from
+/// `direction` by at most `max_lean` (rad). Leaves out sides and headings that contradict
+/// `ego_side` or `from_side`.
+std::vector<HeadedPlacement> placementsAlong(double direction, const CollisionRequest& request,
+                                             DrivingSide driving_side, double margin,
+                                             double max_lean);
 
 /// Returns the distance (m) along the unit vector `direction` (ego box's frame) by which the
 /// attacker's box must move from `from`, where the boxes overlap, until they only touch.

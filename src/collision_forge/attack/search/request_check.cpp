@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "collision_forge/attack/forecast/motion_estimate.h"
+#include "collision_forge/base/scene/contact_conditions.h"
 #include "collision_forge/base/scene/find_track.h"
 #include "collision_forge/base/scene/hitched.h"
 #include "collision_forge/base/scene/request_words.h"
@@ -12,6 +13,9 @@
 
 namespace forge {
 namespace {
+
+constexpr double kStandingSpeed = 0.5;  // m/s; a faster leader does not stand
+constexpr double kBrakingLead = 1.0;    // m/s2; a leader that decelerates more brakes
 
 template <typename... Parts>
 Status refuse(StatusCode code, const Parts&... parts) {
@@ -85,6 +89,67 @@ Status checkAttacker(const std::string& id, const std::optional<AgentClass>& wan
   return {};
 }
 
+/// Checks the ranges of kRangeControls and `from_side`, each by itself.
+Status checkRanges(const CollisionRequest& request) {
+  for (const RangeControl& control : kRangeControls) {
+    const std::optional<Range>& range = request.*control.asked;
+    if (!range) continue;
+    if (!(range->min >= control.least && range->max >= range->min && range->max <= control.most)) {
+      return refuse(StatusCode::kInvalidInput, control.name, " = ", range->min, " to ", range->max,
+                    " ", control.unit, " must be a range within ", control.least, " to ",
+                    control.most);
+    }
+  }
+  if (request.from_side && *request.from_side != Side::kLeft &&
+      *request.from_side != Side::kRight) {
+    return refuse(StatusCode::kInvalidInput, "from_side = ", toString(*request.from_side),
+                  " is neither left nor right");
+  }
+  return {};
+}
+
+/// Checks the ranges, and that no two fields contradict each other.
+Status checkConditions(const CollisionRequest& request) {
+  const Status ranges = checkRanges(request);
+  if (ranges.code != StatusCode::kOk) return ranges;
+  const auto contradicts = [](const auto&... parts) {
+    return refuse(StatusCode::kInvalidInput, parts...);
+  };
+  const std::optional<Manoeuvre>& manoeuvre = request.manoeuvre;
+  if (request.from_side && request.type == CollisionType::kRearEnd) {
+    return contradicts("from_side = ", toString(*request.from_side),
+                       " contradicts type = rear_end, whose attacker comes from ahead or behind");
+  }
+  if (request.from_side && request.ego_side &&
+      (*request.ego_side == Side::kLeft || *request.ego_side == Side::kRight) &&
+      *request.ego_side != *request.from_side) {
+    return contradicts("from_side = ", toString(*request.from_side),
+                       " contradicts ego_side = ", toString(*request.ego_side));
+  }
+  if (request.impact_location && request.ego_side.value_or(Side::kFront) != Side::kFront) {
+    return contradicts("impact_location is a place on the ego's front and contradicts ego_side = ",
+                       toString(*request.ego_side));
+  }
+  if (request.lateral_speed && request.attacker_speed &&
+      request.lateral_speed->min > request.attacker_speed->max) {
+    return contradicts("lateral_speed = ", request.lateral_speed->min,
+                       " m/s at least contradicts attacker_speed = ", request.attacker_speed->max,
+                       " m/s at most");
+  }
+  if (manoeuvre == Manoeuvre::kLeadStopped && request.attacker_speed &&
+      request.attacker_speed->min > kStandingSpeed) {
+    return contradicts("attacker_speed = ", request.attacker_speed->min,
+                       " m/s at least contradicts manoeuvre = lead_stopped");
+  }
+  const bool keeps_speed =
+      manoeuvre == Manoeuvre::kLeadStopped || manoeuvre == Manoeuvre::kLeadSlow;
+  if (keeps_speed && request.deceleration && request.deceleration->min > kBrakingLead) {
+    return contradicts("deceleration = ", request.deceleration->min,
+                       " m/s2 at least contradicts manoeuvre = ", toString(*manoeuvre));
+  }
+  return {};
+}
+
 }  // namespace
 
 bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionOptions& options,
@@ -127,10 +192,15 @@ Status checkControls(const CollisionRequest& request) {
     return refuse(StatusCode::kInvalidInput, "attacker_class = ", toString(*request.attacker_class),
                   " cannot attack");
   }
-  if (request.manoeuvre && typeOf(*request.manoeuvre) != request.type) {
+  if (request.turning == Turning::kEgo && request.type != CollisionType::kLtap) {
+    return refuse(StatusCode::kInvalidInput,
+                  "turning = ego requires type = ltap, not type = ", toString(request.type));
+  }
+  if (request.manoeuvre && !isManoeuvreOf(*request.manoeuvre, request.type, request.turning)) {
     return refuse(StatusCode::kInvalidInput, "manoeuvre = ", toString(*request.manoeuvre),
-                  " is not of type = ", toString(request.type), ", which has ",
-                  manoeuvreNames(request.type));
+                  " is not of type = ", toString(request.type),
+                  request.turning == Turning::kEgo ? " with turning = ego" : "", ", which has ",
+                  manoeuvreNames(request.type, request.turning));
   }
   if (request.impact_speed) {
     const Range& speed = *request.impact_speed;
@@ -146,6 +216,8 @@ Status checkControls(const CollisionRequest& request) {
                     " must be a range within 0 to 1");
     }
   }
+  const Status conditions = checkConditions(request);
+  if (conditions.code != StatusCode::kOk) return conditions;
   if (request.alternatives < 1 || request.alternatives > kMaxAlternatives) {
     return refuse(StatusCode::kInvalidInput, "alternatives = ", request.alternatives,
                   " must be 1 to ", kMaxAlternatives);

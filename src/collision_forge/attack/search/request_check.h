@@ -26,8 +26,10 @@ CollisionRequest withFullId(CollisionRequest request, const Snapshot& snapshot);
 
 /// Returns kInvalidInput, naming the field, if the request contradicts itself: an attacker id with
 /// choice = new, a class that cannot attack, a manoeuvre of another type, an impossible range of
-/// impact speed or overlap, a number of attacks outside 1 to kMaxAlternatives, plausible or
-/// adaptive attackers with strict limits, or several adaptive attacks. Returns kOk otherwise.
+/// impact speed, overlap or one of kRangeControls, a turning ego in another type than ltap, fields
+/// that exclude each other (`from_side`, `ego_side`, `impact_location`, speeds), a number of
+/// attacks outside 1 to kMaxAlternatives, plausible or adaptive attackers with strict limits, or
+/// several adaptive attacks. Returns kOk otherwise.
 Status checkControls(const CollisionRequest& request);
 
 /// Returns the first reason to reject a request before any search, else kOk: TTA out of range or

@@ -14,8 +14,8 @@ namespace forge {
 /// of the share of futures: larger than all other terms.
 inline constexpr double kConstraintPenalty = 2.0;
 
-/// Tests attacks against the request's optional constraints: manoeuvre, side, impact speed, overlap
-/// (hasConstraints()). Not thread-safe.
+/// Tests attacks against the request's optional constraints: manoeuvre, side, impact speed,
+/// overlap, conditions (hasConstraints()). Not thread-safe.
 class RequestConstraints {
  public:
   /// `input` and `options` must outlive this object.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "collision_forge/base/scene/number_words.h"
@@ -91,12 +92,15 @@ RoadUse roadUseOf(const std::vector<TrajectoryPoint>& points, const BoxSize& siz
   return use;
 }
 
-/// Returns true if a lane direction relative to the ego's (rad) fits the type's band, widened by
-/// `slack` (rad).
-bool directionFits(double relative_heading, const TypeDefinition& band, CollisionType type,
+/// Returns true if a lane direction relative to the ego's (rad) fits the requested type's band,
+/// widened by `slack` (rad).
+bool directionFits(double relative_heading, const CollisionRequest& request,
                    DrivingSide driving_side, double slack) {
-  const bool turns_left = driving_side == DrivingSide::kRight;
-  if (type == CollisionType::kLtap && turns_left == (relative_heading > 0.0)) return false;
+  const TypeDefinition& band = request.bands();
+  if (request.type == CollisionType::kLtap &&
+      relative_heading * ltapSign(request.turning, driving_side) < 0.0) {
+    return false;
+  }
   const double size = std::abs(relative_heading);
   return size >= band.min_heading - slack && size <= band.max_heading + slack;
 }
@@ -106,8 +110,12 @@ struct RoadRefusal {
   const char* reason;
 };
 
-RoadRefusal roadRefusalOf(CollisionType type) {
-  switch (type) {
+RoadRefusal roadRefusalOf(const CollisionRequest& request) {
+  if (request.turning == Turning::kEgo) {
+    return {"left turn of the ego across path",
+            "the ego does not turn across a lane of the opposite direction"};
+  }
+  switch (request.type) {
     case CollisionType::kRearEnd:
       return {"rear-end collision", "no lane at the ego's place has its direction"};
     case CollisionType::kLaneChange:
@@ -116,6 +124,14 @@ RoadRefusal roadRefusalOf(CollisionType type) {
       return {"opposite-direction collision", "no lane near the ego has the opposite direction"};
     case CollisionType::kJunctionCrossing:
       return {"junction crossing", "no lane crosses the ego's path"};
+    case CollisionType::kSideswipeSameDirection:
+      return {"sideswipe", "no lane leads beside the ego or into its lane"};
+    case CollisionType::kAngleSameDirection:
+      return {"angle collision", "no lane crosses or joins the ego's path at 30 to 80 degrees"};
+    case CollisionType::kAngleOppositeDirection:
+      return {"angle collision", "no lane meets the ego's path at 100 to 170 degrees"};
+    case CollisionType::kAny:
+      return {"collision", "there is no lane near the ego"};
     case CollisionType::kLtap:
       break;
   }
@@ -146,9 +162,8 @@ bool isOnIsland(const Pose2& pose, const LaneIndex& lanes, double reach) {
   return isBetween(left) || isBetween(ahead);
 }
 
-std::vector<FittingLane> fittingLanes(const OrientedBox& ego, const TypeDefinition& band,
-                                      CollisionType type, const LaneIndex& lanes,
-                                      const BelievabilityOptions& options) {
+std::vector<FittingLane> fittingLanes(const OrientedBox& ego, const CollisionRequest& request,
+                                      const LaneIndex& lanes, const BelievabilityOptions& options) {
   const DrivingSide driving_side = lanes.map().driving_side;
   const Vector2 middle = ego.center.position();
   std::vector<FittingLane> found;
@@ -159,7 +174,7 @@ std::vector<FittingLane> fittingLanes(const OrientedBox& ego, const TypeDefiniti
     const std::pair<double, double> distances(distanceToPoint(ego, sample.position),
                                               (sample.position - middle).norm());
     if (distances.first > options.road_distance ||
-        !directionFits(angleBetween(ego.center.yaw, yaw), band, type, driving_side,
+        !directionFits(angleBetween(ego.center.yaw, yaw), request, driving_side,
                        options.road_heading)) {
       continue;
     }
@@ -215,12 +230,24 @@ std::string implausibilityOf(const RoadUse& road, const std::vector<TrajectoryPo
 bool roadAllows(const Track& ego, double now, const CollisionRequest& request,
                 const LaneIndex& lanes, const BelievabilityOptions& options) {
   if (lanes.map().lanes.empty()) return true;
+  if (request.type == CollisionType::kAny) {
+    return std::any_of(std::begin(kAllCollisionTypes), std::end(kAllCollisionTypes),
+                       [&](CollisionType type) {
+                         CollisionRequest one = request;
+                         one.type = type;
+                         return roadAllows(ego, now, one, lanes, options);
+                       });
+  }
   const LaneIndex& driven = drivenLanes(request, lanes);
+  const Pose2 start = stateAt(ego, now).value_or(ego.states.front()).pose;
   for (const double share : {0.0, -0.5, 0.5, -1.0, 1.0}) {
     const double time = now + request.tta + share * request.crash.time_tolerance;
     const Pose2 pose = stateAt(ego, time).value_or(ego.states.back()).pose;
     const OrientedBox box = boxAt(ego, pose);
-    if (!fittingLanes(box, request.bands(), request.type, driven, options).empty()) return true;
+    const bool turns =
+        request.turning == Turning::kAttacker ||
+        egoTurns(angleBetween(start.yaw, pose.yaw), 0.0, request.bands(), lanes.map().driving_side);
+    if (turns && !fittingLanes(box, request, driven, options).empty()) return true;
   }
   return false;
 }
@@ -235,10 +262,10 @@ bool roadAllows(const Future& future, double now, const CollisionRequest& reques
   return false;
 }
 
-std::string roadRefusal(CollisionType type, double tta) {
-  const RoadRefusal refusal = roadRefusalOf(type);
+std::string roadRefusal(const CollisionRequest& request) {
+  const RoadRefusal refusal = roadRefusalOf(request);
   return std::string(refusal.type) + " is not feasible here: " + refusal.reason + " at t0 + " +
-         numberText(tta) + " s";
+         numberText(request.tta) + " s";
 }
 
 }  // namespace forge

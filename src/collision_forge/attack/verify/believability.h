@@ -52,17 +52,17 @@ struct FittingLane {
 };
 
 /// Returns the lanes, each once, in the order of LaneMap::lanes, with a centreline sample within
-/// options.road_distance of the ego's box (global map frame) whose direction fits `type`:
-/// |direction - ego yaw| within [band.min_heading, band.max_heading] widened by
-/// options.road_heading on both sides. kLtap also needs a direction towards the side to which a
-/// turn across the ego's path leads: the ego's right in right-hand traffic, its left in left-hand
-/// traffic. Ties inside the box are broken by the distance to its centre.
-std::vector<FittingLane> fittingLanes(const OrientedBox& ego, const TypeDefinition& band,
-                                      CollisionType type, const LaneIndex& lanes,
-                                      const BelievabilityOptions& options);
+/// options.road_distance of the ego's box (global map frame) whose direction fits the request:
+/// |direction - ego yaw| within the type's band of headings widened by options.road_heading on both
+/// sides. kLtap also needs the sign ltapSign(). Ties inside the box are broken by the distance to
+/// its centre.
+std::vector<FittingLane> fittingLanes(const OrientedBox& ego, const CollisionRequest& request,
+                                      const LaneIndex& lanes, const BelievabilityOptions& options);
 
 /// Returns true if the map has no lanes, or if one of drivenLanes() fits (see fittingLanes()) the
-/// ego's box at t0 + tta, tested at five times within the request's time tolerance. `ego` holds the
+/// ego's box at t0 + tta, tested at five times within the request's time tolerance; with
+/// Turning::kEgo, the ego must also have turned by then (egoTurns()). For kAny, returns true if it
+/// holds for one of kAllCollisionTypes. `ego` holds the
 /// states from `now` (t0, s); after its end the last state is used. It must not be empty.
 bool roadAllows(const Track& ego, double now, const CollisionRequest& request,
                 const LaneIndex& lanes, const BelievabilityOptions& options);
@@ -72,7 +72,7 @@ bool roadAllows(const Track& ego, double now, const CollisionRequest& request,
 bool roadAllows(const Future& future, double now, const CollisionRequest& request,
                 const LaneIndex& lanes, const BelievabilityOptions& options);
 
-/// Returns the message for a request with this type and `tta` (s) that roadAllows() rejects.
-std::string roadRefusal(CollisionType type, double tta);
+/// Returns the message for a request that roadAllows() rejects.
+std::string roadRefusal(const CollisionRequest& request);
 
 }  // namespace forge

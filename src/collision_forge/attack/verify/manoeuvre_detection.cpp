@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_forge/base/scene/request_words.h"
+
 namespace forge {
 namespace {
 
@@ -13,11 +15,14 @@ constexpr double kOffset = 0.3;    // m from the original lane offset
 constexpr double kOwnWay = 0.7;    // m of offset change up to which the attacker stays in its lane
 constexpr double kParked =
     1.0;  // m from the lane's middle; a vehicle that stands nearer is in traffic, not parked
-constexpr double kTurning = 0.5;         // rad; a smaller turn is straight on
-constexpr double kBend = 0.02;           // 1/m; the turn starts above this curvature
-constexpr double kAhead = 40.0;          // m within which a vehicle ahead counts as overtaken
-constexpr double kBeside = 1.5;          // m from a path within which a vehicle is on it
-constexpr double kWay = 200.0;           // m of the attacker's lane ahead
+constexpr double kTurning = 0.5;  // rad; a smaller turn is straight on
+constexpr double kBend = 0.02;    // 1/m; the turn starts above this curvature
+constexpr double kAhead = 40.0;   // m within which a vehicle ahead counts as overtaken
+constexpr double kBeside = 1.5;   // m from a path within which a vehicle is on it
+constexpr double kWay = 200.0;    // m of the attacker's lane ahead
+constexpr double kBesideEgo =
+    0.7854;  // rad at the start; a greater relative heading is no lane beside
+constexpr double kOncoming = 2.3562;     // rad at the start; a greater relative heading is oncoming
 constexpr double kLaneDistance = 2.5;    // m from its middle
 constexpr double kLaneHeading = 0.7854;  // rad
 
@@ -100,10 +105,11 @@ bool isBehindSomebody(const Polyline& way, const Pose2& pose, double time, const
   });
 }
 
+/// Classifies a lane change or, by the relative heading at contact, an oncoming attacker.
 DetectedManoeuvre detectDeparture(const Window& window, const AttackerTrajectory& trajectory,
-                                  const VerificationInput& input,
+                                  const CollisionReport& report, const VerificationInput& input,
                                   const VerificationOptions& options) {
-  const bool is_lane_change = input.request.type == CollisionType::kLaneChange;
+  const bool is_lane_change = std::abs(report.relative_heading) < M_PI_2;
   const bool stands = window.first().speed < kStanding;
   const auto moves = [](const TrajectoryPoint& point) { return point.speed >= kStanding; };
   const auto way = wayOf(window, input.lanes);
@@ -151,9 +157,37 @@ DetectedManoeuvre detectCrossing(const Window& window, const VerificationInput& 
       is_marked ? window.first(atJunction) : window.since([](const TrajectoryPoint& point) {
         return std::abs(point.curvature) > kBend;
       });
-  if (input.request.type == CollisionType::kLtap) return {Manoeuvre::kTurnAcrossPath, begin};
+  if (input.request.type == CollisionType::kLtap) {
+    const bool ego_turns = input.request.turning == Turning::kEgo;
+    return {ego_turns ? Manoeuvre::kStraightCrossing : Manoeuvre::kTurnAcrossPath, begin};
+  }
   const double turn = std::abs(angleBetween(window.first().pose.yaw, window.last().pose.yaw));
   return {turn > kTurning ? Manoeuvre::kTurnIntoPath : Manoeuvre::kStraightCrossing, begin};
+}
+
+/// Classifies an attack of an angle type by the relative heading at the start of the window and the
+/// turns since then.
+DetectedManoeuvre detectAngle(const Window& window, const AttackerTrajectory& trajectory,
+                              const CollisionReport& report, const VerificationInput& input,
+                              const VerificationOptions& options) {
+  const DetectedManoeuvre crossing = detectCrossing(window, input, options);
+  const auto ego = stateAt(input.future.ego, window.first().time);
+  const double from = std::abs(
+      angleBetween(ego ? ego->pose.yaw : report.ego_at_contact.yaw, window.first().pose.yaw));
+  const double turn = std::abs(angleBetween(window.first().pose.yaw, window.last().pose.yaw));
+  const double ego_turn =
+      ego ? std::abs(angleBetween(ego->pose.yaw, report.ego_at_contact.yaw)) : 0.0;
+  const bool is_oncoming = input.request.type == CollisionType::kAngleOppositeDirection;
+  if (is_oncoming ? from < kOncoming : from > kBesideEgo) return crossing;
+  const DetectedManoeuvre departure = detectDeparture(window, trajectory, report, input, options);
+  if (departure.manoeuvre == Manoeuvre::kPullOut) return departure;
+  if (turn < ego_turn) return {Manoeuvre::kStraightCrossing, crossing.begin};
+  if (turn >= kTurning) {
+    return {is_oncoming ? Manoeuvre::kTurnAcrossPath : Manoeuvre::kSameDirectionTurn,
+            crossing.begin};
+  }
+  if (isManoeuvreOf(departure.manoeuvre, input.request.type)) return departure;
+  return {Manoeuvre::kStraightCrossing, crossing.begin};
 }
 
 }  // namespace
@@ -167,9 +201,14 @@ DetectedManoeuvre detectManoeuvre(const AttackerTrajectory& trajectory,
       return detectRearEnd(window, report, input.future.ego);
     case CollisionType::kLaneChange:
     case CollisionType::kOppositeDirection:
-      return detectDeparture(window, trajectory, input, options);
+    case CollisionType::kSideswipeSameDirection:
+      return detectDeparture(window, trajectory, report, input, options);
+    case CollisionType::kAngleSameDirection:
+    case CollisionType::kAngleOppositeDirection:
+      return detectAngle(window, trajectory, report, input, options);
     case CollisionType::kJunctionCrossing:
     case CollisionType::kLtap:
+    case CollisionType::kAny:
       return detectCrossing(window, input, options);
   }
   return {};

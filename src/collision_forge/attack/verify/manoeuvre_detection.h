@@ -15,13 +15,16 @@ struct DetectedManoeuvre {
 
 /// Classifies the manoeuvre of a trajectory that touches the ego, from the last kManoeuvreWindow
 /// seconds before the contact:
-/// - rear_end: the touched side of the ego decides whether the attacker leads or follows; a leader
-/// is
-///   stopped, braking or slow. Starts with the braking, or when the speeds begin to differ.
-/// - lane_change, opposite_direction: classified by the attacker's lane at the start of the window.
-///   Starts where the attacker last was within 0.3 m of its original offset from that lane.
-/// - junction_crossing, ltap: classified by the total turn. Starts at the first point on a junction
-///   lane or, if the map marks none at the contact, with the turn.
+/// - rear_end: by the touched side of the ego the attacker leads or follows; a leader is stopped,
+///   braking or slow. Starts with the braking, or when the speeds begin to differ.
+/// - lane_change, opposite_direction, sideswipe_same_direction: from the attacker's lane at the
+///   start of the window. Starts where the attacker last was within 0.3 m of its original offset
+///   from that lane.
+/// - junction_crossing, ltap: from the total turn. Starts at the first point on a junction lane or,
+///   if the map marks none at the contact, with the turn.
+/// - angle types: by the relative heading at the start of the window, as a crossing (from the side,
+///   or if the ego turns more than the attacker), a turn from the opposite or the same direction,
+///   or a departure from its lane.
 ///
 /// `report.contact` must be true. The trajectory's origin does not matter.
 DetectedManoeuvre detectManoeuvre(const AttackerTrajectory& trajectory,

@@ -15,6 +15,7 @@
 #include "collision_forge/attack/verify/drive_check.h"
 #include "collision_forge/attack/verify/limits.h"
 #include "collision_forge/attack/verify/manoeuvre_detection.h"
+#include "collision_forge/attack/verify/measured_conditions.h"
 #include "collision_forge/attack/verify/step_out.h"
 #include "collision_forge/base/geometry/swept_contact.h"
 #include "collision_forge/base/scene/find_track.h"
@@ -91,6 +92,7 @@ void describeContact(const AttackerTrajectory& trajectory, const VerificationInp
   report.attacker_side = touchedSide(attacker_box, ego_box);
   report.overlap = sideOverlap(ego_box, report.ego_side, attacker_box);
   report.impact_speed = (velocityAt(trajectory, report.contact_time) - ego->velocity).norm();
+  report.conditions = measuredConditions(trajectory, report, input.future.ego);
 }
 
 CrashSeverity severityOfContact(const AttackerTrajectory& trajectory, const Track& ego, double time,
@@ -111,12 +113,18 @@ void judgeContact(const AttackerTrajectory& trajectory, const VerificationInput&
     const AgentState ego_now =
         stateAt(input.future.ego, start.time).value_or(input.future.ego.states.front());
     const Pose2 offset = relativeTo(report.ego_at_contact, report.attacker_at_contact);
+    const DrivingSide driving_side = input.lanes.map().driving_side;
     // A pedestrian may turn towards the road at any time.
     const bool approaches = trajectory.agent_class == AgentClass::kPedestrian ||
                             approachFits(angleBetween(ego_now.pose.yaw, start.pose.yaw), type);
     report.type_kept = report.type_kept && approaches &&
                        contactFits(input.request.type, offset, input.future.ego.size,
-                                   trajectory.size, input.lanes.map().driving_side);
+                                   trajectory.size, driving_side, input.request.turning);
+    if (input.request.turning == Turning::kEgo) {
+      const double ego_turn = angleBetween(ego_now.pose.yaw, report.ego_at_contact.yaw);
+      const double turn = angleBetween(start.pose.yaw, report.attacker_at_contact.yaw);
+      report.type_kept = report.type_kept && egoTurns(ego_turn, turn, type, driving_side);
+    }
   }
   const double elapsed = report.contact_time - input.snapshot.now;
   report.on_time = std::abs(elapsed - input.request.tta) <= input.request.crash.time_tolerance;

@@ -6,6 +6,7 @@
 
 #include "collision_forge/base/geometry/oriented_box.h"
 #include "collision_forge/base/scene/collision_request.h"
+#include "collision_forge/base/scene/contact_conditions.h"
 #include "collision_forge/base/scene/crash_severity.h"
 #include "collision_forge/base/scene/manoeuvre.h"
 #include "collision_forge/base/scene/track.h"
@@ -103,6 +104,7 @@ struct CollisionReport {
   double first_other_time = 0;  ///< s, same clock; valid if `first_other_id` is not empty
   double off_road_share = 0.0;  ///< mean share of the box off the drivable area, t0 to contact
   double confidence = 0.0;      ///< share of the ego's predicted futures that pass all checks, 0..1
+  ContactConditions conditions;                      ///< valid if `contact`
   Manoeuvre manoeuvre = Manoeuvre::kFollowerCloses;  ///< detected; valid if `contact`
   double manoeuvre_begin = 0.0;                      ///< s, same clock; when the manoeuvre begins
   /// Until contact; `on_lane` and `wrong_way` leave out the last moments before it.

@@ -44,13 +44,25 @@ struct CollisionRequest {
   // Further constraints on the attack; an empty field allows any value.
   std::optional<AgentClass> attacker_class;
   std::optional<Manoeuvre> manoeuvre;
-  std::optional<Side> ego_side;       ///< side of the ego's box that the attacker touches
-  std::optional<Range> impact_speed;  ///< m/s, of CollisionReport::impact_speed
-  std::optional<Range> overlap;       ///< share 0..1, of CollisionReport::overlap
-  CrashDefinition crash;              ///< set by the code that handles the request, not by users
+  std::optional<Side> ego_side;          ///< side of the ego's box that the attacker touches
+  std::optional<Range> impact_speed;     ///< m/s, of CollisionReport::impact_speed
+  std::optional<Range> overlap;          ///< share 0..1, of CollisionReport::overlap
+  Turning turning = Turning::kAttacker;  ///< of type kLtap
+  std::optional<Side> from_side;         ///< kLeft or kRight: side from which the attacker comes
+  std::optional<Range> attacker_speed;   ///< m/s; this and the next five are ranges of the
+  std::optional<Range> deceleration;     ///< m/s2; fields of the same names of ContactConditions
+  std::optional<Range> gap;              ///< m
+  std::optional<Range> headway;          ///< s
+  std::optional<Range> lateral_speed;    ///< m/s
+  std::optional<Range> impact_location;  ///< share of the ego's front, 0 at its left edge
+  CrashDefinition crash;                 ///< set by the code that handles the request, not by users
 
-  /// Returns the bands of the requested type. Throws std::out_of_range if `crash` is not set.
-  const TypeDefinition& bands() const { return crash.types.at(type); }
+  /// Returns the bands of the requested type. Throws std::out_of_range if `crash` is not set or
+  /// `type` is kAny.
+  const TypeDefinition& bands() const {
+    const bool ego_turns = type == CollisionType::kLtap && turning == Turning::kEgo;
+    return ego_turns ? crash.ltap_ego_turns : crash.types.at(type);
+  }
 };
 
 /// A request at a time t0 of a scene, one entry of a request list.

@@ -1,5 +1,7 @@
 #include "collision_forge/base/scene/collision_type.h"
 
+#include <iterator>
+
 #include "collision_forge/base/config/nearest_names.h"
 #include "collision_forge/base/geometry/enum_words.h"
 
@@ -12,6 +14,10 @@ constexpr EnumWord<CollisionType> kWords[] = {
     {CollisionType::kRearEnd, "rear_end"},
     {CollisionType::kJunctionCrossing, "junction_crossing"},
     {CollisionType::kLtap, "ltap"},
+    {CollisionType::kSideswipeSameDirection, "sideswipe_same_direction"},
+    {CollisionType::kAngleSameDirection, "angle_same_direction"},
+    {CollisionType::kAngleOppositeDirection, "angle_opposite_direction"},
+    {CollisionType::kAny, "any"},
 };
 
 }  // namespace
@@ -26,6 +32,11 @@ std::optional<CollisionType> collisionTypeFromString(const std::string& name) {
   if (key == "re") return CollisionType::kRearEnd;
   if (key == "jc") return CollisionType::kJunctionCrossing;
   return std::nullopt;
+}
+
+std::vector<CollisionType> typesMeant(CollisionType type) {
+  if (type != CollisionType::kAny) return {type};
+  return {std::begin(kAllCollisionTypes), std::end(kAllCollisionTypes)};
 }
 
 }  // namespace forge

@@ -37,19 +37,34 @@ bool approachFits(double relative_heading_now, const TypeDefinition& definition)
 }
 
 bool contactFits(CollisionType type, const Pose2& offset, const BoxSize& ego,
-                 const BoxSize& attacker, DrivingSide driving_side) {
+                 const BoxSize& attacker, DrivingSide driving_side, Turning turning) {
   switch (type) {
     case CollisionType::kRearEnd:
       return meetsLengthwise(offset, ego, attacker);
     case CollisionType::kLaneChange:
       return std::abs(offset.y) >= 0.5 * ego.width && offset.y * offset.yaw < 0.0;
     case CollisionType::kLtap:
-      return driving_side == DrivingSide::kRight ? offset.yaw < 0.0 : offset.yaw > 0.0;
+      return offset.yaw * ltapSign(turning, driving_side) > 0.0;
+    case CollisionType::kSideswipeSameDirection:
+      return !meetsLengthwise(offset, ego, attacker);
     case CollisionType::kOppositeDirection:
     case CollisionType::kJunctionCrossing:
+    case CollisionType::kAngleSameDirection:
+    case CollisionType::kAngleOppositeDirection:
+    case CollisionType::kAny:
       return true;
   }
   return true;
+}
+
+double ltapSign(Turning turning, DrivingSide driving_side) {
+  return (turning == Turning::kEgo) == (driving_side == DrivingSide::kRight) ? 1.0 : -1.0;
+}
+
+bool egoTurns(double ego_turn, double attacker_turn, const TypeDefinition& definition,
+              DrivingSide driving_side) {
+  const double left = driving_side == DrivingSide::kRight ? ego_turn : -ego_turn;
+  return left >= M_PI - definition.max_heading && left > std::abs(attacker_turn);
 }
 
 }  // namespace forge

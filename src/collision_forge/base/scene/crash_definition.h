@@ -18,6 +18,9 @@ struct TypeDefinition {
 };
 using TypeDefinitions = std::map<CollisionType, TypeDefinition>;
 
+/// The vehicle that turns in a left turn across path.
+enum class Turning { kAttacker, kEgo };
+
 /// Which conditions define a type: kFull the heading and approach bands and contactFits(), kAngle
 /// the heading band at contact alone.
 enum class TypeRules { kFull, kAngle };
@@ -34,8 +37,9 @@ inline constexpr double kMaxTimeTolerance = 60.0;
 struct CrashDefinition {
   TypeRules rules = TypeRules::kFull;
   TypeDefinitions types;
-  double time_tolerance = 0.0;  ///< s; largest |contact time - requested time|
-  double min_confidence = 0.0;  ///< share 0..1; an attack with less confidence is rejected
+  TypeDefinition ltap_ego_turns;  ///< of CollisionType::kLtap with Turning::kEgo
+  double time_tolerance = 0.0;    ///< s; largest |contact time - requested time|
+  double min_confidence = 0.0;    ///< share 0..1; an attack with less confidence is rejected
   LimitSet limits = LimitSet::kDrivable;
   bool believable = true;  ///< the attacker must drive plausibly until it attacks
 };
@@ -57,9 +61,22 @@ bool approachFits(double relative_heading_now, const TypeDefinition& definition)
 ///
 /// - rear_end: the boxes meet front to rear, not side to side; either vehicle may be in front.
 /// - lane_change: the attacker's centre is beside the ego and its heading points towards the ego.
-/// - ltap: the attacker turned left in right-hand traffic, right in left-hand traffic.
-/// - opposite_direction, junction_crossing: no further condition.
+/// - ltap: `turning` turned left in right-hand traffic, right in left-hand traffic.
+/// - sideswipe_same_direction: the boxes meet side to side, not front to rear.
+/// - all other types: no further condition.
 bool contactFits(CollisionType type, const Pose2& offset, const BoxSize& ego,
-                 const BoxSize& attacker, DrivingSide driving_side);
+                 const BoxSize& attacker, DrivingSide driving_side,
+                 Turning turning = Turning::kAttacker);
+
+/// Returns the sign of the attacker's relative heading at contact that a left turn across path by
+/// `turning` has (in left-hand traffic, a right turn): -1 if the attacker heads to the ego's right.
+double ltapSign(Turning turning, DrivingSide driving_side);
+
+/// Returns true if the ego's change of heading (rad, left positive) between t0 and the contact
+/// makes it the turning vehicle of a left turn across path: to the left (in left-hand traffic, to
+/// the right), by at least the angle that `definition` leaves to the opposite direction, and by
+/// more than the attacker's change of heading `attacker_turn` (rad).
+bool egoTurns(double ego_turn, double attacker_turn, const TypeDefinition& definition,
+              DrivingSide driving_side);
 
 }  // namespace forge

@@ -21,6 +21,7 @@ constexpr EnumWord<Manoeuvre> kWords[] = {
     {Manoeuvre::kStraightCrossing, "straight_crossing"},
     {Manoeuvre::kTurnIntoPath, "turn_into_path"},
     {Manoeuvre::kTurnAcrossPath, "turn_across_path"},
+    {Manoeuvre::kSameDirectionTurn, "same_direction_turn"},
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace forge {
 
 /// Attacker manoeuvres, after NHTSA's pre-crash scenarios (Najm, Smith, Yanagisawa 2007, DOT HS 810
-/// 767; its scenario numbers in brackets). Each belongs to one collision type, see typeOf().
+/// 767; its scenario numbers in brackets). See manoeuvresOf() for the collision types.
 enum class Manoeuvre {
   kLeadStopped,         ///< rear end: stands ahead of the ego (26)
   kLeadBrakes,          ///< rear end: brakes ahead of the ego (25)
@@ -22,14 +22,15 @@ enum class Manoeuvre {
   kStraightCrossing,    ///< junction crossing: straight through a red light or stop (4, 5, 30)
   kTurnIntoPath,        ///< junction crossing: turns into the ego's path (28, 31)
   kTurnAcrossPath,      ///< ltap: turns across the ego's path from the opposite direction (27, 29)
+  kSameDirectionTurn,   ///< angle: turns across the ego's path from a lane beside it (16)
 };
 
 inline constexpr Manoeuvre kManoeuvres[] = {
-    Manoeuvre::kLeadStopped,    Manoeuvre::kLeadBrakes,    Manoeuvre::kLeadSlow,
-    Manoeuvre::kFollowerCloses, Manoeuvre::kCutIn,         Manoeuvre::kDrift,
-    Manoeuvre::kMerge,          Manoeuvre::kPullOut,       Manoeuvre::kCentreLineCrossing,
-    Manoeuvre::kOvertaking,     Manoeuvre::kWrongWay,      Manoeuvre::kStraightCrossing,
-    Manoeuvre::kTurnIntoPath,   Manoeuvre::kTurnAcrossPath};
+    Manoeuvre::kLeadStopped,    Manoeuvre::kLeadBrakes,     Manoeuvre::kLeadSlow,
+    Manoeuvre::kFollowerCloses, Manoeuvre::kCutIn,          Manoeuvre::kDrift,
+    Manoeuvre::kMerge,          Manoeuvre::kPullOut,        Manoeuvre::kCentreLineCrossing,
+    Manoeuvre::kOvertaking,     Manoeuvre::kWrongWay,       Manoeuvre::kStraightCrossing,
+    Manoeuvre::kTurnIntoPath,   Manoeuvre::kTurnAcrossPath, Manoeuvre::kSameDirectionTurn};
 
 /// Returns "lead_stopped", "lead_brakes", ...: the constant's name in lower case.
 const char* toString(Manoeuvre manoeuvre);

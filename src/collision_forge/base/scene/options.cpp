@@ -44,7 +44,8 @@ void readOptions(Section& section, CrashDefinition& crash, double time_margin) {
       "limits", {{"drivable", LimitSet::kDrivable}, {"strict", LimitSet::kStrict}});
   crash.believable = section.choice<bool>("believable", {{"true", true}, {"false", false}});
   Section types = section.section("types");
-  for (const CollisionType type : kCollisionTypes) types.read(toString(type), crash.types[type]);
+  for (const CollisionType type : kAllCollisionTypes) types.read(toString(type), crash.types[type]);
+  types.read("ltap_ego_turns", crash.ltap_ego_turns);
   types.finish();
 }
 

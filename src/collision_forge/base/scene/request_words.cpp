@@ -1,5 +1,9 @@
 #include "collision_forge/base/scene/request_words.h"
 
+#include <algorithm>
+#include <initializer_list>
+#include <iterator>
+
 #include "collision_forge/base/geometry/enum_words.h"
 
 namespace forge {
@@ -11,11 +15,22 @@ constexpr EnumWord<LimitSet> kLimitWords[] = {
     {LimitSet::kStrict, "strict"},
 };
 
+constexpr EnumWord<Turning> kTurningWords[] = {
+    {Turning::kAttacker, "attacker"},
+    {Turning::kEgo, "ego"},
+};
+
+/// Returns true if `type` is kAny or in the list.
+bool isOneOf(CollisionType type, std::initializer_list<CollisionType> types) {
+  return type == CollisionType::kAny || std::find(types.begin(), types.end(), type) != types.end();
+}
+
 }  // namespace
 
 std::string collisionTypeWords() {
   return "lane_change (LC), opposite_direction (OD, HO, head_on), rear_end (RE), "
-         "junction_crossing (JC), ltap (LTAP)";
+         "junction_crossing (JC), ltap (LTAP), sideswipe_same_direction, angle_same_direction, "
+         "angle_opposite_direction, any";
 }
 
 const char* toString(LimitSet limits) { return wordOf(kLimitWords, limits); }
@@ -24,38 +39,68 @@ std::optional<LimitSet> limitSetFromString(const std::string& name) {
   return valueOf(kLimitWords, name);
 }
 
-std::string manoeuvreNames(CollisionType type) {
-  std::string names;
-  for (const Manoeuvre manoeuvre : kManoeuvres) {
-    if (typeOf(manoeuvre) == type)
-      names += (names.empty() ? "" : ", ") + std::string(toString(manoeuvre));
-  }
-  return names;
+const char* toString(Turning turning) { return wordOf(kTurningWords, turning); }
+
+std::optional<Turning> turningFromString(const std::string& name) {
+  return valueOf(kTurningWords, name);
 }
 
-CollisionType typeOf(Manoeuvre manoeuvre) {
+bool isManoeuvreOf(Manoeuvre manoeuvre, CollisionType type, Turning turning) {
+  const bool is_ego_turn = type == CollisionType::kLtap && turning == Turning::kEgo;
   switch (manoeuvre) {
     case Manoeuvre::kLeadStopped:
     case Manoeuvre::kLeadBrakes:
     case Manoeuvre::kLeadSlow:
     case Manoeuvre::kFollowerCloses:
-      break;
-    case Manoeuvre::kCutIn:
+      return isOneOf(type, {CollisionType::kRearEnd});
     case Manoeuvre::kMerge:
     case Manoeuvre::kDrift:
+      return isOneOf(type, {CollisionType::kLaneChange, CollisionType::kSideswipeSameDirection});
+    case Manoeuvre::kCutIn:
     case Manoeuvre::kPullOut:
-      return CollisionType::kLaneChange;
+      return isOneOf(type, {CollisionType::kLaneChange, CollisionType::kSideswipeSameDirection,
+                            CollisionType::kAngleSameDirection});
     case Manoeuvre::kCentreLineCrossing:
     case Manoeuvre::kOvertaking:
+      return isOneOf(type,
+                     {CollisionType::kOppositeDirection, CollisionType::kAngleOppositeDirection});
     case Manoeuvre::kWrongWay:
-      return CollisionType::kOppositeDirection;
+      return isOneOf(type, {CollisionType::kOppositeDirection});
     case Manoeuvre::kStraightCrossing:
+      return is_ego_turn ||
+             isOneOf(type, {CollisionType::kJunctionCrossing, CollisionType::kAngleSameDirection,
+                            CollisionType::kAngleOppositeDirection});
     case Manoeuvre::kTurnIntoPath:
-      return CollisionType::kJunctionCrossing;
+      return isOneOf(type, {CollisionType::kJunctionCrossing, CollisionType::kAngleSameDirection,
+                            CollisionType::kAngleOppositeDirection});
     case Manoeuvre::kTurnAcrossPath:
-      return CollisionType::kLtap;
+      return !is_ego_turn &&
+             isOneOf(type, {CollisionType::kLtap, CollisionType::kAngleOppositeDirection});
+    case Manoeuvre::kSameDirectionTurn:
+      return isOneOf(type, {CollisionType::kAngleSameDirection});
   }
-  return CollisionType::kRearEnd;
+  return false;
+}
+
+std::vector<Manoeuvre> manoeuvresOf(CollisionType type, Turning turning) {
+  std::vector<Manoeuvre> manoeuvres;
+  for (const Manoeuvre manoeuvre : kManoeuvres) {
+    if (isManoeuvreOf(manoeuvre, type, turning)) manoeuvres.push_back(manoeuvre);
+  }
+  return manoeuvres;
+}
+
+std::string manoeuvreNames(CollisionType type, Turning turning) {
+  std::string names;
+  for (const Manoeuvre manoeuvre : manoeuvresOf(type, turning)) {
+    names += (names.empty() ? "" : ", ") + std::string(toString(manoeuvre));
+  }
+  return names;
+}
+
+CollisionType typeOf(Manoeuvre manoeuvre) {
+  return *std::find_if(std::begin(kAllCollisionTypes), std::end(kAllCollisionTypes),
+                       [=](CollisionType type) { return isManoeuvreOf(manoeuvre, type); });
 }
 
 }  // namespace forge

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "collision_forge/base/scene/collision_request.h"
 
@@ -18,10 +19,21 @@ const char* toString(LimitSet limits);
 /// Returns the set of a name as toString() spells it; nullopt for another name.
 std::optional<LimitSet> limitSetFromString(const std::string& name);
 
-/// Returns the names of all manoeuvres of a collision type, separated by commas.
-std::string manoeuvreNames(CollisionType type);
+/// "attacker", "ego".
+const char* toString(Turning turning);
+std::optional<Turning> turningFromString(const std::string& name);
 
-/// Returns the collision type to which a manoeuvre belongs.
+/// Returns the manoeuvres with which an attack of this type can begin, in the order of kManoeuvres;
+/// all for CollisionType::kAny. `turning` matters for kLtap only.
+std::vector<Manoeuvre> manoeuvresOf(CollisionType type, Turning turning = Turning::kAttacker);
+
+/// Returns true if manoeuvresOf() has the manoeuvre.
+bool isManoeuvreOf(Manoeuvre manoeuvre, CollisionType type, Turning turning = Turning::kAttacker);
+
+/// Returns the names of manoeuvresOf(), separated by commas.
+std::string manoeuvreNames(CollisionType type, Turning turning = Turning::kAttacker);
+
+/// Returns the first type of kAllCollisionTypes to which a manoeuvre belongs.
 CollisionType typeOf(Manoeuvre manoeuvre);
 
 }  // namespace forge

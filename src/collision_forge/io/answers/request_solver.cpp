@@ -31,6 +31,7 @@ Scenario RequestSolver::answer(const SceneRequest& asked) const {
   const auto method = method_.makeWithoutScene(asked.scene);
   if (request.mode != Mode::kAdaptive) {
     scenario.answer = generateCollision(*method, moment, request, options);
+    scenario.asked.request = withTypeOf(scenario.asked.request, scenario.answer);
     return scenario;
   }
   const AttackerSetup setup{method_.egoFuturesWithoutScene(asked.scene), method_.options(),
@@ -38,6 +39,7 @@ Scenario RequestSolver::answer(const SceneRequest& asked) const {
   AdaptiveDrive answer = rejectMisses(
       requestAdaptively(*method, moment, recording->scene, scenario.ego, request, setup), request);
   scenario.answer = std::move(answer.attack);
+  scenario.asked.request = withTypeOf(scenario.asked.request, scenario.answer);
   scenario.plans = std::move(answer.plans);
   return scenario;
 }

@@ -15,7 +15,8 @@ class RequestSolver {
   RequestSolver(SceneSource& scenes, MethodMaker method, CrashDefinition crash,
                 const EgoVehicle& ego, const AdaptiveOptions& adaptive);
 
-  /// Returns the result of generateCollision() at the frame of the request; in adaptive mode, of
+  /// Returns the result of generateCollision() at the frame of the request, whose type kAny becomes
+  /// the type of the attack; in adaptive mode, of
   /// requestAdaptively() followed by rejectMisses(). If no frame is at that time, returns the
   /// status of momentAt(). Throws as SceneSource::at().
   Scenario answer(const SceneRequest& asked) const;

@@ -19,6 +19,7 @@ constexpr EnumWord<ClipObstacle> kObstacleTexts[] = {
     {ClipObstacle::kShortHistory, "with fewer than 7 frames at 2 Hz before t0"},
     {ClipObstacle::kEgoMissing, "without the ego in a frame"},
     {ClipObstacle::kAttackerMissing, "without the attacker in one of the 7 frames before t0"},
+    {ClipObstacle::kOtherType, "of a type that COLLIDE does not have"},
     {ClipObstacle::kNoCollisionFrame, "without a recorded frame at the collision"},
     {ClipObstacle::kTrajectoryEnds, "with a trajectory that ends before the collision frame"},
     {ClipObstacle::kNoCar, "by a motorcycle, which readers would take for a car"},
@@ -73,6 +74,12 @@ bool isEmpty(const CollideTrack& track) {
                       [](const auto& frame) { return frame.has_value(); });
 }
 
+bool hasLabel(const CollisionRequest& request) {
+  const auto end = std::end(kCollisionTypes);
+  return std::find(std::begin(kCollisionTypes), end, request.type) != end &&
+         request.turning == Turning::kAttacker;
+}
+
 int placementOf(CollisionType type, const CollisionReport& report) {
   switch (type) {
     case CollisionType::kLaneChange:
@@ -84,6 +91,11 @@ int placementOf(CollisionType type, const CollisionReport& report) {
       return 4;
     case CollisionType::kOppositeDirection:
       return 5;
+    case CollisionType::kSideswipeSameDirection:
+    case CollisionType::kAngleSameDirection:
+    case CollisionType::kAngleOppositeDirection:
+    case CollisionType::kAny:
+      break;
   }
   throw std::invalid_argument("a collision type without a placement");
 }
@@ -104,6 +116,7 @@ class ClipBuilder {
   ClipBuilder(const Scenario& scenario, const Scene& scene) : scenario_(scenario), scene_(scene) {}
 
   std::variant<CollideClip, ClipObstacle> build(int variant) {
+    if (!hasLabel(scenario_.asked.request)) return ClipObstacle::kOtherType;
     if (const auto obstacle = setFrames()) return *obstacle;
     if (const auto obstacle = addEgoAndAttacker()) return *obstacle;
     addOthers();

@@ -127,6 +127,14 @@ std::string typeTitle(CollisionType type) {
       return "Junction crossing";
     case CollisionType::kLtap:
       return "Left turn across path";
+    case CollisionType::kSideswipeSameDirection:
+      return "Sideswipe, same direction";
+    case CollisionType::kAngleSameDirection:
+      return "Angle, same direction";
+    case CollisionType::kAngleOppositeDirection:
+      return "Angle, opposite direction";
+    case CollisionType::kAny:
+      break;
   }
   return toString(type);
 }

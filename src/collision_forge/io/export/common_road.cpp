@@ -281,6 +281,17 @@ std::set<std::string> tagsOf(const CrashRecord& record) {
     case CollisionType::kJunctionCrossing:
       tags.insert("intersection");
       break;
+    case CollisionType::kSideswipeSameDirection:
+      tags.insert("lane_change");
+      break;
+    case CollisionType::kAngleSameDirection:
+      tags.insert("intersection");
+      break;
+    case CollisionType::kAngleOppositeDirection:
+      tags.insert("oncoming_traffic");
+      break;
+    case CollisionType::kAny:
+      break;
     case CollisionType::kLtap:
       tags.insert({"intersection", "oncoming_traffic"});
       break;

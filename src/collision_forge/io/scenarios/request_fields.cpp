@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "collision_forge/base/scene/contact_conditions.h"
 #include "collision_forge/base/scene/request_words.h"
 
 namespace forge {
@@ -56,6 +57,28 @@ void writeRange(JsonLineWriter& writer, const char* key, const std::optional<Ran
   }
 }
 
+/// Writes the fields that files lack unless the request sets them.
+void writeConditions(JsonLineWriter& writer, const CollisionRequest& request) {
+  if (request.turning != Turning::kAttacker) writer.text("turning", toString(request.turning));
+  writeWord(writer, "from_side", request.from_side, true);
+  for (const RangeControl& control : kRangeControls) {
+    writeRange(writer, control.name, request.*control.asked, true);
+  }
+}
+
+void readConditions(JsonObject& object, CollisionRequest& request) {
+  if (object.has("turning")) {
+    request.turning = readWord(object, "turning", turningFromString, "is neither attacker nor ego");
+  }
+  if (object.has("from_side")) {
+    request.from_side =
+        readWordOrNull(object, "from_side", sideFromString, "is neither left nor right");
+  }
+  for (const RangeControl& control : kRangeControls) {
+    if (object.has(control.name)) request.*control.asked = readRange(object, control.name);
+  }
+}
+
 }  // namespace
 
 void writeControls(JsonLineWriter& writer, const CollisionRequest& request,
@@ -76,6 +99,7 @@ void writeControls(JsonLineWriter& writer, const CollisionRequest& request,
   writeWord(writer, "ego_side", request.ego_side, leaves_out);
   writeRange(writer, "impact_speed", request.impact_speed, leaves_out);
   writeRange(writer, "overlap", request.overlap, leaves_out);
+  writeConditions(writer, request);
   if (!leaves_out || request.alternatives != 1) {
     writer.count("alternatives", static_cast<std::uint64_t>(request.alternatives));
   }
@@ -105,6 +129,7 @@ void readControls(JsonObject& object, CollisionRequest& request, bool may_lack) 
   }
   if (has("impact_speed")) request.impact_speed = readRange(object, "impact_speed");
   if (has("overlap")) request.overlap = readRange(object, "overlap");
+  readConditions(object, request);
   if (has("alternatives")) {
     const std::uint64_t count = object.count("alternatives");
     if (count > static_cast<std::uint64_t>(std::numeric_limits<int>::max())) {

@@ -7,7 +7,8 @@ namespace forge {
 
 /// Writes the constraints of a request, beyond type, TTA and attacker, as fields of an object:
 /// choice, believable, limits; attacker_class, manoeuvre, ego_side, impact_speed ({min, max}, m/s)
-/// and overlap ({min, max}), null for any; alternatives. With `defaults`, writes only fields that
+/// and overlap ({min, max}), null for any; turning, from_side and kRangeControls ({min, max}) only
+/// if they differ from the defaults; alternatives. With `defaults`, writes only fields that
 /// differ from the defaults or are not null.
 void writeControls(JsonLineWriter& writer, const CollisionRequest& request,
                    const CrashDefinition* defaults = nullptr);

@@ -118,17 +118,17 @@ void writePattern(JsonLineWriter& writer, const CollisionPattern& pattern, const
   writer.endObject();
 }
 
-void writeAttack(JsonLineWriter& writer, const Attack& answer, double now) {
+void writeAttack(JsonLineWriter& writer, const Attack& answer, double now, bool has_conditions) {
   writeAttacker(writer, answer.trajectory, now);
   writePattern(writer, answer.pattern, answer.miss, now);
   writer.number("confidence", answer.report.confidence);
   writer.number("effort", answer.effort);
-  writeCollisionReport(writer, "report", answer.report, now);
+  writeCollisionReport(writer, "report", answer.report, now, has_conditions);
 }
 
-void writeAnswer(JsonLineWriter& writer, const Attack& answer, double now) {
+void writeAnswer(JsonLineWriter& writer, const Attack& answer, double now, bool has_conditions) {
   if (answer.status.code == StatusCode::kOk) {
-    writeAttack(writer, answer, now);
+    writeAttack(writer, answer, now, has_conditions);
   } else {
     for (const char* key : {"attacker", "pattern", "confidence", "effort", "report"}) {
       writer.null(key);
@@ -137,7 +137,7 @@ void writeAnswer(JsonLineWriter& writer, const Attack& answer, double now) {
   writer.beginArray("alternatives");
   for (const Attack& alternative : answer.alternatives) {
     writer.beginObject();
-    writeAttack(writer, alternative, now);
+    writeAttack(writer, alternative, now, has_conditions);
     writer.endObject();
   }
   writer.endArray();
@@ -325,6 +325,16 @@ void readFirstOtherTime(JsonObject& object, const LineContext& line, CollisionRe
   report.first_other_time = line.now + *time;
 }
 
+ContactConditions readMeasured(JsonObject object) {
+  ContactConditions measured;
+  measured.from_side = readSide(object, "from_side");
+  for (const RangeControl& control : kRangeControls) {
+    measured.*control.measured = object.number(control.name);
+  }
+  object.finish();
+  return measured;
+}
+
 CollisionReport readReport(JsonObject object, const LineContext& line) {
   CollisionReport report;
   const bool is_verified = object.flag("verified");
@@ -363,6 +373,7 @@ CollisionReport readReport(JsonObject object, const LineContext& line) {
   report.road.on_island = object.number("on_island");
   const bool is_believable = object.flag("believable");
   report.unbelievable = object.textOrNull("unbelievable").value_or("");
+  if (object.has("conditions")) report.conditions = readMeasured(object.object("conditions"));
   if (is_believable != report.believable()) {
     object.fail("believable", "contradicts the field unbelievable");
   }
@@ -437,8 +448,17 @@ void writePose(JsonLineWriter& writer, const char* key, const Pose2& pose) {
   writer.endObject();
 }
 
+static void writeMeasured(JsonLineWriter& writer, const ContactConditions& measured) {
+  writer.beginObject("conditions");
+  writer.text("from_side", toString(measured.from_side));
+  for (const RangeControl& control : kRangeControls) {
+    writer.number(control.name, measured.*control.measured);
+  }
+  writer.endObject();
+}
+
 void writeCollisionReport(JsonLineWriter& writer, const char* key, const CollisionReport& report,
-                          double now) {
+                          double now, bool has_conditions) {
   writer.beginObject(key);
   writer.flag("verified", report.verified());
   writer.flag("contact", report.contact);
@@ -476,6 +496,7 @@ void writeCollisionReport(JsonLineWriter& writer, const char* key, const Collisi
   writer.number("on_island", report.road.on_island);
   writer.flag("believable", report.believable());
   writeTextOrNull(writer, "unbelievable", report.unbelievable);
+  if (has_conditions) writeMeasured(writer, report.conditions);
   writer.endObject();
 }
 
@@ -504,7 +525,7 @@ std::string scenarioLine(const Scenario& scenario) {
   writer.number("now", now);
   writeRequest(writer, scenario.asked.request);
   writeStatus(writer, scenario.answer.status);
-  writeAnswer(writer, scenario.answer, now);
+  writeAnswer(writer, scenario.answer, now, asksForConditions(scenario.asked.request));
   writePlans(writer, scenario.plans, now, writePoints);
   writer.beginObject("ego");
   writer.number("length", scenario.ego.size.length);

@@ -42,9 +42,10 @@ Scenario readScenarioLine(const std::string& where, const std::string& line,
 /// Writes an object with x and y in m, yaw in rad.
 void writePose(JsonLineWriter& writer, const char* key, const Pose2& pose);
 
-/// Writes the object `key` with the fields of a report, as docs/scenarios.md defines them.
+/// Writes the object `key` with the fields of a report, as docs/scenarios.md defines them; the
+/// field `conditions` only if `has_conditions`, for requests that asksForConditions().
 void writeCollisionReport(JsonLineWriter& writer, const char* key, const CollisionReport& report,
-                          double now);
+                          double now, bool has_conditions);
 
 /// Adds the field "trajectory" with `points` to the open object of `writer`; times in s from `now`.
 using WritePoints = std::function<void(JsonLineWriter& writer,

@@ -144,8 +144,11 @@ std::string attackRecord(const Scenario& scenario, const Attack& attack,
   writer.endObject();
   writeAttacker(writer, attack.trajectory, now);
   writeAim(writer, attack, now);
-  writeCollisionReport(writer, "report", attack.report, now);
-  if (recorded) writeCollisionReport(writer, "recorded", recorded->report, now);
+  const bool has_conditions = asksForConditions(scenario.asked.request);
+  writeCollisionReport(writer, "report", attack.report, now, has_conditions);
+  if (recorded) {
+    writeCollisionReport(writer, "recorded", recorded->report, now, has_conditions);
+  }
   if (recorded && recorded->crash) writeCrash(writer, *recorded->crash, now);
   writeLimits(writer, scenario.asked.request.crash.limits, attack.trajectory, options);
   const bool is_first = &attack == &scenario.answer;

@@ -64,6 +64,13 @@ std::string controlOptions(const CollisionRequest& request, const CrashDefinitio
   if (request.ego_side) options += option("ego-side", toString(*request.ego_side));
   if (request.impact_speed) options += optionOf("impact-speed", *request.impact_speed);
   if (request.overlap) options += optionOf("overlap", *request.overlap);
+  if (request.turning != Turning::kAttacker)
+    options += option("turning", toString(request.turning));
+  if (request.from_side) options += option("from-side", toString(*request.from_side));
+  for (const RangeControl& control : kRangeControls) {
+    const std::optional<Range>& range = request.*control.asked;
+    if (range) options += optionOf(optionName(control.name), *range);
+  }
   return options;
 }
 

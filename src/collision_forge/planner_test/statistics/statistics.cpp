@@ -26,6 +26,14 @@ const char* shortName(CollisionType type) {
       return "JC";
     case CollisionType::kLtap:
       return "LTAP";
+    case CollisionType::kSideswipeSameDirection:
+      return "sideswipe same direction";
+    case CollisionType::kAngleSameDirection:
+      return "angle same direction";
+    case CollisionType::kAngleOppositeDirection:
+      return "angle opposite direction";
+    case CollisionType::kAny:
+      break;
   }
   return "unknown";
 }
@@ -98,9 +106,12 @@ Rate pooledRate(const std::vector<Trial>& trials, const StatisticsOptions& optio
 
 std::vector<TrialGroup> groupTrials(const std::vector<Trial>& trials) {
   std::vector<TrialGroup> groups;
-  for (const CollisionType type : kCollisionTypes) {
-    groups.push_back({shortName(type),
-                      selected(trials, [=](const Trial& trial) { return trial.type == type; })});
+  for (const CollisionType type : kAllCollisionTypes) {
+    std::vector<Trial> own =
+        selected(trials, [=](const Trial& trial) { return trial.type == type; });
+    const bool is_published = std::find(std::begin(kCollisionTypes), std::end(kCollisionTypes),
+                                        type) != std::end(kCollisionTypes);
+    if (is_published || !own.empty()) groups.push_back({shortName(type), std::move(own)});
   }
   double after = 0.0;
   for (const TtaBucket& bucket : kTtaBuckets) {

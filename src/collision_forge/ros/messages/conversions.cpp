@@ -132,6 +132,28 @@ std::string noneOf(const Values& values) {
   return "none of " + words;
 }
 
+/// The fields of a range in the message and in the request.
+struct RangeFields {
+  double collision_forge::CollisionRequest::*least;
+  double collision_forge::CollisionRequest::*most;
+  std::optional<Range> CollisionRequest::*asked;
+};
+
+constexpr RangeFields kRangeFields[] = {
+    {&collision_forge::CollisionRequest::min_attacker_speed,
+     &collision_forge::CollisionRequest::max_attacker_speed, &CollisionRequest::attacker_speed},
+    {&collision_forge::CollisionRequest::min_deceleration,
+     &collision_forge::CollisionRequest::max_deceleration, &CollisionRequest::deceleration},
+    {&collision_forge::CollisionRequest::min_gap, &collision_forge::CollisionRequest::max_gap,
+     &CollisionRequest::gap},
+    {&collision_forge::CollisionRequest::min_headway,
+     &collision_forge::CollisionRequest::max_headway, &CollisionRequest::headway},
+    {&collision_forge::CollisionRequest::min_lateral_speed,
+     &collision_forge::CollisionRequest::max_lateral_speed, &CollisionRequest::lateral_speed},
+    {&collision_forge::CollisionRequest::min_impact_location,
+     &collision_forge::CollisionRequest::max_impact_location, &CollisionRequest::impact_location},
+};
+
 /// Reads the constraints besides type, time and attacker; returns the problem, or "".
 std::string readControls(const collision_forge::CollisionRequest& message,
                          CollisionRequest& request) {
@@ -161,6 +183,16 @@ std::string readControls(const collision_forge::CollisionRequest& message,
   }
   if (message.min_overlap != 0.0 || message.max_overlap != 0.0) {
     request.overlap = Range{message.min_overlap, message.max_overlap};
+  }
+  if (!readWord(message.turning, turningFromString, request.turning)) {
+    return unknown("turning", message.turning, "neither attacker nor ego");
+  }
+  if (!readWord(message.from_side, sideFromString, request.from_side)) {
+    return unknown("from_side", message.from_side, "neither left nor right");
+  }
+  for (const RangeFields& fields : kRangeFields) {
+    const Range range{message.*fields.least, message.*fields.most};
+    if (range.min != 0.0 || range.max != 0.0) request.*fields.asked = range;
   }
   constexpr std::uint32_t kMany = std::numeric_limits<int>::max();
   if (message.alternatives != 0) {
@@ -498,6 +530,13 @@ collision_forge::CollisionRequest toMessage(const CollisionRequest& request) {
   message.max_impact_speed = request.impact_speed.value_or(Range{}).max;
   message.min_overlap = request.overlap.value_or(Range{}).min;
   message.max_overlap = request.overlap.value_or(Range{}).max;
+  if (request.turning != Turning::kAttacker) message.turning = toString(request.turning);
+  if (request.from_side) message.from_side = toString(*request.from_side);
+  for (const RangeFields& fields : kRangeFields) {
+    const Range range = (request.*fields.asked).value_or(Range{});
+    message.*fields.least = range.min;
+    message.*fields.most = range.max;
+  }
   message.alternatives = static_cast<std::uint32_t>(request.alternatives);
   return message;
 }
@@ -522,6 +561,20 @@ collision_forge::CollisionRequest requestIn(
   request.max_impact_speed = message.max_impact_speed;
   request.min_overlap = message.min_overlap;
   request.max_overlap = message.max_overlap;
+  request.turning = message.turning;
+  request.from_side = message.from_side;
+  request.min_attacker_speed = message.min_attacker_speed;
+  request.max_attacker_speed = message.max_attacker_speed;
+  request.min_deceleration = message.min_deceleration;
+  request.max_deceleration = message.max_deceleration;
+  request.min_gap = message.min_gap;
+  request.max_gap = message.max_gap;
+  request.min_headway = message.min_headway;
+  request.max_headway = message.max_headway;
+  request.min_lateral_speed = message.min_lateral_speed;
+  request.max_lateral_speed = message.max_lateral_speed;
+  request.min_impact_location = message.min_impact_location;
+  request.max_impact_location = message.max_impact_location;
   request.alternatives = message.alternatives;
   return request;
 }
@@ -688,6 +741,32 @@ collision_forge::CarefulDrive toMessage(const CarefulDrive& drive) {
   return message;
 }
 
+static ContactConditions fromMessage(const collision_forge::ContactConditions& message) {
+  ContactConditions measured;
+  if (!message.from_side.empty()) {
+    measured.from_side = wordIn(message.from_side, "from_side", sideFromString);
+  }
+  measured.attacker_speed = message.attacker_speed;
+  measured.deceleration = message.deceleration;
+  measured.gap = message.gap;
+  measured.headway = message.headway;
+  measured.lateral_speed = message.lateral_speed;
+  measured.impact_location = message.impact_location;
+  return measured;
+}
+
+static collision_forge::ContactConditions toMessage(const ContactConditions& measured) {
+  collision_forge::ContactConditions message;
+  message.from_side = toString(measured.from_side);
+  message.attacker_speed = measured.attacker_speed;
+  message.deceleration = measured.deceleration;
+  message.gap = measured.gap;
+  message.headway = measured.headway;
+  message.lateral_speed = measured.lateral_speed;
+  message.impact_location = measured.impact_location;
+  return message;
+}
+
 CollisionReport fromMessage(const collision_forge::CollisionReport& message) {
   CollisionReport report;
   report.contact = message.contact;
@@ -700,6 +779,7 @@ CollisionReport fromMessage(const collision_forge::CollisionReport& message) {
     report.attacker_side = wordIn(message.attacker_side, "attacker_side", sideFromString);
     report.impact_speed = message.impact_speed;
     report.overlap = message.overlap;
+    report.conditions = fromMessage(message.conditions);
     report.severity = {fromMessage(message.ego_effect), fromMessage(message.attacker_effect),
                        message.energy_lost};
     report.manoeuvre = wordIn(message.manoeuvre, "manoeuvre", manoeuvreFromString);
@@ -739,6 +819,7 @@ collision_forge::CollisionReport toMessage(const CollisionReport& report,
     message.attacker_side = toString(report.attacker_side);
     message.impact_speed = report.impact_speed;
     message.overlap = report.overlap;
+    message.conditions = toMessage(report.conditions);
     message.energy_lost = report.severity.energy_lost;
     message.ego_effect = toMessage(report.severity.ego);
     message.attacker_effect = toMessage(report.severity.other);

@@ -20,7 +20,7 @@ std::variant<std::vector<CollisionType>, Status> typesNamed(const std::vector<st
       return Status{StatusCode::kUnknownType,
                     "collision_types: \"" + name + "\" is not a collision type"};
     }
-    types.push_back(*type);
+    for (const CollisionType meant : typesMeant(*type)) types.push_back(meant);
   }
   if (!types.empty()) return types;
   if (const auto known = manoeuvreFromString(manoeuvre)) return std::vector{typeOf(*known)};

@@ -68,6 +68,10 @@ std::variant<CheckedRequest, Status> checkedRequest(
   if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
   CheckedRequest checked{map.lanesOfScene(), fromMessage(scene),
                          std::get<CollisionRequest>(parsed)};
+  if (checked.request.type == CollisionType::kAny) {
+    return Status{StatusCode::kUnknownType,
+                  "collision_type = any is only for generate_collision: name one type"};
+  }
   checkSnapshot(checked.snapshot, config.input_limits, "scene");
   checked.request = withFullId(checked.request, checked.snapshot);
   if (!checked.lanes) return Status{StatusCode::kNoScene, "no usable lane_map received yet"};

@@ -90,7 +90,7 @@ void RequestForm::createFields() {
   type_ = new QComboBox;
   type_->setObjectName("type");
   type_->addItem(kAny);
-  for (const CollisionType type : kCollisionTypes) type_->addItem(toString(type));
+  for (const CollisionType type : kAllCollisionTypes) type_->addItem(toString(type));
   type_->setToolTip("any: the collision with the highest confidence at that time to attack");
   tta_ = new QDoubleSpinBox;
   tta_->setRange(kShortestTta, kLongestTta);
@@ -156,8 +156,9 @@ void RequestForm::connectFields() {
 /// Offers the manoeuvres of the selected type.
 void RequestForm::offerManoeuvres() {
   QStringList names;
-  for (const Manoeuvre manoeuvre : kManoeuvres) {
-    if (toString(typeOf(manoeuvre)) == type_->currentText()) names.push_back(toString(manoeuvre));
+  const auto type = collisionTypeFromString(type_->currentText().toStdString());
+  if (type && *type != CollisionType::kAny) {
+    for (const Manoeuvre manoeuvre : manoeuvresOf(*type)) names.push_back(toString(manoeuvre));
   }
   offer(*manoeuvre_, kAny, names);
 }

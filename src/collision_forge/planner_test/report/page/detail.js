@@ -135,6 +135,17 @@ function secondaryContacts(crash, contactT) {
     `${isEgo ? 'ego' : 'other'} touches ${agent} ${amount(t - contactT, 1, 's')} after the contact`).join('; ');
 }
 
+/** Returns the measured conditions; none unless the request asks for one. */
+function conditionEntries(conditions) {
+  if (!conditions) return [];
+  return [
+    ['Attacker', `from the ${conditions.from_side}, ${amount(conditions.attacker_speed, 1, 'm/s')}, `
+      + `across ${amount(conditions.lateral_speed, 1, 'm/s')}, braking ${amount(conditions.deceleration, 1, 'm/s²')}`],
+    ['At t0', `gap ${amount(conditions.gap, 1, 'm')}, headway ${amount(conditions.headway, 1, 's')}`],
+    ['Place on the front', percent(conditions.impact_location) + ' from its left edge'],
+  ];
+}
+
 function reportList(name, report, crash) {
   if (!report.contact) {
     return list(name, [['Contact', 'none', 'missed'], ['Broken limit', report.broken_limit, 'missed']]);
@@ -144,6 +155,7 @@ function reportList(name, report, crash) {
     ['Heading', amount(degrees(report.relative_heading), 0, '°') + ' to the ego', held(report.type_kept)],
     ['Sides', `ego ${report.ego_side}, attacker ${report.attacker_side}, overlap ${percent(report.overlap)}`],
     ['Impact speed', amount(report.impact_speed, 1, 'm/s')],
+    ...conditionEntries(report.conditions),
     ...severityEntries(report.severity, 'attacker'),
     ['Manoeuvre', title(report.manoeuvre) + ' from ' + amount(report.manoeuvre_begin_t, 1, 's')],
     ['Limits', report.limits_kept ? 'all kept' : report.broken_limit, held(report.limits_kept)],

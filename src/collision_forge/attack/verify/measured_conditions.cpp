@@ -1,0 +1,75 @@
+#include "collision_forge/attack/verify/measured_conditions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace forge {
+namespace {
+
+constexpr double kStandstill = 1e-6;  // m/s
+
+/// Returns the attacker's speed (m/s), interpolated linearly.
+double speedAt(const AttackerTrajectory& trajectory, double time) {
+  const auto& points = trajectory.points;
+  const auto after = std::find_if(points.begin(), points.end(),
+                                  [=](const TrajectoryPoint& point) { return point.time >= time; });
+  if (after == points.end()) return points.back().speed;
+  if (after == points.begin()) return points.front().speed;
+  const TrajectoryPoint& before = *std::prev(after);
+  const double ratio = (time - before.time) / (after->time - before.time);
+  return before.speed + ratio * (after->speed - before.speed);
+}
+
+/// Returns the middle of a side of a box, in the frame of the box centre.
+Vector2 middleOf(Side side, const BoxSize& size) {
+  switch (side) {
+    case Side::kFront:
+      return {0.5 * size.length, 0.0};
+    case Side::kRear:
+      return {-0.5 * size.length, 0.0};
+    case Side::kLeft:
+      return {0.0, 0.5 * size.width};
+    case Side::kRight:
+      return {0.0, -0.5 * size.width};
+  }
+  return Vector2::Zero();
+}
+
+}  // namespace
+
+void measureStart(const AgentState& ego, const BoxSize& ego_size, const AgentState& attacker,
+                  const BoxSize& attacker_size, ContactConditions& measured) {
+  const Vector2 apart = relativeTo(ego.pose, attacker.pose).position();
+  measured.gap = std::max(0.0, apart.norm() - 0.5 * (ego_size.length + attacker_size.length));
+  const double behind = apart.x() > 0.0 ? ego.velocity.norm() : attacker.velocity.norm();
+  measured.headway = std::min(kNoHeadway, measured.gap / std::max(behind, kStandstill));
+}
+
+ContactConditions measuredConditions(const AttackerTrajectory& trajectory,
+                                     const CollisionReport& report, const Track& ego) {
+  ContactConditions measured;
+  const double contact = report.contact_time;
+  measured.attacker_speed = speedAt(trajectory, contact);
+  const double begin = std::max(contact - kBrakedFor, trajectory.points.front().time);
+  if (contact > begin) {
+    measured.deceleration =
+        (speedAt(trajectory, begin) - measured.attacker_speed) / (contact - begin);
+  }
+  measured.lateral_speed = measured.attacker_speed * std::abs(std::sin(report.relative_heading));
+  const Vector2 middle = compose(report.attacker_at_contact,
+                                 {middleOf(report.attacker_side, trajectory.size).x(),
+                                  middleOf(report.attacker_side, trajectory.size).y(), 0.0})
+                             .position();
+  const Pose2 place = relativeTo(report.ego_at_contact, {middle.x(), middle.y(), 0.0});
+  measured.impact_location = 0.5 - place.y / ego.size.width;
+  const Pose2 earlier =
+      relativeTo(report.ego_at_contact, poseAt(trajectory, contact - kSideBefore));
+  measured.from_side = earlier.y > 0.0 ? Side::kLeft : Side::kRight;
+  const TrajectoryPoint& start = trajectory.points.front();
+  const AgentState own = stateAt(ego, start.time).value_or(ego.states.front());
+  measureStart(own, ego.size, {start.time, start.pose, start.speed * start.pose.heading()},
+               trajectory.size, measured);
+  return measured;
+}
+
+}  // namespace forge

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "collision_forge/base/scene/attack.h"
+#include "collision_forge/base/scene/track.h"
+
+namespace forge {
+
+/// Sets `gap` and `headway` from the states and boxes of both vehicles at t0.
+void measureStart(const AgentState& ego, const BoxSize& ego_size, const AgentState& attacker,
+                  const BoxSize& attacker_size, ContactConditions& measured);
+
+/// Returns the quantities of ContactConditions for a trajectory that touches the ego, from
+/// `report.contact_time`, the poses at contact and `report.attacker_side`, which must be set. t0 is
+/// the time of the trajectory's first point; `ego` has the ego's states from then on. Neither may
+/// be empty.
+ContactConditions measuredConditions(const AttackerTrajectory& trajectory,
+                                     const CollisionReport& report, const Track& ego);
+
+}  // namespace forge

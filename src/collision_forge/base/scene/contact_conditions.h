@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "collision_forge/base/scene/collision_request.h"
+
+namespace forge {
+
+/// Quantities of an attack that a request can constrain with CollisionRequest's fields of the same
+/// names. Poses are box centres.
+struct ContactConditions {
+  double attacker_speed = 0.0;  ///< m/s, speed of the attacker at contact
+  double deceleration = 0.0;    ///< m/s2, mean over the last kBrakedFor seconds before the contact
+  double gap = 0.0;  ///< m at t0: distance of the box centres minus half of both lengths, or 0
+  double headway =
+      0.0;  ///< s at t0: `gap` over the speed of the vehicle behind; kNoHeadway at most
+  double lateral_speed = 0.0;  ///< m/s at contact, of the attacker across the ego's heading
+  /// Middle of the attacker's touched side across the ego's front, as a share of the ego's width: 0
+  /// at the left edge of the front, 1 at its right edge. Only a contact with the ego's front has a
+  /// location that a request accepts.
+  double impact_location = 0.0;
+  /// kLeft or kRight: the side of the ego's pose at contact on which the attacker's box centre was
+  /// kSideBefore seconds earlier.
+  Side from_side = Side::kLeft;
+};
+
+inline constexpr double kBrakedFor = 0.5;     ///< s
+inline constexpr double kSideBefore = 1.0;    ///< s
+inline constexpr double kNoHeadway = 1000.0;  ///< s, of a vehicle behind that stands
+inline constexpr double kMaxLocation = 1.0;   ///< share of the width beyond an edge of the front
+
+/// A field of CollisionRequest that is a range of a field of ContactConditions.
+struct RangeControl {
+  const char* name;  ///< of the field, in files and messages
+  const char* unit;  ///< for people
+  std::optional<Range> CollisionRequest::*asked;
+  double ContactConditions::*measured;
+  double least;         ///< smallest minimum of a valid range
+  double most;          ///< greatest maximum of a valid range
+  const char* meaning;  ///< for the help of an option
+};
+
+inline constexpr RangeControl kRangeControls[] = {
+    {"attacker_speed", "m/s", &CollisionRequest::attacker_speed, &ContactConditions::attacker_speed,
+     0.0, 100.0, "speed of the attacker at contact"},
+    {"deceleration", "m/s2", &CollisionRequest::deceleration, &ContactConditions::deceleration, 0.0,
+     20.0, "deceleration of the attacker, mean over the last 0.5 s before the contact"},
+    {"gap", "m", &CollisionRequest::gap, &ContactConditions::gap, 0.0, 1000.0,
+     "gap between attacker and ego at t0: distance of the centres minus half of both lengths"},
+    {"headway", "s", &CollisionRequest::headway, &ContactConditions::headway, 0.0, kNoHeadway,
+     "headway at t0: gap over the speed of the vehicle behind"},
+    {"lateral_speed", "m/s", &CollisionRequest::lateral_speed, &ContactConditions::lateral_speed,
+     0.0, 100.0, "speed of the attacker across the ego's heading at contact"},
+    {"impact_location", "of the ego's width", &CollisionRequest::impact_location,
+     &ContactConditions::impact_location, -kMaxLocation, 1.0 + kMaxLocation,
+     "place on the ego's front that the middle of the attacker's touched side meets: share of the "
+     "ego's width, 0 at the left edge"},
+};
+
+/// Returns the name of a control's option on the command line: '-' for '_'.
+std::string optionName(const std::string& control);
+
+/// Returns true if the request has one of kRangeControls or `from_side`.
+bool asksForConditions(const CollisionRequest& request);
+
+}  // namespace forge
