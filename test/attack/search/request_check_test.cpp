@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "attack/search/added_scene.h"
 #include "attack/search/test_scenes.h"
 
 namespace forge {
@@ -318,6 +319,30 @@ TEST(CheckRequest, NamesAnInvalidSizeOrPoseOfTheAttacker) {
   snapshot = twoCars();
   snapshot.agents[0].states.back().pose.x = kNan;
   expectRefusal(asking(4.0, "car"), snapshot, StatusCode::kInvalidInput, {"car", "pose"});
+}
+
+TEST(CheckRequest, PedestriansAttackInAllModesButAdaptive) {
+  CollisionRequest request = believableRequestFor(CollisionType::kJunctionCrossing);
+  request.attacker_class = AgentClass::kPedestrian;
+  AddedScene made;
+  const AddedVehicleInput input = made.input();
+  EXPECT_EQ(checkRequest(request, input.snapshot, shippedOptions().prediction).code,
+            StatusCode::kOk);
+  request.mode = Mode::kAdaptive;
+  EXPECT_EQ(checkRequest(request, input.snapshot, shippedOptions().prediction).code,
+            StatusCode::kInvalidInput);
+}
+
+TEST(IsCandidate, BicyclesAndPedestriansAreCandidatesOnlyIfTheyAreNamed) {
+  AddedScene scene;
+  scene.add("a", {-30.0, 4.0, 0.0}, 4.0);
+  scene.others.back().agent_class = AgentClass::kBicycle;
+  const AddedVehicleInput input = scene.input();
+  const Track& agent = input.snapshot.agents.front();
+  const PredictionOptions options = shippedOptions().prediction;
+  EXPECT_FALSE(isCandidate(agent, input.snapshot, options));
+  EXPECT_FALSE(isCandidate(agent, input.snapshot, options, AgentClass::kPedestrian));
+  EXPECT_TRUE(isCandidate(agent, input.snapshot, options, AgentClass::kBicycle));
 }
 
 }  // namespace

@@ -247,6 +247,10 @@ Status checkRequest(const CollisionRequest& request, const Snapshot& snapshot,
   }
   const Status controls = checkControls(request);
   if (controls.code != StatusCode::kOk) return controls;
+  if (request.mode == Mode::kAdaptive && asksForPedestrian(request, snapshot)) {
+    return refuse(StatusCode::kInvalidInput,
+                  "mode = adaptive is not supported for a pedestrian as the attacker");
+  }
   const Status ego = checkEgo(snapshot);
   if (ego.code != StatusCode::kOk) return ego;
   if (request.attacker) return checkAttacker(*request.attacker, request.attacker_class, snapshot);

@@ -1,0 +1,85 @@
+#include "collision_forge/attack/search/added_walkers.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "attack/search/added_scene.h"
+#include "collision_forge/attack/search/generate_collision.h"
+#include "collision_forge/attack/search/judge.h"
+#include "collision_forge/attack/verify/step_out.h"
+
+namespace forge {
+namespace {
+
+/// The two lanes of AddedScene with a walkway of 2 m on either side. The ego drives on y = 0.
+AddedScene street() {
+  AddedScene scene;
+  scene.map->drivable_area = {rectangle(-200.0, -2.0, 200.0, 5.5)};
+  scene.map->walkways = {rectangle(-200.0, -4.0, 200.0, -2.0), rectangle(-200.0, 5.5, 200.0, 7.5)};
+  scene.request = believableRequestFor(CollisionType::kJunctionCrossing);
+  scene.request.attacker_class = AgentClass::kPedestrian;
+  scene.request.mode = Mode::kReplay;
+  return scene;
+}
+
+Attack answerIn(AddedScene& scene) {
+  const AddedVehicleInput input = scene.input();
+  const Moment moment{*input.past, input.future, std::make_shared<LaneIndex>(scene.map),
+                      std::make_shared<Snapshot>(*input.past)};
+  const AttackOptions options = shippedOptions();
+  return generateCollision(searchMethod(options), moment, scene.request, options.prediction);
+}
+
+TEST(AddedWalkers, WaitAtTheRoadsideSinceTheFirstFrame) {
+  AddedScene scene = street();
+  const AddedVehicleInput input = scene.input();
+  const AddedVehicles walkers = addWalkers(input, shippedOptions());
+  ASSERT_FALSE(walkers.found.empty()) << walkers.status.message;
+  bool is_left = false;
+  bool is_right = false;
+  for (const AddedVehicle& walker : walkers.found) {
+    EXPECT_EQ(walker.track.states.size(), input.past->ego.states.size());
+    const Vector2 place = walker.track.states.front().pose.position();
+    EXPECT_TRUE(isWherePeopleWalk(place, input.lanes));
+    (place.y() > 0.0 ? is_left : is_right) = true;
+  }
+  EXPECT_TRUE(is_left && is_right) << "from both sides";
+}
+
+TEST(AddedWalkers, StepOutInFrontOfTheEgo) {
+  AddedScene scene = street();
+  const Attack attack = answerIn(scene);
+  ASSERT_EQ(attack.status.code, StatusCode::kOk) << attack.status.message;
+  EXPECT_EQ(attack.trajectory.agent_class, AgentClass::kPedestrian);
+  EXPECT_TRUE(attack.trajectory.isAdded());
+  EXPECT_TRUE(meetsRequest(attack.report, scene.request));
+  EXPECT_NEAR(std::abs(attack.report.relative_heading), M_PI / 2, 0.2);
+  for (const TrajectoryPoint& point : attack.trajectory.points) EXPECT_LT(point.speed, 4.0);
+}
+
+TEST(AddedWalkers, NeedARoadside) {
+  AddedScene scene = street();
+  scene.map->drivable_area = {rectangle(-200.0, -60.0, 200.0, 60.0)};
+  const Attack attack = answerIn(scene);
+  EXPECT_EQ(attack.status.code, StatusCode::kNoCandidate);
+  EXPECT_NE(attack.status.message.find("no pedestrian can be added"), std::string::npos)
+      << attack.status.message;
+}
+
+TEST(RecordedWalkers, WalkAlongTheKerbAndThenStepOut) {
+  AddedScene scene = street();
+  scene.request.choice = AttackerChoice::kExisting;
+  scene.others.push_back(AddedScene::longPast("walker", {0.7, 0.65}, {-12.0, -3.0, 0.0}, 1.2));
+  scene.others.back().agent_class = AgentClass::kPedestrian;
+  scene.future.agents.push_back(futureTrack("walker", {0.7, 0.65}, {-12.0, -3.0, 0.0}, 1.2));
+  scene.future.agents.back().agent_class = AgentClass::kPedestrian;
+  const Attack attack = answerIn(scene);
+  ASSERT_EQ(attack.status.code, StatusCode::kOk) << attack.status.message;
+  EXPECT_EQ(attack.trajectory.attacker_id, "walker");
+  EXPECT_FALSE(attack.trajectory.isAdded());
+  EXPECT_TRUE(attack.report.believable()) << attack.report.unbelievable;
+}
+
+}  // namespace
+}  // namespace forge
