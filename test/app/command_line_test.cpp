@@ -250,7 +250,7 @@ TEST(CommandLine, ControlOptionsAreTheSameInAllCommands) {
                              " --impact-speed 2 9.5", " --overlap 0.25 0.5"}) {
       EXPECT_EQ(read(line + good).exit_code, std::nullopt) << command << good;
     }
-    for (const char* bad : {" --believable maybe", " --limits none", " --attacker-class pedestrian",
+    for (const char* bad : {" --believable maybe", " --limits none", " --attacker-class animal",
                             " --manoeuvre swerve", " --ego-side top"}) {
       const std::string word = std::string(bad).substr(std::string(bad).rfind(' ') + 1);
       EXPECT_THAT(read(line + bad).err, HasSubstr(word)) << command;

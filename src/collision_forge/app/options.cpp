@@ -196,6 +196,18 @@ void addJobs(CLI::App& app, int& jobs, const std::string& text) {
   app.add_option("--jobs", jobs, text)->check(CLI::Range(1, 256))->capture_default_str();
 }
 
+std::vector<CatalogueEntry> CatalogueChoice::entries(const ConfigFolder& folder) const {
+  return namedEntries(readCatalogue(folder, name), scenarios);
+}
+
+void addCatalogue(CLI::App& app, CatalogueChoice& choice) {
+  CLI::Option* catalogue = app.add_option(
+      "--catalogue", choice.name,
+      "scenarios of a test programme instead of types: euro_ncap_2026, un_r157, nhtsa or all");
+  app.add_option("--name", choice.scenarios, "scenarios of the catalogue, e.g. CCRb; default: all")
+      ->needs(catalogue);
+}
+
 CLI::Option* addMethod(CLI::App& app, std::string& method, const ConfigFolder& config) {
   app.parse_complete_callback([&method, &config] {
     if (!method.empty()) checkMethod("--method", method, config);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "collision_forge/attack/search/catalogue.h"
 #include "collision_forge/base/config/nearest_names.h"
 #include "collision_forge/base/files/resumable_file.h"
 #include "collision_forge/base/scene/collision_request.h"
@@ -102,6 +103,18 @@ std::vector<CollisionType> typesNamed(const std::vector<std::string>& names);
 /// replay, commands that measure methods to history. `may_adapt`: adaptive is allowed, too.
 void addMode(CLI::App& app, Mode& mode, bool may_adapt);
 /// --method, checked by checkMethod() when all options are parsed; empty: the built-in default.
+/// The scenarios of a catalogue that a command is for.
+struct CatalogueChoice {
+  std::string name;                    ///< of the catalogue, or "all"; empty without one
+  std::vector<std::string> scenarios;  ///< empty: all
+
+  /// Returns the chosen entries. Throws as readCatalogue() and namedEntries().
+  std::vector<CatalogueEntry> entries(const ConfigFolder& folder) const;
+};
+
+/// Adds --catalogue and --name.
+void addCatalogue(CLI::App& app, CatalogueChoice& choice);
+
 CLI::Option* addMethod(CLI::App& app, std::string& method, const ConfigFolder& config);
 /// Throws CLI::ValidationError, naming `option` and the known methods, if `method` is neither built
 /// in nor listed in methods.yaml. Ignores an invalid configuration, which the run itself reports.

@@ -31,6 +31,7 @@ struct Arguments {
   Mode mode = Mode::kReplay;
   std::uint64_t seed = 0;
   ConfigFolder config;
+  CatalogueChoice catalogue;
 };
 
 std::shared_ptr<const IndexedScene> recordingOf(const Arguments& arguments, const Config& config) {
@@ -82,6 +83,43 @@ std::vector<Attack> attacksOf(Attack answer) {
   return attacks;
 }
 
+/// Prints the scenarios of a catalogue that are possible at the instant, each by its first cell and
+/// TTA with an attack, then those that are not, with the reason. Returns the number of possible
+/// ones.
+std::size_t listScenarios(const Arguments& arguments, const Config& config, const Moment& moment,
+                          const MethodMaker& maker, CollisionRequest request, double now) {
+  std::size_t possible = 0;
+  std::ostringstream rejected;
+  for (const CatalogueEntry& entry : arguments.catalogue.entries(arguments.config)) {
+    std::string reason = entry.missing.empty() ? "" : "cannot be requested: " + entry.missing;
+    bool is_possible = false;
+    for (const CatalogueCell& cell : entry.cells) {
+      for (const double tta : arguments.ttas.empty() ? config.requests.ttas : arguments.ttas) {
+        CollisionRequest asked = cell.request;
+        asked.crash = request.crash;
+        asked.mode = request.mode;
+        asked.seed = request.seed;
+        asked.tta = tta;
+        const Attack answer =
+            generateCollision(*maker.make(), moment, asked, config.attack.prediction);
+        is_possible = answer.status.code == StatusCode::kOk;
+        if (!is_possible && reason.empty()) {
+          reason = std::string(toString(answer.status.code)) + ": " + answer.status.message;
+        }
+        if (!is_possible) continue;
+        std::cout << cell.name << "\n  ";
+        printPossible(asked, answer, now);
+        break;
+      }
+      if (is_possible) break;
+    }
+    possible += is_possible;
+    if (!is_possible) rejected << entry.name << "  " << reason << "\n";
+  }
+  if (!rejected.str().empty()) std::cout << "\nrejected\n" << rejected.str();
+  return possible;
+}
+
 int listPossible(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const std::shared_ptr<const IndexedScene> recording = recordingOf(arguments, config);
@@ -94,6 +132,10 @@ int listPossible(const Arguments& arguments) {
   request.mode = arguments.mode;
   request.seed = arguments.seed;
   arguments.controls.applyTo(request);
+  if (!arguments.catalogue.name.empty()) {
+    return listScenarios(arguments, config, moment, maker, request, now) > 0 ? kExitOk
+                                                                             : kExitNoAttack;
+  }
 
   std::ostringstream rejected;
   std::size_t possible = 0;
@@ -146,6 +188,7 @@ void addPossible(CommandLine& line) {
   app.add_option("--tta", arguments->ttas,
                  "times to attack, s: time from t0 to contact; default: ttas of requests.yaml");
   addAttacker(app, arguments->controls);
+  addCatalogue(app, arguments->catalogue);
   addControls(app, arguments->controls);
   addAlternatives(app, arguments->controls);
   addMethod(app, arguments->method, arguments->config);

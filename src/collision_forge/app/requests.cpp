@@ -8,6 +8,7 @@
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
+#include "collision_forge/attack/search/catalogue.h"
 #include "collision_forge/attack/search/request_check.h"
 #include "collision_forge/attack/search/request_list.h"
 #include "collision_forge/base/files/output_lock.h"
@@ -38,6 +39,7 @@ struct Arguments {
   RequestControls controls;
   std::uint64_t seed = 0;
   bool allowed_only = false;
+  CatalogueChoice catalogue;
 };
 
 /// Counts the requests of a type, and how many of them the road geometry allows.
@@ -83,13 +85,15 @@ RequestListOptions listOptions(const Arguments& arguments, const Config& config)
   return options;
 }
 
-/// Appends the requests of a scene to `requests` and counts them. `allowed_only`: appends only
-/// requests that the road geometry allows.
+/// Appends the requests of a scene to `requests` and counts them. `name`: of a scenario in a
+/// catalogue, or empty. `allowed_only`: appends only requests that the road geometry allows.
 void addRequestsOf(const IndexedScene& recording, const RequestListOptions& options,
-                   const CollisionRequest& asked, bool allowed_only, const Config& config,
-                   std::vector<SceneRequest>& requests, RoadCounts& counts, RequestTally& tally) {
+                   const CollisionRequest& asked, const std::string& name, bool allowed_only,
+                   const Config& config, std::vector<SceneRequest>& requests, RoadCounts& counts,
+                   RequestTally& tally) {
   for (SceneRequest& listed : listRequests(recording.scene, options, config.attack.prediction,
                                            config.crash.time_tolerance, asked, &tally)) {
+    listed.name = name;
     const bool allowed = roadAllowsRequest(listed, recording, config);
     RoadCount& count = counts[listed.request.type];
     ++count.all;
@@ -133,11 +137,40 @@ std::string whyNoRequest(const RequestTally& tally, const RequestListOptions& op
          std::to_string(rest) + " without a vehicle or a history for the request";
 }
 
+/// Requests that differ in more than scene, time and attacker.
+struct RequestKind {
+  std::string name;  ///< of a cell in a catalogue; empty without one
+  CollisionRequest asked;
+  RequestListOptions options;
+};
+
+/// Returns the cells of the catalogue's scenarios, or the one kind that the other options give.
+std::vector<RequestKind> kindsOf(const Arguments& arguments, const Config& config) {
+  RequestListOptions options = listOptions(arguments, config);
+  if (arguments.catalogue.name.empty()) {
+    return {{"", sharedFields(arguments, config, options.types), options}};
+  }
+  std::vector<RequestKind> kinds;
+  for (const CatalogueEntry& entry : arguments.catalogue.entries(arguments.config)) {
+    for (const CatalogueCell& cell : entry.cells) {
+      CollisionRequest asked = cell.request;
+      asked.crash = config.crash;
+      asked.choice = *attackerChoiceFromString(arguments.attackers);
+      options.types = {asked.type};
+      kinds.push_back({cell.name, asked, options});
+    }
+  }
+  if (kinds.empty()) {
+    throw std::invalid_argument(
+        "none of these scenarios can be requested; forge possible --catalogue gives the reasons");
+  }
+  return kinds;
+}
+
 int makeRequests(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const OutputLock lock = OutputLock::ofFile(arguments.out);
-  const RequestListOptions options = listOptions(arguments, config);
-  const CollisionRequest asked = sharedFields(arguments, config, options.types);
+  const std::vector<RequestKind> kinds = kindsOf(arguments, config);
   SceneSource scenes(arguments.logs, arguments.scenes, config, 1, {}, showReading());
   const std::vector<std::string> names = scenes.names();
   std::vector<SceneRequest> requests;
@@ -146,13 +179,16 @@ int makeRequests(const Arguments& arguments) {
   ProgressLine progress("scenes");
   std::size_t done = 0;
   const std::vector<std::string> unreadable = scenes.forEach([&](const IndexedScene& scene) {
-    addRequestsOf(scene, options, asked, arguments.allowed_only, config, requests, counts, tally);
+    for (const RequestKind& kind : kinds) {
+      addRequestsOf(scene, kind.options, kind.asked, kind.name, arguments.allowed_only, config,
+                    requests, counts, tally);
+    }
     progress.show(++done, names.size());
   });
   if (unreadable.size() == names.size()) return exitAfterUnreadable(unreadable);
   if (requests.empty()) {
     const std::string reason =
-        counts.empty() ? whyNoRequest(tally, options)
+        counts.empty() ? whyNoRequest(tally, kinds.front().options)
                        : "the road geometry of these scenes allows no request with these options; "
                          "omit --allowed-only to list them";
     throw std::runtime_error(reason + unreadableText(unreadable));
@@ -182,6 +218,7 @@ void addRequests(CommandLine& line) {
   addSource(app, arguments->logs)->required();
   addScenes(app, arguments->scenes);
   addOut(app, arguments->out, "output request list for forge generate, one JSON object per line");
+  addCatalogue(app, arguments->catalogue);
   app.add_option("--stride", arguments->stride,
                  "time between two requests of a scene, s; default: requests.yaml")
       ->check(CLI::PositiveNumber)

@@ -173,8 +173,8 @@ TEST(CheckRequest, RejectsUnknownAttackers) {
 
 TEST(CheckRequest, RejectsAbsentAndUnfitAttackers) {
   Snapshot snapshot = twoCars();
-  snapshot.agents[0].agent_class = AgentClass::kPedestrian;
-  expectRefusal(asking(4.0, "car"), snapshot, StatusCode::kAbsentAttacker, {"car", "pedestrian"});
+  snapshot.agents[0].agent_class = AgentClass::kAnimal;
+  expectRefusal(asking(4.0, "car"), snapshot, StatusCode::kAbsentAttacker, {"car", "animal"});
   snapshot = twoCars();
   snapshot.agents[0].states.pop_back();
   expectRefusal(asking(4.0, "car"), snapshot, StatusCode::kAbsentAttacker, {"car", "not present"});

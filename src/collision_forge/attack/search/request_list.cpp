@@ -31,10 +31,15 @@ std::vector<double> framesEvery(double stride, const std::vector<double>& frames
   return chosen;
 }
 
-std::vector<std::optional<std::string>> attackersOf(const Snapshot& snapshot, Attackers attackers) {
+/// Bicycles and pedestrians are attackers only if `wanted` is their class.
+std::vector<std::optional<std::string>> attackersOf(const Snapshot& snapshot, Attackers attackers,
+                                                    const std::optional<AgentClass>& wanted) {
   if (attackers == Attackers::kAny) return {std::nullopt};
   std::vector<std::optional<std::string>> ids;
-  for (const Track& agent : snapshot.agents) ids.emplace_back(agent.id);
+  for (const Track& agent : snapshot.agents) {
+    if (isMotorVehicle(agent.agent_class) || agent.agent_class == wanted)
+      ids.emplace_back(agent.id);
+  }
   return ids;
 }
 
@@ -60,7 +65,7 @@ std::vector<SceneRequest> listRequests(const Scene& scene, const RequestListOpti
     const double end = std::min(scene.frame_times.back(), scene.ego.states.back().time);
     counts.late += std::all_of(list.ttas.begin(), list.ttas.end(),
                                [&](double tta) { return now + tta + time_tolerance > end; });
-    const auto attackers = attackersOf(snapshot, list.attackers);
+    const auto attackers = attackersOf(snapshot, list.attackers, asked.attacker_class);
     for (const double tta : list.ttas) {
       if (now + tta + time_tolerance > end) continue;
       for (const CollisionType type : list.types) {

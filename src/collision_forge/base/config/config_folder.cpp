@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kStudy[] = "study";
+constexpr const char* kParts[] = {"", "catalogue", "study"};  // subfolders of the configuration
 
 /// Returns a null node for a file that holds only comments.
 YAML::Node load(const std::string& path) {
@@ -137,9 +137,11 @@ std::vector<std::string> ConfigFolder::files(const std::string& part) const {
 void ConfigFolder::check() const {
   if (overlay_.empty()) return;
   if (!fs::is_directory(overlay_)) throw ConfigError(overlay_ + ": is not a folder");
-  std::vector<std::string> known = yamlFiles(complete_, "");
-  for (std::string& name : yamlFiles(complete_, kStudy)) known.push_back(std::move(name));
-  for (const char* part : {"", kStudy}) {
+  std::vector<std::string> known;
+  for (const char* part : kParts) {
+    for (std::string& name : yamlFiles(complete_, part)) known.push_back(std::move(name));
+  }
+  for (const char* part : kParts) {
     for (const std::string& name : yamlFiles(overlay_, part)) {
       const bool is_known = std::find(known.begin(), known.end(), name) != known.end();
       if (is_known || name.rfind("topics_", 0) == 0) continue;

@@ -70,6 +70,7 @@ struct SceneRequest {
   std::string scene;         ///< name
   double now = 0.0;          ///< t0, s on the scene's clock; the time of a frame
   CollisionRequest request;  ///< request lists do not hold its `mode`
+  std::string name = {};     ///< of the cell of a catalogue (CatalogueCell); empty without one
 };
 
 /// Outcome of a request; the values equal the constants of GenerateCollision.srv.

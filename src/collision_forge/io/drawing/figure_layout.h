@@ -29,7 +29,7 @@ struct FigureLayout {
 };
 
 /// Lines of text below the title of the legend and of the report.
-inline constexpr int kCaptionRows = 14;
+inline constexpr int kCaptionRows = 16;
 
 /// Returns the layout of the highest picture of that size. Throws std::invalid_argument if the font
 /// is too large to leave space for the map.

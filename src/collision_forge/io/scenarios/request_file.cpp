@@ -25,6 +25,7 @@ std::string requestLine(const SceneRequest& request, const CrashDefinition& defa
   }
   writer.count("seed", request.request.seed);
   writeControls(writer, request.request, &defaults);
+  if (!request.name.empty()) writer.text("name", request.name);
   writer.endObject();
   return writer.line();
 }
@@ -44,6 +45,7 @@ SceneRequest readRequestLine(const std::string& where, const std::string& line,
   request.request.seed = object.count("seed");
   request.request.crash = crash;
   readControls(object, request.request, true);
+  if (object.has("name")) request.name = object.text("name");
   object.finish();
   return request;
 }

@@ -523,6 +523,7 @@ std::string scenarioLine(const Scenario& scenario) {
   writer.count("version", kVersion);
   writer.text("scene", scenario.asked.scene);
   writer.number("now", now);
+  if (!scenario.asked.name.empty()) writer.text("name", scenario.asked.name);
   writeRequest(writer, scenario.asked.request);
   writeStatus(writer, scenario.answer.status);
   writeAnswer(writer, scenario.answer, now, asksForConditions(scenario.asked.request));
@@ -545,6 +546,7 @@ Scenario readScenarioLine(const std::string& where, const std::string& text,
   Scenario scenario;
   scenario.asked.scene = object.text("scene");
   scenario.asked.now = object.within("now", 0.0, limits.max_time);
+  if (object.has("name")) scenario.asked.name = object.text("name");
   const LineContext line{limits, version, scenario.asked.now};
   scenario.asked.request = readRequest(object.object("request"));
   scenario.ego = readEgo(object.object("ego"), limits);
