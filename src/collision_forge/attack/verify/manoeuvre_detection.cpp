@@ -16,10 +16,12 @@ constexpr double kOwnWay = 0.7;    // m of offset change up to which the attacke
 constexpr double kParked =
     1.0;  // m from the lane's middle; a vehicle that stands nearer is in traffic, not parked
 constexpr double kTurning = 0.5;  // rad; a smaller turn is straight on
-constexpr double kBend = 0.02;    // 1/m; the turn starts above this curvature
-constexpr double kAhead = 40.0;   // m within which a vehicle ahead counts as overtaken
-constexpr double kBeside = 1.5;   // m from a path within which a vehicle is on it
-constexpr double kWay = 200.0;    // m of the attacker's lane ahead
+constexpr double kJunctionTurn =
+    0.26;  // rad off the path along its lane in a junction; a smaller one is none
+constexpr double kBend = 0.02;   // 1/m; the turn starts above this curvature
+constexpr double kAhead = 40.0;  // m within which a vehicle ahead counts as overtaken
+constexpr double kBeside = 1.5;  // m from a path within which a vehicle is on it
+constexpr double kWay = 200.0;   // m of the attacker's lane ahead
 constexpr double kBesideEgo =
     0.7854;  // rad at the start; a greater relative heading is no lane beside
 constexpr double kOncoming = 2.3562;     // rad at the start; a greater relative heading is oncoming
@@ -143,14 +145,19 @@ DetectedManoeuvre detectDeparture(const Window& window, const AttackerTrajectory
   return {overtakes ? Manoeuvre::kOvertaking : Manoeuvre::kCentreLineCrossing, begin};
 }
 
+bool isAtJunction(const TrajectoryPoint& point, const VerificationInput& input,
+                  const VerificationOptions& options) {
+  const auto matches = input.lanes.lanesNear(point.pose, options.believability.lane_distance,
+                                             options.believability.lane_heading);
+  if (matches.empty()) return false;
+  const Lane& lane = input.lanes.map().lanes[matches.front().lane];
+  return lane.is_intersection || lane.is_connector;
+}
+
 DetectedManoeuvre detectCrossing(const Window& window, const VerificationInput& input,
                                  const VerificationOptions& options) {
   const auto atJunction = [&](const TrajectoryPoint& point) {
-    const auto matches = input.lanes.lanesNear(point.pose, options.believability.lane_distance,
-                                               options.believability.lane_heading);
-    if (matches.empty()) return false;
-    const Lane& lane = input.lanes.map().lanes[matches.front().lane];
-    return lane.is_intersection || lane.is_connector;
+    return isAtJunction(point, input, options);
   };
   const bool is_marked = atJunction(window.last());
   const double begin =
@@ -165,28 +172,49 @@ DetectedManoeuvre detectCrossing(const Window& window, const VerificationInput& 
   return {turn > kTurning ? Manoeuvre::kTurnIntoPath : Manoeuvre::kStraightCrossing, begin};
 }
 
-/// Classifies an attack of an angle type by the relative heading at the start of the window and the
-/// turns since then.
+/// Where an attacker is at the contact, relative to the path along its lane at the start of the
+/// window.
+struct PathDeparture {
+  double lane_heading = 0.0;  ///< rad, absolute, of the path relative to the ego
+  double lean = 0.0;          ///< rad, absolute, of the attacker relative to the path
+  bool has_left = false;      ///< by more than kOwnWay
+};
+
+PathDeparture departureAtContact(const Window& window, const CollisionReport& report,
+                                 const LaneIndex& lanes) {
+  const auto way = wayOf(window, lanes);
+  const auto onWay = [&](const TrajectoryPoint& point) {
+    return way ? way->poseAt(way->project(point.pose.position()).arc_length) : window.first().pose;
+  };
+  const auto offset = [&](const TrajectoryPoint& point) {
+    return relativeTo(onWay(point), point.pose).y;
+  };
+  const double yaw = onWay(window.last()).yaw;
+  return {std::abs(angleBetween(report.ego_at_contact.yaw, yaw)),
+          std::abs(angleBetween(yaw, window.last().pose.yaw)),
+          std::abs(offset(window.last()) - offset(window.first())) > kOwnWay};
+}
+
+/// Classifies an attack of an angle type: as a turn off or a departure from the path along the
+/// attacker's lane if that path is oncoming or leads beside the ego, else as a crossing.
 DetectedManoeuvre detectAngle(const Window& window, const AttackerTrajectory& trajectory,
                               const CollisionReport& report, const VerificationInput& input,
                               const VerificationOptions& options) {
   const DetectedManoeuvre crossing = detectCrossing(window, input, options);
+  const PathDeparture path = departureAtContact(window, report, input.lanes);
+  const bool is_oncoming = input.request.type == CollisionType::kAngleOppositeDirection;
   const auto ego = stateAt(input.future.ego, window.first().time);
   const double from = std::abs(
       angleBetween(ego ? ego->pose.yaw : report.ego_at_contact.yaw, window.first().pose.yaw));
-  const double turn = std::abs(angleBetween(window.first().pose.yaw, window.last().pose.yaw));
-  const double ego_turn =
-      ego ? std::abs(angleBetween(ego->pose.yaw, report.ego_at_contact.yaw)) : 0.0;
-  const bool is_oncoming = input.request.type == CollisionType::kAngleOppositeDirection;
-  if (is_oncoming ? from < kOncoming : from > kBesideEgo) return crossing;
+  if (is_oncoming ? path.lane_heading < kOncoming : from > kBesideEgo) return crossing;
   const DetectedManoeuvre departure = detectDeparture(window, trajectory, report, input, options);
   if (departure.manoeuvre == Manoeuvre::kPullOut) return departure;
-  if (turn < ego_turn) return {Manoeuvre::kStraightCrossing, crossing.begin};
-  if (turn >= kTurning) {
+  const bool is_at_junction = isAtJunction(window.last(), input, options);
+  if (path.lean >= (is_at_junction ? kJunctionTurn : kTurning)) {
     return {is_oncoming ? Manoeuvre::kTurnAcrossPath : Manoeuvre::kSameDirectionTurn,
             crossing.begin};
   }
-  if (isManoeuvreOf(departure.manoeuvre, input.request.type)) return departure;
+  if (path.has_left && isManoeuvreOf(departure.manoeuvre, input.request.type)) return departure;
   return {Manoeuvre::kStraightCrossing, crossing.begin};
 }
 
