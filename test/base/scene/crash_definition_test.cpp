@@ -132,8 +132,8 @@ TEST(ContactFits, ASideswipeIsWhatARearEndIsNot) {
 TEST(ContactFits, AnAngleCrashTouchesAFlank) {
   const double yaw = 0.7;
   const CollisionType type = CollisionType::kAngleSameDirection;
-  EXPECT_FALSE(fits(type, {4.6, 0.0, yaw})) << "its rear meets the ego's front";
-  EXPECT_FALSE(fits(type, {-4.6, 0.0, yaw})) << "its front meets the ego's rear";
+  EXPECT_FALSE(fits(type, {4.45, 1.6, yaw})) << "its rear meets the ego's front";
+  EXPECT_FALSE(fits(type, {-4.45, -1.6, yaw})) << "its front meets the ego's rear";
   EXPECT_TRUE(fits(type, {0.0, -3.4, yaw})) << "its front meets the ego's flank";
   EXPECT_TRUE(fits(CollisionType::kAngleOppositeDirection, {4.6, 0.0, M_PI - yaw}));
 }

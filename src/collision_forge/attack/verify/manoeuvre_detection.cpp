@@ -107,11 +107,11 @@ bool isBehindSomebody(const Polyline& way, const Pose2& pose, double time, const
   });
 }
 
-/// Classifies a lane change or, by the relative heading at contact, an oncoming attacker.
 DetectedManoeuvre detectDeparture(const Window& window, const AttackerTrajectory& trajectory,
-                                  const CollisionReport& report, const VerificationInput& input,
+                                  const VerificationInput& input,
                                   const VerificationOptions& options) {
-  const bool is_lane_change = std::abs(report.relative_heading) < M_PI_2;
+  const bool is_lane_change = input.request.type != CollisionType::kOppositeDirection &&
+                              input.request.type != CollisionType::kAngleOppositeDirection;
   const bool stands = window.first().speed < kStanding;
   const auto moves = [](const TrajectoryPoint& point) { return point.speed >= kStanding; };
   const auto way = wayOf(window, input.lanes);
@@ -172,27 +172,21 @@ DetectedManoeuvre detectCrossing(const Window& window, const VerificationInput& 
   return {turn > kTurning ? Manoeuvre::kTurnIntoPath : Manoeuvre::kStraightCrossing, begin};
 }
 
-/// Where an attacker is at the contact, relative to the path along its lane at the start of the
+/// Directions at the contact; the path is the one along the attacker's lane at the start of the
 /// window.
-struct PathDeparture {
-  double lane_heading = 0.0;  ///< rad, absolute, of the path relative to the ego
-  double lean = 0.0;          ///< rad, absolute, of the attacker relative to the path
-  bool has_left = false;      ///< by more than kOwnWay
+struct DirectionAtContact {
+  double path = 0.0;  ///< rad, absolute, of the path relative to the ego
+  double lean = 0.0;  ///< rad, absolute, of the attacker relative to the path
 };
 
-PathDeparture departureAtContact(const Window& window, const CollisionReport& report,
-                                 const LaneIndex& lanes) {
+DirectionAtContact directionAtContact(const Window& window, const CollisionReport& report,
+                                      const LaneIndex& lanes) {
+  const Pose2& pose = window.last().pose;
   const auto way = wayOf(window, lanes);
-  const auto onWay = [&](const TrajectoryPoint& point) {
-    return way ? way->poseAt(way->project(point.pose.position()).arc_length) : window.first().pose;
-  };
-  const auto offset = [&](const TrajectoryPoint& point) {
-    return relativeTo(onWay(point), point.pose).y;
-  };
-  const double yaw = onWay(window.last()).yaw;
+  const double yaw =
+      way ? way->poseAt(way->project(pose.position()).arc_length).yaw : window.first().pose.yaw;
   return {std::abs(angleBetween(report.ego_at_contact.yaw, yaw)),
-          std::abs(angleBetween(yaw, window.last().pose.yaw)),
-          std::abs(offset(window.last()) - offset(window.first())) > kOwnWay};
+          std::abs(angleBetween(yaw, pose.yaw))};
 }
 
 /// Classifies an attack of an angle type: as a turn off or a departure from the path along the
@@ -201,20 +195,22 @@ DetectedManoeuvre detectAngle(const Window& window, const AttackerTrajectory& tr
                               const CollisionReport& report, const VerificationInput& input,
                               const VerificationOptions& options) {
   const DetectedManoeuvre crossing = detectCrossing(window, input, options);
-  const PathDeparture path = departureAtContact(window, report, input.lanes);
+  const DirectionAtContact direction = directionAtContact(window, report, input.lanes);
   const bool is_oncoming = input.request.type == CollisionType::kAngleOppositeDirection;
   const auto ego = stateAt(input.future.ego, window.first().time);
   const double from = std::abs(
       angleBetween(ego ? ego->pose.yaw : report.ego_at_contact.yaw, window.first().pose.yaw));
-  if (is_oncoming ? path.lane_heading < kOncoming : from > kBesideEgo) return crossing;
-  const DetectedManoeuvre departure = detectDeparture(window, trajectory, report, input, options);
+  if (is_oncoming ? direction.path < kOncoming : from > kBesideEgo) return crossing;
+  const DetectedManoeuvre departure = detectDeparture(window, trajectory, input, options);
   if (departure.manoeuvre == Manoeuvre::kPullOut) return departure;
   const bool is_at_junction = isAtJunction(window.last(), input, options);
-  if (path.lean >= (is_at_junction ? kJunctionTurn : kTurning)) {
+  if (direction.lean >= (is_at_junction ? kJunctionTurn : kTurning)) {
     return {is_oncoming ? Manoeuvre::kTurnAcrossPath : Manoeuvre::kSameDirectionTurn,
             crossing.begin};
   }
-  if (path.has_left && isManoeuvreOf(departure.manoeuvre, input.request.type)) return departure;
+  const double from_path = is_oncoming ? M_PI - direction.path : direction.path;
+  const bool leaves = direction.lean > from_path;  // else the ego makes most of the angle
+  if (leaves && isManoeuvreOf(departure.manoeuvre, input.request.type)) return departure;
   return {Manoeuvre::kStraightCrossing, crossing.begin};
 }
 
@@ -230,7 +226,7 @@ DetectedManoeuvre detectManoeuvre(const AttackerTrajectory& trajectory,
     case CollisionType::kLaneChange:
     case CollisionType::kOppositeDirection:
     case CollisionType::kSideswipeSameDirection:
-      return detectDeparture(window, trajectory, report, input, options);
+      return detectDeparture(window, trajectory, input, options);
     case CollisionType::kAngleSameDirection:
     case CollisionType::kAngleOppositeDirection:
       return detectAngle(window, trajectory, report, input, options);
