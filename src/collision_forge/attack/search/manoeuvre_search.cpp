@@ -94,8 +94,7 @@ class ManoeuvreSearch {
     slides_.assign(std::begin(kSlides), std::end(kSlides));
     brakings_.assign(std::begin(kLateBraking), std::end(kLateBraking));
     if (const std::optional<Range>& location = request.impact_location) {
-      // A slide is 1 at the left edge of the front and -1 at the right one.
-      slide_range_ = {1.0 - 2.0 * location->max, 1.0 - 2.0 * location->min};
+      slide_range_ = {slideOf(location->max), slideOf(location->min)};
       slides_.clear();
       for (const double place : kWithin) slides_.push_back(within(slide_range_, place));
     }
