@@ -226,6 +226,7 @@ int inject(const Arguments& arguments) {
   const MethodMaker maker = loadMethod(arguments.method, config, config.attack);
   const auto [attack, plans, _] = answerOf(maker, moment, scene, request, arguments, config);
   if (attack.status.code != StatusCode::kOk) return refuse(attack.status);
+  request = withTypeOf(request, attack);
   CollisionReport tested =
       verify(attack.trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes},
              config.attack.verification);

@@ -122,11 +122,20 @@ TEST(ContactFits, AnLtapOfTheEgoIsMirrored) {
 
 TEST(ContactFits, ASideswipeIsWhatARearEndIsNot) {
   for (const double x : {4.6, 4.0, 0.0, -4.0, -4.6}) {
-    const Pose2 offset{x, 2.1, 0.05};
+    const Pose2 offset{x, 2.1, 0.0};
     EXPECT_NE(fits(CollisionType::kSideswipeSameDirection, offset),
               fits(CollisionType::kRearEnd, offset))
         << x;
   }
+}
+
+TEST(ContactFits, AnAngleCrashTouchesAFlank) {
+  const double yaw = 0.7;
+  const CollisionType type = CollisionType::kAngleSameDirection;
+  EXPECT_FALSE(fits(type, {4.45, 1.6, yaw})) << "its rear meets the ego's front";
+  EXPECT_FALSE(fits(type, {-4.45, -1.6, yaw})) << "its front meets the ego's rear";
+  EXPECT_TRUE(fits(type, {0.0, -3.4, yaw})) << "its front meets the ego's flank";
+  EXPECT_TRUE(fits(CollisionType::kAngleOppositeDirection, {4.6, 0.0, M_PI - yaw}));
 }
 
 TEST(EgoTurns, ToTheLeftByMoreThanTheAttackerAndMirrored) {

@@ -66,9 +66,10 @@ TEST(ContactJudgement, LanesWithoutOutlinesAreIgnored) {
 }
 
 TEST(ContactJudgement, ReturnsTheTypeThatApplies) {
-  const TypeDefinitions types = shippedCrash().types;
+  const CrashDefinition crash = shippedCrash();
+  Turning turning = Turning::kAttacker;
   const auto type = [&](const Pose2& other_now, const Pose2& other, CollisionType asked) {
-    return typeOf({{}, other_now, {{}, kEgoSize}, {other, kEgoSize}}, asked, types,
+    return typeOf({{}, other_now, {{}, kEgoSize}, {other, kEgoSize}}, asked, turning, crash,
                   DrivingSide::kRight);
   };
   const Pose2 behind{-4.0, 0.0, 0.0};
@@ -76,6 +77,10 @@ TEST(ContactJudgement, ReturnsTheTypeThatApplies) {
   const Pose2 oncoming{4.0, 0.0, M_PI};
   EXPECT_EQ(type(oncoming, oncoming, CollisionType::kOppositeDirection),
             CollisionType::kOppositeDirection);
+  const Pose2 askew{4.0, 0.0, 2.5};
+  EXPECT_EQ(type(oncoming, askew, CollisionType::kLtap), std::nullopt);
+  turning = Turning::kEgo;
+  EXPECT_EQ(type(oncoming, askew, CollisionType::kLtap), CollisionType::kLtap);
   // Side to side at the same heading: neither from behind nor oncoming.
   EXPECT_EQ(type({0.0, 1.8, 0.0}, {0.0, 1.73, 0.0}, CollisionType::kRearEnd), std::nullopt);
 }

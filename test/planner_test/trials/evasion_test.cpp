@@ -60,9 +60,8 @@ TEST(Evasion, AWitnessAvoidsTheAttackerInClosedLoop) {
   PlannerCase one = rearEnd();
   one.request.crash.limits = LimitSet::kDrivable;
   const auto attacker = makeAttacker(one, PolicyKind::kAdaptive, {}, config());
-  RolloutSetup setup{
-      config().planners, config().attack, config().crash.types, Background::kReplay, true,
-      attacker.get()};
+  RolloutSetup setup{config().planners, config().attack, config().crash, Background::kReplay, true,
+                     attacker.get()};
   const PlannerUnderTest idm = makePlanner("idm", config().planners, "");
   const RolloutOutcome hit = rollout(*idm.planner, idm.driving, one.scenario, setup);
   ASSERT_TRUE(hit.contact && hit.contact->is_attacker);

@@ -38,8 +38,7 @@ inline std::pair<Track, Track> straightCar(const std::string& id, const Pose2& n
 }
 
 inline RolloutSetup shippedSetup(Background background = Background::kReplay) {
-  return {shippedConfig().planners, shippedConfig().attack, shippedConfig().crash.types,
-          background};
+  return {shippedConfig().planners, shippedConfig().attack, shippedConfig().crash, background};
 }
 
 }  // namespace forge

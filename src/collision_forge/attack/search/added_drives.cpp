@@ -69,7 +69,7 @@ bool AddedMeeting::isEgosPath() const {
 }
 
 Pose2 AddedMeeting::offsetOf(const BoxSize& attacker) const {
-  return attackerOffset(ego.size, attacker, side, heading, 0.0, 0.0);
+  return attackerOffset(ego.size, attacker, side, heading, contact_position, 0.0);
 }
 
 PathPose AddedMeeting::seen(const BoxSize& attacker) const {

@@ -18,6 +18,7 @@ struct AddedMeeting {
   double contact = 0.0;           ///< s after t0
   Side side = Side::kLeft;        ///< touched side of the ego
   double heading = 0.0;           ///< rad, attacker's heading relative to the ego's
+  double contact_position = 0.0;  ///< contact position along the side, see attackerOffset()
   double across = 0.0;            ///< m, left offset from the path of a car at the contact
 
   /// Returns true if the ego is on the path at the contact.

@@ -149,6 +149,9 @@ class VehicleInsertion {
       if (!isEndAllowed(placement.side)) continue;
       meeting.side = placement.side;
       meeting.heading = placement.heading;
+      if (const std::optional<Range>& location = input_.request.impact_location) {
+        meeting.contact_position = contactPositionOf(0.5 * (location->min + location->max));
+      }
       meeting.across = meeting.seen(size).across;
       if (std::abs(meeting.across) < kMaxDeparture) possible.push_back(meeting);
     }

@@ -101,11 +101,11 @@ class ManoeuvreSearch {
     contact_positions_.assign(std::begin(kContactPositions), std::end(kContactPositions));
     brakings_.assign(std::begin(kLateBraking), std::end(kLateBraking));
     if (const std::optional<Range>& location = request.impact_location) {
-      // A contact position is 1 at the left edge of the front and -1 at the right one.
-      position_range_ = {1.0 - 2.0 * location->max, 1.0 - 2.0 * location->min};
+      position_range_ = {contactPositionOf(location->max), contactPositionOf(location->min)};
       contact_positions_.clear();
-      for (const double place : kWithin)
+      for (const double place : kWithin) {
         contact_positions_.push_back(within(position_range_, place));
+      }
     }
     if (request.deceleration) {
       brakings_.clear();

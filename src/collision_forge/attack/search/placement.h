@@ -30,6 +30,10 @@ std::vector<Placement> placementsOf(CollisionType type, DrivingSide driving_side
 /// Maximum contact position along a side, as a share of half the side from its middle.
 inline constexpr double kMaxContactPosition = 0.9;
 
+/// Returns the contact position on the ego's front of a location on it (share of the ego's width, 0
+/// at the left edge), see attackerOffset().
+inline double contactPositionOf(double impact_location) { return 1.0 - 2.0 * impact_location; }
+
 /// rad; a heading band that ends within this of 0 or pi includes it.
 inline constexpr double kBandEnd = 1e-3;
 

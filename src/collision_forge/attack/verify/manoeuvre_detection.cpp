@@ -16,10 +16,12 @@ constexpr double kOwnWay = 0.7;    // m of offset change up to which the attacke
 constexpr double kParked =
     1.0;  // m from the lane's middle; a vehicle that stands nearer is in traffic, not parked
 constexpr double kTurning = 0.5;  // rad; a smaller turn is straight on
-constexpr double kBend = 0.02;    // 1/m; the turn starts above this curvature
-constexpr double kAhead = 40.0;   // m within which a vehicle ahead counts as overtaken
-constexpr double kBeside = 1.5;   // m from a path within which a vehicle is on it
-constexpr double kWay = 200.0;    // m of the attacker's lane ahead
+constexpr double kJunctionTurn =
+    0.26;  // rad off the path along its lane in a junction; a smaller one is none
+constexpr double kBend = 0.02;   // 1/m; the turn starts above this curvature
+constexpr double kAhead = 40.0;  // m within which a vehicle ahead counts as overtaken
+constexpr double kBeside = 1.5;  // m from a path within which a vehicle is on it
+constexpr double kWay = 200.0;   // m of the attacker's lane ahead
 constexpr double kBesideEgo =
     0.7854;  // rad at the start; a greater relative heading is no lane beside
 constexpr double kOncoming = 2.3562;     // rad at the start; a greater relative heading is oncoming
@@ -105,11 +107,11 @@ bool isBehindSomebody(const Polyline& way, const Pose2& pose, double time, const
   });
 }
 
-/// Classifies a lane change or, by the relative heading at contact, an oncoming attacker.
 DetectedManoeuvre detectDeparture(const Window& window, const AttackerTrajectory& trajectory,
-                                  const CollisionReport& report, const VerificationInput& input,
+                                  const VerificationInput& input,
                                   const VerificationOptions& options) {
-  const bool is_lane_change = std::abs(report.relative_heading) < M_PI_2;
+  const bool is_lane_change = input.request.type != CollisionType::kOppositeDirection &&
+                              input.request.type != CollisionType::kAngleOppositeDirection;
   const bool stands = window.first().speed < kStanding;
   const auto moves = [](const TrajectoryPoint& point) { return point.speed >= kStanding; };
   const auto way = wayOf(window, input.lanes);
@@ -143,14 +145,19 @@ DetectedManoeuvre detectDeparture(const Window& window, const AttackerTrajectory
   return {overtakes ? Manoeuvre::kOvertaking : Manoeuvre::kCentreLineCrossing, begin};
 }
 
+bool isAtJunction(const TrajectoryPoint& point, const VerificationInput& input,
+                  const VerificationOptions& options) {
+  const auto matches = input.lanes.lanesNear(point.pose, options.believability.lane_distance,
+                                             options.believability.lane_heading);
+  if (matches.empty()) return false;
+  const Lane& lane = input.lanes.map().lanes[matches.front().lane];
+  return lane.is_intersection || lane.is_connector;
+}
+
 DetectedManoeuvre detectCrossing(const Window& window, const VerificationInput& input,
                                  const VerificationOptions& options) {
   const auto atJunction = [&](const TrajectoryPoint& point) {
-    const auto matches = input.lanes.lanesNear(point.pose, options.believability.lane_distance,
-                                               options.believability.lane_heading);
-    if (matches.empty()) return false;
-    const Lane& lane = input.lanes.map().lanes[matches.front().lane];
-    return lane.is_intersection || lane.is_connector;
+    return isAtJunction(point, input, options);
   };
   const bool is_marked = atJunction(window.last());
   const double begin =
@@ -165,28 +172,45 @@ DetectedManoeuvre detectCrossing(const Window& window, const VerificationInput& 
   return {turn > kTurning ? Manoeuvre::kTurnIntoPath : Manoeuvre::kStraightCrossing, begin};
 }
 
-/// Classifies an attack of an angle type by the relative heading at the start of the window and the
-/// turns since then.
+/// Directions at the contact; the path is the one along the attacker's lane at the start of the
+/// window.
+struct DirectionAtContact {
+  double path = 0.0;  ///< rad, absolute, of the path relative to the ego
+  double lean = 0.0;  ///< rad, absolute, of the attacker relative to the path
+};
+
+DirectionAtContact directionAtContact(const Window& window, const CollisionReport& report,
+                                      const LaneIndex& lanes) {
+  const Pose2& pose = window.last().pose;
+  const auto way = wayOf(window, lanes);
+  const double yaw =
+      way ? way->poseAt(way->project(pose.position()).arc_length).yaw : window.first().pose.yaw;
+  return {std::abs(angleBetween(report.ego_at_contact.yaw, yaw)),
+          std::abs(angleBetween(yaw, pose.yaw))};
+}
+
+/// Classifies an attack of an angle type: as a turn off or a departure from the path along the
+/// attacker's lane if that path is oncoming or leads beside the ego, else as a crossing.
 DetectedManoeuvre detectAngle(const Window& window, const AttackerTrajectory& trajectory,
                               const CollisionReport& report, const VerificationInput& input,
                               const VerificationOptions& options) {
   const DetectedManoeuvre crossing = detectCrossing(window, input, options);
+  const DirectionAtContact direction = directionAtContact(window, report, input.lanes);
+  const bool is_oncoming = input.request.type == CollisionType::kAngleOppositeDirection;
   const auto ego = stateAt(input.future.ego, window.first().time);
   const double from = std::abs(
       angleBetween(ego ? ego->pose.yaw : report.ego_at_contact.yaw, window.first().pose.yaw));
-  const double turn = std::abs(angleBetween(window.first().pose.yaw, window.last().pose.yaw));
-  const double ego_turn =
-      ego ? std::abs(angleBetween(ego->pose.yaw, report.ego_at_contact.yaw)) : 0.0;
-  const bool is_oncoming = input.request.type == CollisionType::kAngleOppositeDirection;
-  if (is_oncoming ? from < kOncoming : from > kBesideEgo) return crossing;
-  const DetectedManoeuvre departure = detectDeparture(window, trajectory, report, input, options);
+  if (is_oncoming ? direction.path < kOncoming : from > kBesideEgo) return crossing;
+  const DetectedManoeuvre departure = detectDeparture(window, trajectory, input, options);
   if (departure.manoeuvre == Manoeuvre::kPullOut) return departure;
-  if (turn < ego_turn) return {Manoeuvre::kStraightCrossing, crossing.begin};
-  if (turn >= kTurning) {
+  const bool is_at_junction = isAtJunction(window.last(), input, options);
+  if (direction.lean >= (is_at_junction ? kJunctionTurn : kTurning)) {
     return {is_oncoming ? Manoeuvre::kTurnAcrossPath : Manoeuvre::kSameDirectionTurn,
             crossing.begin};
   }
-  if (isManoeuvreOf(departure.manoeuvre, input.request.type)) return departure;
+  const double from_path = is_oncoming ? M_PI - direction.path : direction.path;
+  const bool leaves = direction.lean > from_path;  // else the ego makes most of the angle
+  if (leaves && isManoeuvreOf(departure.manoeuvre, input.request.type)) return departure;
   return {Manoeuvre::kStraightCrossing, crossing.begin};
 }
 
@@ -202,7 +226,7 @@ DetectedManoeuvre detectManoeuvre(const AttackerTrajectory& trajectory,
     case CollisionType::kLaneChange:
     case CollisionType::kOppositeDirection:
     case CollisionType::kSideswipeSameDirection:
-      return detectDeparture(window, trajectory, report, input, options);
+      return detectDeparture(window, trajectory, input, options);
     case CollisionType::kAngleSameDirection:
     case CollisionType::kAngleOppositeDirection:
       return detectAngle(window, trajectory, report, input, options);

@@ -22,9 +22,8 @@ struct DetectedManoeuvre {
 ///   from that lane.
 /// - junction_crossing, ltap: from the total turn. Starts at the first point on a junction lane or,
 ///   if the map marks none at the contact, with the turn.
-/// - angle types: by the relative heading at the start of the window, as a crossing (from the side,
-///   or if the ego turns more than the attacker), a turn from the opposite or the same direction,
-///   or a departure from its lane.
+/// - angle types: by the path along the attacker's lane at the start of the window: a crossing, a
+///   turn off an oncoming path or off a path in the ego's direction, or a departure from it.
 ///
 /// `report.contact` must be true. The trajectory's origin does not matter.
 DetectedManoeuvre detectManoeuvre(const AttackerTrajectory& trajectory,

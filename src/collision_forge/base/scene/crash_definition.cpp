@@ -19,6 +19,8 @@ bool meetsLengthwise(const Pose2& offset, const BoxSize& ego, const BoxSize& att
   return std::abs(offset.x) - reach_x >= std::abs(offset.y) - reach_y;
 }
 
+bool isFlank(Side side) { return side == Side::kLeft || side == Side::kRight; }
+
 }  // namespace
 
 CrashDefinition withClipRules(CrashDefinition crash) {
@@ -38,6 +40,8 @@ bool approachFits(double relative_heading_now, const TypeDefinition& definition)
 
 bool contactFits(CollisionType type, const Pose2& offset, const BoxSize& ego,
                  const BoxSize& attacker, DrivingSide driving_side, Turning turning) {
+  const OrientedBox ego_box{{}, ego};
+  const OrientedBox box{offset, attacker};
   switch (type) {
     case CollisionType::kRearEnd:
       return meetsLengthwise(offset, ego, attacker);
@@ -46,10 +50,11 @@ bool contactFits(CollisionType type, const Pose2& offset, const BoxSize& ego,
     case CollisionType::kLtap:
       return offset.yaw * ltapSign(turning, driving_side) > 0.0;
     case CollisionType::kSideswipeSameDirection:
-      return !meetsLengthwise(offset, ego, attacker);
+      return isFlank(touchedSide(ego_box, box)) && isFlank(touchedSide(box, ego_box));
+    case CollisionType::kAngleSameDirection:
+      return isFlank(touchedSide(ego_box, box)) || isFlank(touchedSide(box, ego_box));
     case CollisionType::kOppositeDirection:
     case CollisionType::kJunctionCrossing:
-    case CollisionType::kAngleSameDirection:
     case CollisionType::kAngleOppositeDirection:
     case CollisionType::kAny:
       return true;

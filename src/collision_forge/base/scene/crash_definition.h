@@ -62,7 +62,7 @@ bool approachFits(double relative_heading_now, const TypeDefinition& definition)
 /// - rear_end: the boxes meet front to rear, not side to side; either vehicle may be in front.
 /// - lane_change: the attacker's centre is beside the ego and its heading points towards the ego.
 /// - ltap: `turning` turned left in right-hand traffic, right in left-hand traffic.
-/// - sideswipe_same_direction: the boxes meet side to side, not front to rear.
+/// - sideswipe_same_direction: the touched sides are left or right; angle_same_direction: one is.
 /// - all other types: no further condition.
 bool contactFits(CollisionType type, const Pose2& offset, const BoxSize& ego,
                  const BoxSize& attacker, DrivingSide driving_side,

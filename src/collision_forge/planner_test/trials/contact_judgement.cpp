@@ -24,12 +24,14 @@ constexpr EnumWord<ContactPlace> kPlaceNames[] = {
     {ContactPlace::kElsewhere, "elsewhere"},
 };
 
-bool isOfType(const ContactPoses& poses, CollisionType type, const TypeDefinition& definition,
-              DrivingSide driving_side) {
+bool isOfType(const ContactPoses& poses, CollisionType type, Turning turning,
+              const CrashDefinition& crash, DrivingSide driving_side) {
+  const bool ego_turns = type == CollisionType::kLtap && turning == Turning::kEgo;
+  const TypeDefinition& definition = ego_turns ? crash.ltap_ego_turns : crash.types.at(type);
   const Pose2 offset = relativeTo(poses.ego.center, poses.other.center);
   return headingFits(offset.yaw, definition) &&
          approachFits(angleBetween(poses.ego_now.yaw, poses.other_now.yaw), definition) &&
-         contactFits(type, offset, poses.ego.size, poses.other.size, driving_side);
+         contactFits(type, offset, poses.ego.size, poses.other.size, driving_side, turning);
 }
 
 }  // namespace
@@ -131,10 +133,11 @@ ContactPlace placeOf(const Vector2& point, const LaneIndex& lanes, double radius
 }
 
 std::optional<CollisionType> typeOf(const ContactPoses& poses, CollisionType requested,
-                                    const TypeDefinitions& definitions, DrivingSide driving_side) {
-  if (isOfType(poses, requested, definitions.at(requested), driving_side)) return requested;
+                                    Turning turning, const CrashDefinition& crash,
+                                    DrivingSide driving_side) {
+  if (isOfType(poses, requested, turning, crash, driving_side)) return requested;
   for (const CollisionType type : kCollisionTypes) {
-    if (isOfType(poses, type, definitions.at(type), driving_side)) return type;
+    if (isOfType(poses, type, Turning::kAttacker, crash, driving_side)) return type;
   }
   return std::nullopt;
 }

@@ -87,9 +87,10 @@ struct ContactPoses {
   OrientedBox other;
 };
 
-/// Returns the collision type of a contact by its full definition: `requested` if it applies, else
-/// the first of kCollisionTypes that does; empty if none does.
+/// Returns the collision type of a contact by its full definition in `crash`: `requested` (kLtap
+/// with `turning`) if it applies, else the first of kCollisionTypes that does; empty if none does.
 std::optional<CollisionType> typeOf(const ContactPoses& poses, CollisionType requested,
-                                    const TypeDefinitions& definitions, DrivingSide driving_side);
+                                    Turning turning, const CrashDefinition& crash,
+                                    DrivingSide driving_side);
 
 }  // namespace forge

@@ -20,6 +20,7 @@ struct CrashScenario {
   EgoVehicle ego;
   std::shared_ptr<const LaneIndex> lanes;
   std::vector<TrafficLight> lights = {};  ///< as Scene::lights
+  Turning turning = Turning::kAttacker;   ///< requested, of kLtap
 
   /// Returns the time of the attacker's last point. `attacker.points` must not be empty.
   double end() const { return attacker.points.back().time; }

@@ -29,6 +29,7 @@ PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed
                   scenario.ego,
                   indexed.lanes,
                   indexed.scene.lights};
+  one.scenario.turning = one.request.turning;
   addAttackerPast(one.scenario);
   one.pattern = scenario.answer.pattern;
   one.effort = scenario.answer.effort;

@@ -83,7 +83,7 @@ std::optional<bool> isPublishedHit(const PlannerCase& one, const std::string& pl
                                    const TrialOptions& trials) {
   if (planner == kPublishedIdm) return one.published->isIdmHit(trials.published_idm);
   const RolloutOutcome outcome =
-      drive(one, planner, {trials, options.attack, options.crash.types, background, false});
+      drive(one, planner, {trials, options.attack, options.crash, background, false});
   if (outcome.failure != PlannerFailure::kNone) return std::nullopt;
   return one.published->isHit(outcome.driven);
 }
@@ -155,7 +155,7 @@ PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Polic
                        const TestPlan& plan, const AnswerOptions& options,
                        const TrialOptions& trials) {
   const auto attacker = makeAttacker(one, policy, plan.models, options);
-  const RolloutSetup setup{trials,          options.attack, options.crash.types,
+  const RolloutSetup setup{trials,          options.attack, options.crash,
                            plan.background, true,           attacker.get()};
   PlannerRow row;
   row.planner = planner;

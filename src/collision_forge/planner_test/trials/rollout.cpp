@@ -308,7 +308,8 @@ class Run {
     contact.cause = causeOf(ego_side, scenario_.ego.center_offset, other_side, options_.fault);
     contact.at_fault = isAtFault(contact.cause, ego_box, *scenario_.lanes, options_.fault);
     contact.type = typeOf({outcome_.driven.front().pose, startPoseOf(other), ego_box, other_box},
-                          scenario_.type, setup_.types, scenario_.lanes->map().driving_side);
+                          scenario_.type, scenario_.turning, setup_.crash,
+                          scenario_.lanes->map().driving_side);
     outcome_.contact = contact;
     nuplan_contact_ = {contact.at_fault, other.agent_class == AgentClass::kStaticObject};
   }

@@ -20,7 +20,7 @@ namespace forge {
 struct RolloutSetup {
   const TrialOptions& planners;
   const AttackOptions& attack;   ///< contact tolerance; motion estimation at the start
-  const TypeDefinitions& types;  ///< to classify contacts
+  const CrashDefinition& crash;  ///< to classify contacts
   Background background = Background::kReplay;
   /// If false, the ego continues through contacts until the end.
   bool ends_at_contact = true;

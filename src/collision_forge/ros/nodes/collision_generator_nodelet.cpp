@@ -18,6 +18,7 @@
 
 #include "collision_forge/attack/network/network_ego_futures.h"
 #include "collision_forge/attack/search/alternatives.h"
+#include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/io/batch/printable.h"
 #include "collision_forge/planner_test/settings/config_fingerprint.h"
 #include "collision_forge/ros/injection/live_attacker.h"
@@ -161,6 +162,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
         });
     if (message.alternative != 0) answer = attackOf(std::move(answer), message.alternative);
     if (answer.status.code != StatusCode::kOk) return answer.status;
+    request = withTypeOf(request, answer);
     if (first) showPatterns(*first, moment.snapshot.now);
     collision_forge::CollisionAnswer shown =
         toMessage(request, answer, nameOf(message.method), moment.snapshot.now);

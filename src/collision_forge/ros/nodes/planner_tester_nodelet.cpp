@@ -154,9 +154,9 @@ class PlannerTesterNodelet : public QueuedNodelet {
     PlannerUnderTest made = makeByName(request.planner, options, scenario.attacker.attacker_id);
     showPlace(scenario);
     const auto attacker = makeAttacker(one, policy, models_, config_);
-    const PlannerTrial trial = tryPlanner(
-        made.planner ? *made.planner : *external_, made.driving, scenario,
-        {options, config_.attack, config_.crash.types, background, true, attacker.get()});
+    const PlannerTrial trial =
+        tryPlanner(made.planner ? *made.planner : *external_, made.driving, scenario,
+                   {options, config_.attack, config_.crash, background, true, attacker.get()});
     response.outcome = toMessage(trial, request.planner, policy);
     outcomes_.publish(response.outcome);
     paths_.publish(toPath(trial.outcome.driven));
