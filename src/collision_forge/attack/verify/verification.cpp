@@ -234,7 +234,8 @@ CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationI
   report.road = roadUseOn(input.lanes);
   const LaneIndex& driven = drivenLanes(input.request, input.lanes);
   const RoadUse judged = &driven == &input.lanes ? report.road : roadUseOn(driven);
-  report.unbelievable = implausibilityOf(judged, points, trajectory.size, driven, believability);
+  report.unbelievable =
+      implausibilityOf(judged, points, trajectory.size, report.contact_time, driven, believability);
   return report;
 }
 
