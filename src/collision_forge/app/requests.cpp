@@ -138,7 +138,7 @@ int makeRequests(const Arguments& arguments) {
   const OutputLock lock = OutputLock::ofFile(arguments.out);
   const RequestListOptions options = listOptions(arguments, config);
   const CollisionRequest asked = sharedFields(arguments, config, options.types);
-  SceneSource scenes(arguments.logs, arguments.scenes, config, 1, {}, showReading());
+  SceneSource scenes(arguments.logs, arguments.scenes, config, 1, printWarnings, showReading());
   const std::vector<std::string> names = scenes.names();
   std::vector<SceneRequest> requests;
   RoadCounts counts;

@@ -268,6 +268,14 @@ TEST_F(ScenarioNetLogsTest, TheRoadIsBetweenTheRoadEdges) {
   EXPECT_GT(*logged.lanes->offRoadShare({{10.0, -0.5, 0.0}, {18.0, 8.0}}), 0.05);
 }
 
+TEST_F(ScenarioNetLogsTest, ARoadEdgeBeyondTheLimitsCostsItselfAlone) {
+  const LoggedScene logged = read(withFeatures(
+      R"("1":{"type":"ROAD_EDGE_BOUNDARY","polyline":[[0, 3], [1e30, 3]]},)"
+      R"("2":{"type":"ROAD_EDGE_BOUNDARY","polyline":[[0, -3], [20, -3]]},)"));
+  EXPECT_EQ(logged.lanes->map().features.size(), 1U);
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("1 map feature beyond the limits")));
+}
+
 TEST_F(ScenarioNetLogsTest, TrafficLightsHaveTheirStatesAndStopPoints) {
   PickleContent content = Description().content();
   content.json.insert(1, R"("dynamic_map_states":{)"

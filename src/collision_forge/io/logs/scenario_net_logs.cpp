@@ -297,11 +297,10 @@ class DescriptionReader {
     warnOfUnused(problems.unused);
     map.location = location;
     map.driving_side = sideOf(own_, location, options_);
-    if (const auto areas = own_ ? own_->find("drivable_area") : std::nullopt) {
-      map.drivable_area = areasOf(*areas);
-    } else {
-      map.drivable_area = roadArea(map.features, map.lanes);
-    }
+    const auto areas = own_ ? own_->find("drivable_area") : std::nullopt;
+    if (areas) map.drivable_area = areasOf(*areas);
+    keepWithin(map, options_.input_limits, warnings_);
+    if (!areas) map.drivable_area = roadArea(map.features, map.lanes);
     if (map.drivable_area.empty()) {
       for (const Lane& lane : map.lanes) {
         if (lane.polygon.size() >= 3) map.drivable_area.push_back({lane.polygon, {}});
@@ -310,7 +309,6 @@ class DescriptionReader {
     if (map.lanes.empty()) {
       warn("no lane in map_features: requests need --believable false, and no vehicle is added");
     }
-    keepWithin(map, options_.input_limits, warnings_);
     checkMap(map, options_.input_limits, path_);
     return map;
   }
