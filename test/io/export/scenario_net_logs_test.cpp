@@ -269,9 +269,9 @@ TEST_F(ScenarioNetLogsTest, TheRoadIsBetweenTheRoadEdges) {
 }
 
 TEST_F(ScenarioNetLogsTest, ARoadEdgeBeyondTheLimitsCostsItselfAlone) {
-  const LoggedScene logged = read(withFeatures(
-      R"("1":{"type":"ROAD_EDGE_BOUNDARY","polyline":[[0, 3], [1e30, 3]]},)"
-      R"("2":{"type":"ROAD_EDGE_BOUNDARY","polyline":[[0, -3], [20, -3]]},)"));
+  const LoggedScene logged =
+      read(withFeatures(R"("1":{"type":"ROAD_EDGE_BOUNDARY","polyline":[[0, 3], [1e30, 3]]},)"
+                        R"("2":{"type":"ROAD_EDGE_BOUNDARY","polyline":[[0, -3], [20, -3]]},)"));
   EXPECT_EQ(logged.lanes->map().features.size(), 1U);
   EXPECT_THAT(warnings_, ElementsAre(HasSubstr("1 map feature beyond the limits")));
 }
