@@ -101,6 +101,38 @@ TEST_F(BagReaderTest, TheBoxOfTheRecordedEgoIsTheEgosBox) {
   }
 }
 
+TEST_F(BagReaderTest, AMapOfAnotherVersionOfTheMessageIsRead) {
+  collision_forge::LaneMap map;
+  map.location = "town";
+  map.driving_side = collision_forge::LaneMap::DRIVE_LEFT;
+  map.lanes.emplace_back();
+  map.lanes[0].id = "a";
+  map.lanes[0].outgoing = {"b"};
+  map.lanes[0].speed_limit = 10.0;
+  std::string definition = ros::message_traits::definition<collision_forge::LaneMap>();
+  const auto rename = [&](const std::string& from, const std::string& to) {
+    const std::size_t place = definition.find(from);
+    ASSERT_NE(place, std::string::npos) << from;
+    definition.replace(place, from.size(), to);
+  };
+  rename("uint8 driving_side", "uint8 side");
+  rename("float64 speed_limit", "float64 most");
+  const auto header = boost::make_shared<ros::M_string>();
+  (*header)["type"] = "collision_forge/LaneMap";
+  (*header)["md5sum"] = std::string(32, '0');
+  (*header)["message_definition"] = definition;
+  NewBag bag(path_);
+  bag.write(bagTopic(names::kLaneMap), ros::Time(100), map, header);
+  bag.commit();
+  const auto read = readLaneMap(path_, config_.input_limits);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->location, "town");
+  EXPECT_EQ(read->driving_side, DrivingSide::kRight) << "has no field of this name";
+  ASSERT_EQ(read->lanes.size(), 1U);
+  EXPECT_EQ(read->lanes[0].outgoing, std::vector<std::string>{"b"});
+  EXPECT_FALSE(read->lanes[0].speed_limit);
+}
+
 TEST_F(BagReaderTest, TrafficLightsAreReadBack) {
   NuScenesRecording recording = shortDrive();
   recording.lights = {{"7", {3.0, 4.0}, {{1.0, LightColor::kRed}, {1.25, LightColor::kGreen}}},

@@ -171,7 +171,7 @@ int makeRequests(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const OutputLock lock = OutputLock::ofFile(arguments.out);
   const std::vector<RequestKind> kinds = kindsOf(arguments, config);
-  SceneSource scenes(arguments.logs, arguments.scenes, config, 1, {}, showReading());
+  SceneSource scenes(arguments.logs, arguments.scenes, config, 1, printWarnings, showReading());
   const std::vector<std::string> names = scenes.names();
   std::vector<SceneRequest> requests;
   RoadCounts counts;

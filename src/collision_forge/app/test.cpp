@@ -35,7 +35,7 @@ struct DrawnCases {
   static constexpr std::size_t kScenesKept = 64;
 
   DrawnCases(const Arguments& arguments, const Config& config)
-      : scenes(arguments.logs, arguments.scenes, config, kScenesKept, {}, showReading()),
+      : scenes(arguments.logs, arguments.scenes, config, kScenesKept, printWarnings, showReading()),
         requests(scenes, loadMethod(arguments.method, config, config.attack), config,
                  {listOf(arguments, config),
                   arguments.tries.value_or(config.planners.until_hit.tries), arguments.seed,

@@ -105,6 +105,23 @@ TEST(RoadUse, AMedianIsAnIsland) {
   EXPECT_EQ(useOf(dividedRoad(), {0.0, 20.0, 0.0}).on_island, 0.0) << "road on one side only";
 }
 
+TEST(StaysOnRoad, ForAVehicleThatCanStopOrTurnBeforeTheEdge) {
+  const LaneIndex lanes(dividedRoad());
+  const auto stays = [&](double heading, double speed) {
+    return staysOnRoad({kNow, {0.0, -5.5, heading}, speed, 0.0, 0.0}, kCarSize, lanes);
+  };
+  EXPECT_TRUE(stays(0.0, 30.0)) << "along the road";
+  EXPECT_TRUE(stays(-10.0 * kDegree, 15.0)) << "turns back within 0.85 m to the side";
+  EXPECT_TRUE(stays(-M_PI_2, 3.0)) << "stops within 1.1 m, 0.4 m before the edge";
+  EXPECT_FALSE(stays(-M_PI_2, 8.0)) << "heads for the edge as from the stem of a T junction";
+  EXPECT_FALSE(stays(M_PI_2, -8.0)) << "the same in reverse";
+}
+
+TEST(StaysOnRoad, NobodyLeavesARoadThatIsUnknown) {
+  EXPECT_TRUE(
+      staysOnRoad({kNow, {0.0, 50.0, 0.0}, 20.0, 0.0, 0.0}, kCarSize, LaneIndex(emptyMap())));
+}
+
 TEST(OnIsland, AWideFieldIsNoIsland) {
   const LaneIndex lanes(dividedRoad());
   EXPECT_TRUE(isOnIsland({0.0, 0.0, 0.3}, lanes, 3.0));

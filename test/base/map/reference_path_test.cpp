@@ -37,6 +37,42 @@ TEST(ReferencePath, ReturnsCurvatureEveryMetre) {
   }
 }
 
+/// Projects as ReferencePath::project(), but compares all controls.
+double projectSlowly(const ReferencePath& path, const Vector2& point) {
+  const std::vector<Vector2>& controls = path.controls();
+  std::size_t closest = 1;
+  for (std::size_t i = 1; i + 1 < controls.size(); ++i) {
+    if ((controls[i] - point).squaredNorm() < (controls[closest] - point).squaredNorm())
+      closest = i;
+  }
+  const double along = path.spacing() * static_cast<double>(closest - 1);
+  const ReferencePath::Place place = path.at(along);
+  return along + place.heading.dot(point - place.pose.position());
+}
+
+TEST(ReferencePath, ProjectsFromTheFirstOfTheClosestControls) {
+  const ReferencePath circles(Polyline(leftBend(8.0, 150.0, 1.0)));  // three times the same way
+  const ReferencePath uneven(1.0, {{0.0, 0.0},
+                                   {1.0, 0.0},
+                                   {2.0, 0.0},
+                                   {40.0, 3.0},
+                                   {41.0, 0.0},
+                                   {42.0, 1.0},
+                                   {43.0, 0.0},
+                                   {44.0, 9.0},
+                                   {80.0, 0.0},
+                                   {81.0, 0.0},
+                                   {82.0, 0.0},
+                                   {83.0, 0.0}});
+  for (const ReferencePath& path : {circles, uneven}) {
+    for (double x = -60.0; x <= 120.0; x += 1.7) {
+      for (double y = -60.0; y <= 60.0; y += 1.3) {
+        EXPECT_EQ(path.project({x, y}), projectSlowly(path, {x, y})) << x << ", " << y;
+      }
+    }
+  }
+}
+
 TEST(ReferencePath, HasAParallelPath) {
   const ReferencePath left(Polyline(leftBend(15.0, 30.0, 1.0)));
   const ReferencePath inside = left.beside(2.0);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/attack/verify/verification.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
@@ -11,6 +13,28 @@ namespace forge {
 namespace {
 
 const std::string kDataroot = COLLISION_FORGE_SOURCE_DIR "/data/embedded";
+
+/// Returns the scene with frames at `rate` (Hz) and linear motion between the recorded frames.
+IndexedScene denser(const IndexedScene& recording, double rate) {
+  IndexedScene dense = recording;
+  Scene& scene = dense.scene;
+  const std::vector<double> frames = std::move(scene.frame_times);
+  scene.frame_times.clear();
+  for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
+    const double gap = frames[i + 1] - frames[i];
+    const auto steps = static_cast<int>(std::lround(gap * rate));
+    for (int j = 0; j < steps; ++j) scene.frame_times.push_back(frames[i] + gap * j / steps);
+  }
+  scene.frame_times.push_back(frames.back());
+  for (Track& agent : scene.agents) {
+    const Track recorded = agent;
+    agent.states.clear();
+    for (const double time : scene.frame_times) {
+      if (const auto state = stateAt(recorded, time)) agent.states.push_back(*state);
+    }
+  }
+  return dense;
+}
 
 class RequestSolverTest : public testing::Test {
  protected:
@@ -41,6 +65,34 @@ TEST_F(RequestSolverTest, AgreesWithGenerateCollision) {
                                         config_.attack.prediction);
     EXPECT_EQ(scenarioLine(answerer_.answer(request)), scenarioLine(expected));
   }
+}
+
+TEST_F(RequestSolverTest, AnyFrameRateGivesTheSameAttackersAndConfidences) {
+  const auto recorded = scenes_.at("scene-0001");
+  const auto method = method_.makeWithoutScene("scene-0001");
+  int attacks = 0;
+  for (const double rate : {10.0, 12.0, 20.0}) {
+    const IndexedScene dense = denser(*recorded, rate);
+    ASSERT_GT(dense.scene.frame_times.size(), 4 * recorded->scene.frame_times.size());
+    for (const Mode mode : {Mode::kReplay, Mode::kHistory}) {
+      for (const CollisionType type : kCollisionTypes) {
+        CollisionRequest request = asked(type).request;
+        request.crash = config_.crash;
+        request.mode = mode;
+        const auto answerAt = [&](const IndexedScene& scene) {
+          const auto moment = std::get<Moment>(momentAt(scene, asked(type).now, 8));
+          return generateCollision(*method, moment, request, config_.attack.prediction);
+        };
+        const Attack expected = answerAt(*recorded);
+        const Attack attack = answerAt(dense);
+        EXPECT_EQ(attack.status.code, expected.status.code) << rate << " Hz";
+        EXPECT_EQ(attack.trajectory.attacker_id, expected.trajectory.attacker_id) << rate << " Hz";
+        EXPECT_EQ(attack.report.confidence, expected.report.confidence) << rate << " Hz";
+        attacks += expected.status.code == StatusCode::kOk;
+      }
+    }
+  }
+  EXPECT_GT(attacks, 6);
 }
 
 TEST_F(RequestSolverTest, AnAdaptiveAttackIsTheRequestedCrashOrRejected) {

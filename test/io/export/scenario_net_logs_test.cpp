@@ -16,6 +16,7 @@
 namespace forge {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -95,6 +96,23 @@ class ScenarioNetLogsTest : public testing::Test {
     PickleContent content = Description().content();
     const std::string key = R"("map_features":{)";
     content.json.insert(content.json.find(key) + key.size(), features);
+    return content;
+  }
+
+  /// A description whose first value of a key is `value`, in JSON.
+  static PickleContent with(const std::string& key, const std::string& value) {
+    PickleContent content = Description().content();
+    std::string& json = content.json;
+    const std::size_t found = json.find('"' + key + "\":");
+    EXPECT_NE(found, std::string::npos) << key;
+    const std::size_t begin = found + key.size() + 3;
+    int depth = 0;
+    std::size_t end = begin;
+    for (; depth > 0 || (json[end] != ',' && json[end] != '}'); ++end) {
+      if (json[end] == '{' || json[end] == '[') ++depth;
+      if (json[end] == '}' || json[end] == ']') --depth;
+    }
+    json.replace(begin, end - begin, value);
     return content;
   }
 
@@ -250,6 +268,14 @@ TEST_F(ScenarioNetLogsTest, TheRoadIsBetweenTheRoadEdges) {
   EXPECT_GT(*logged.lanes->offRoadShare({{10.0, -0.5, 0.0}, {18.0, 8.0}}), 0.05);
 }
 
+TEST_F(ScenarioNetLogsTest, ARoadEdgeBeyondTheLimitsCostsItselfAlone) {
+  const LoggedScene logged =
+      read(withFeatures(R"("1":{"type":"ROAD_EDGE_BOUNDARY","polyline":[[0, 3], [1e30, 3]]},)"
+                        R"("2":{"type":"ROAD_EDGE_BOUNDARY","polyline":[[0, -3], [20, -3]]},)"));
+  EXPECT_EQ(logged.lanes->map().features.size(), 1U);
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("1 map feature beyond the limits")));
+}
+
 TEST_F(ScenarioNetLogsTest, TrafficLightsHaveTheirStatesAndStopPoints) {
   PickleContent content = Description().content();
   content.json.insert(1, R"("dynamic_map_states":{)"
@@ -265,6 +291,13 @@ TEST_F(ScenarioNetLogsTest, TrafficLightsHaveTheirStatesAndStopPoints) {
   EXPECT_NEAR(lights[0].states[1].time, 1.1, 1e-12);
   EXPECT_EQ(lights[0].states[1].color, LightColor::kUnknown);
   EXPECT_THAT(warnings_, ElementsAre(HasSubstr("1 traffic light that cannot be read left out")));
+}
+
+TEST_F(ScenarioNetLogsTest, TrafficLightsThatAreNoDictCostThemselvesAlone) {
+  PickleContent content = Description().content();
+  content.json.insert(1, R"("dynamic_map_states":["LANE_STATE_STOP"],)");
+  EXPECT_THAT(read(content).recording.lights, IsEmpty());
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("traffic light that cannot be read")));
 }
 
 TEST_F(ScenarioNetLogsTest, AnAgentHasItsMedianSize) {
@@ -299,11 +332,44 @@ TEST_F(ScenarioNetLogsTest, LongVehiclesAreTrucksAndAWideEgoIsSwapped) {
             "vehicle.truck");
 }
 
-TEST_F(ScenarioNetLogsTest, ASpeedLimitThatIsNotFiniteIsNone) {
-  PickleContent content = Description().content();
-  const std::size_t begin = content.json.find(R"("speed_limit_kmh":)") + 18;
-  content.json.replace(begin, content.json.find('}', begin) + 1 - begin, "NaN");
-  EXPECT_FALSE(read(content).lanes->map().lanes.at(0).speed_limit);
+TEST_F(ScenarioNetLogsTest, ASpeedLimitThatCannotBeUsedIsNone) {
+  for (const char* value : {"NaN", "-3", "1e9", "\"fast\"", "[3]"}) {
+    const Lane lane = read(with("speed_limit_kmh", value)).lanes->map().lanes.at(0);
+    EXPECT_EQ(lane.id, "12");
+    EXPECT_FALSE(lane.speed_limit) << value;
+  }
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("1 value that cannot be read not used")));
+}
+
+TEST_F(ScenarioNetLogsTest, ALinkThatCannotBeReadCostsItselfAlone) {
+  EXPECT_THAT(read(with("exit_lanes", R"([null, 13, {"a": 1}])")).lanes->map().lanes.at(0).outgoing,
+              ElementsAre("13"));
+  EXPECT_THAT(read(with("exit_lanes", "1.5")).lanes->map().lanes.at(0).outgoing, IsEmpty());
+}
+
+TEST_F(ScenarioNetLogsTest, ColumnsMayBeListsOfNumbers) {
+  const LoggedScene logged = read(with("heading", "[0.5, null]"));
+  ASSERT_EQ(logged.recording.ego_poses.size(), 1U) << "the second heading is not a number";
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("1 state with a number that is not finite")));
+}
+
+TEST_F(ScenarioNetLogsTest, ALengthThatCannotBeReadIsTypical) {
+  EXPECT_FALSE(read(with("length", R"("long")")).recording.ego_size);
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("1 value that cannot be read not used")));
+}
+
+TEST_F(ScenarioNetLogsTest, ASceneWithoutAMapHasNoLanes) {
+  EXPECT_THAT(read(with("map_features", "null")).lanes->map().lanes, IsEmpty());
+  EXPECT_THAT(warnings_, ElementsAre(HasSubstr("no lane in map_features")));
+}
+
+TEST_F(ScenarioNetLogsTest, ALaneBeyondTheLimitsCostsItselfAlone) {
+  Description description;
+  description.lane_end = 1e9;
+  const LaneMap map = read(description.content()).lanes->map();
+  ASSERT_EQ(map.lanes.size(), 1U);
+  EXPECT_THAT(map.lanes[0].outgoing, IsEmpty());
+  EXPECT_THAT(warnings_, Contains(HasSubstr("1 lane beyond the limits of input_limits.yaml")));
 }
 
 TEST_F(ScenarioNetLogsTest, ErrorsNameFileAndField) {

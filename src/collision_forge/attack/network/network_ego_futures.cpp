@@ -19,34 +19,22 @@ constexpr int kTableSteps = 80;      // per distribution
 constexpr double kTableReach = 6.0;  // scales beyond the outermost components
 
 /// Distribution of the ego's driven distance along one path at one time: a mixture of logistic
-/// distributions.
+/// distributions. The table is computed at the first call of quantile(): most paths are not drawn.
 class DistanceTable {
  public:
   DistanceTable(const std::vector<EgoComponent>& components, Eigen::Index way) {
-    double low = 1e300;
-    double high = -1e300;
     for (const EgoComponent& component : components) {
       if (component.group != way) continue;
-      const double reach = kTableReach * component.along;
-      low = std::min(low, component.arc_length - reach);
-      high = std::max(high, component.arc_length + reach);
+      components_.push_back(component);
       weight_ += component.probability;
     }
-    if (weight_ <= 0.0) return;
-    distances_ = Eigen::ArrayXd::LinSpaced(kTableSteps + 1, std::max(low, 0.0), high);
-    shares_ = Eigen::ArrayXd::Zero(distances_.size());
-    for (const EgoComponent& component : components) {
-      if (component.group != way) continue;
-      shares_ += component.probability /
-                 (1.0 + ((component.arc_length - distances_) / component.along).exp());
-    }
-    shares_ /= weight_;
   }
 
   double weight() const { return weight_; }
 
   /// Returns the distance (m) below which a share 0..1 of drivers stays. weight() must be positive.
-  double quantile(double share) const {
+  double quantile(double share) {
+    if (shares_.size() == 0) fill();
     const double* begin = shares_.data();
     const double* end = begin + shares_.size();
     const Eigen::Index i = std::lower_bound(begin, end, share) - begin;
@@ -57,6 +45,24 @@ class DistanceTable {
   }
 
  private:
+  void fill() {
+    double low = 1e300;
+    double high = -1e300;
+    for (const EgoComponent& component : components_) {
+      const double reach = kTableReach * component.along;
+      low = std::min(low, component.arc_length - reach);
+      high = std::max(high, component.arc_length + reach);
+    }
+    distances_ = Eigen::ArrayXd::LinSpaced(kTableSteps + 1, std::max(low, 0.0), high);
+    shares_ = Eigen::ArrayXd::Zero(distances_.size());
+    for (const EgoComponent& component : components_) {
+      shares_ += component.probability /
+                 (1.0 + ((component.arc_length - distances_) / component.along).exp());
+    }
+    shares_ /= weight_;
+  }
+
+  std::vector<EgoComponent> components_;  // of the path
   double weight_ = 0.0;
   Eigen::ArrayXd distances_;
   Eigen::ArrayXd shares_;
@@ -111,7 +117,7 @@ std::vector<double> sharesBelow(const std::vector<double>& driven, const Eigen::
 /// Speed profiles rescaled to the network's distances on one path.
 class StretchedForecast {
  public:
-  StretchedForecast(SpeedForecast forecast, const EgoNow& ego, const Distributions& distributions,
+  StretchedForecast(SpeedForecast forecast, const EgoNow& ego, Distributions& distributions,
                     std::size_t way)
       : forecast_(std::move(forecast)), ego_(ego), distributions_(distributions) {
     const auto rows = static_cast<std::size_t>(forecast_.speeds.rows());
@@ -125,7 +131,7 @@ class StretchedForecast {
       }
     }
     for (std::size_t i = 0; i < driven.size(); ++i) {
-      const DistanceTable& table = distributions.tables[i][way];
+      DistanceTable& table = distributions.tables[i][way];
       if (table.weight() <= 0.0) continue;  // path impossible at this time: no rescaling
       const std::vector<double> shares = sharesBelow(driven[i], forecast_.weights);
       for (std::size_t row = 0; row < rows; ++row) {
@@ -173,7 +179,7 @@ class StretchedForecast {
 
   SpeedForecast forecast_;
   const EgoNow& ego_;
-  const Distributions& distributions_;
+  Distributions& distributions_;
   std::vector<std::vector<double>> gains_;  // m, [profile][time]
 };
 
@@ -192,7 +198,7 @@ std::vector<Track> NetworkEgoFutures::sample(const Snapshot& snapshot, const Lan
   }
   const PredictedScene scene(*network, snapshot, lanes, horizon);
   const EgoNow& ego = scene.ways().ego;
-  const Distributions distributions = distributionsOf(scene, horizon, models_.known_type);
+  Distributions distributions = distributionsOf(scene, horizon, models_.known_type);
   std::mt19937_64 engine(seed);
   const std::vector<int> shares = shareOut(wayWeights(distributions), count, engine);
   std::vector<Track> tracks;

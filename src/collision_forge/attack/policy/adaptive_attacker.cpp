@@ -255,7 +255,7 @@ bool AdaptiveAttacker::isBelievable(std::size_t from, const std::vector<Trajecto
                                      task_.plan.points.begin() + static_cast<std::ptrdiff_t>(from));
   whole.insert(whole.end(), points.begin(), points.end());
   const RoadUse road = roadUseOfAttack(whole, vehicle_.size, contact, lanes, options);
-  return implausibilityOf(road, whole, vehicle_.size, lanes, options).empty();
+  return implausibilityOf(road, whole, vehicle_.size, contact, lanes, options).empty();
 }
 
 /// Returns true if the plan hits another agent within options.evade_time from point `from` on.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace forge {
@@ -15,6 +16,41 @@ constexpr double kHeadsAlong = 0.7;     // rad between the ego and a path on whi
 constexpr std::size_t kFlows = 3;       // per path
 constexpr double kFlowLength = 15.0;    // m; shorter recorded motions are not repeated
 constexpr std::size_t kOwnSpeeds = 2;   // speeds of recorded vehicles per path
+
+/// Returns true if the box contains a point of the ray from `from` along `direction`.
+bool meetsRay(const Eigen::AlignedBox2d& box, const Vector2& from, const Vector2& direction) {
+  double first = 0.0;
+  double last = std::numeric_limits<double>::infinity();
+  for (const Eigen::Index axis : {0, 1}) {
+    const double low = box.min()[axis] - from[axis];
+    const double high = box.max()[axis] - from[axis];
+    if (direction[axis] == 0.0) {
+      if (low > 0.0 || high < 0.0) return false;
+      continue;
+    }
+    const auto [near, far] = std::minmax({low / direction[axis], high / direction[axis]});
+    first = std::max(first, near);
+    last = std::min(last, far);
+  }
+  return first <= last;
+}
+
+/// Returns false only if no position of the track is within AddedWay::kInLane of the path or of its
+/// straight continuations.
+bool comesNear(const Track& track, const ReferencePath& path) {
+  constexpr double kRounding = 1e-3;  // m
+  Eigen::AlignedBox2d box;
+  for (const AgentState& state : track.states) box.extend(state.pose.position());
+  const Vector2 margin = Vector2::Constant(AddedWay::kInLane + kRounding);
+  box.extend(Vector2(box.min() - margin));
+  box.extend(Vector2(box.max() + margin));
+  Eigen::AlignedBox2d hull;  // of the spline
+  for (const Vector2& control : path.controls()) hull.extend(control);
+  const ReferencePath::Place begin = path.at(0.0);
+  const ReferencePath::Place end = path.at(path.length());
+  return box.intersects(hull) || meetsRay(box, begin.pose.position(), -begin.heading) ||
+         meetsRay(box, end.pose.position(), end.heading);
+}
 
 }  // namespace
 
@@ -138,8 +174,8 @@ void AddedWays::addFlows(AddedWay& way) const {
     const Vector2 from = agent.states.front().pose.position();
     if ((last.pose.position() - from).norm() < kFlowLength) continue;
     AddedFlow flow;
-    bool goes_on = follow(agent, way, flow);
-    if (goes_on && has_later) follow(*later, way, flow);
+    const bool goes_on = !comesNear(agent, way.path) || follow(agent, way, flow);
+    if (goes_on && has_later && comesNear(*later, way.path)) follow(*later, way, flow);
     if (flow.times.size() > 2 && flow.alongs.back() - flow.alongs.front() > kFlowLength) {
       way.flows.push_back(std::move(flow));
     }

@@ -205,7 +205,7 @@ class Search {
     const double contact = candidate.contender->start.now + candidate.aimed.contact;
     const RoadUse road = roadUseOfAttack(points_, track.size, contact, lanes, believability);
     candidate.meets_constraints =
-        implausibilityOf(road, points_, track.size, lanes, believability).empty() &&
+        implausibilityOf(road, points_, track.size, contact, lanes, believability).empty() &&
         (candidate.score.share == 0.0 || constraints_.holds(track, points_, candidate.score.met));
     return kOffLaneWeight * (1.0 - road.on_lane) + kWrongWayWeight * road.wrong_way +
            (candidate.meets_constraints ? 0.0 : kConstraintPenalty);

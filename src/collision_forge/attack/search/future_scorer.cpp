@@ -132,6 +132,7 @@ FutureScorer::FutureScorer(const std::vector<const Track*>& egos, const std::vec
       if (!begun) entry.begin = step;
       begun = true;
       entry.poses.push_back(local(state->pose));
+      entry.bounds.extend(entry.poses.back().position());
     }
     if (begun) others_.push_back(std::move(entry));
   }
@@ -170,10 +171,17 @@ bool FutureScorer::fitsType(double contact, std::size_t future, const Track& att
 
 int FutureScorer::firstOther(const Track& attacker, const std::vector<TrajectoryPoint>& points,
                              int first) const {
+  constexpr double kRounding = 1e-6;  // m
   const double attacker_radius = circumradius(attacker.size);
+  Eigen::AlignedBox2d driven;
+  for (int step = 0; step < first; ++step) {
+    driven.extend(local(points[static_cast<std::size_t>(step)].pose).position());
+  }
   for (const Other& other : others_) {
-    if (other.id == attacker.id) continue;
     const double reach = attacker_radius + circumradius(other.size);
+    const double far = reach + kRounding;
+    if (driven.squaredExteriorDistance(other.bounds) > far * far) continue;
+    if (other.id == attacker.id) continue;
     const int end = std::min(first, other.begin + static_cast<int>(other.poses.size()));
     for (int step = other.begin; step < end; ++step) {
       const Pose2& pose = other.poses[static_cast<std::size_t>(step - other.begin)];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,7 @@ class FutureScorer {
     BoxSize size;
     int begin = 0;  // first step at which it exists
     std::vector<Pose2> poses;
+    Eigen::AlignedBox2d bounds;  // of the positions
   };
   std::vector<Other> others_;
   BoxSize ego_size_;

@@ -369,7 +369,7 @@ class ManoeuvreSearch {
     candidate.road = roadUseOfAttack(points, size, contact, driven_, believability);
     candidate.is_believable =
         !input_.request.crash.believable ||
-        implausibilityOf(candidate.road, points, size, driven_, believability).empty();
+        implausibilityOf(candidate.road, points, size, contact, driven_, believability).empty();
   }
 
   /// With constraints, an attacker underway must not change to a plan without a hit.

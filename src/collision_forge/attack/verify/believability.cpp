@@ -5,12 +5,18 @@
 #include <iterator>
 #include <utility>
 
+#include "collision_forge/base/geometry/arc_path.h"
 #include "collision_forge/base/scene/number_words.h"
 
 namespace forge {
 namespace {
 
 constexpr double kStandstill = 0.1;  // m/s
+constexpr double kBraking = 4.0;     // m/s2, firm: of a driver without an emergency
+constexpr double kTurning = 4.0;     // m/s2 to the side, firm
+constexpr double kTightest = 0.2;    // 1/m; curvature of a car at full lock
+constexpr double kMostOff = 0.3;     // share of the box that may leave the road: an overhang
+constexpr double kArcStep = 0.2;     // s
 constexpr double kStep = 0.5;  // m between the points searched for road; the raster's cell size
 
 /// Number of a box's placesOf() on each kind of ground.
@@ -39,6 +45,25 @@ bool findsRoad(const Vector2& from, const Vector2& direction, const AreaRaster& 
     if (drivable.contains(from + i * kStep * direction)) return true;
   }
   return false;
+}
+
+/// Returns true if the vehicle stays on the road while it brakes and turns with `turning` (m/s2,
+/// positive to the left); see staysOnRoad().
+bool staysOnRoadTurning(double turning, TrajectoryPoint from, const BoxSize& size,
+                        const LaneIndex& lanes) {
+  const auto off_road = [&](const Pose2& pose) {
+    return static_cast<double>(groundBelow({pose, size}, lanes).off_road) / kBoxSamples;
+  };
+  const double most = off_road(from.pose) + kMostOff;
+  while (std::abs(from.speed) > kStandstill) {
+    const double braked = std::min(kBraking * kArcStep, std::abs(from.speed));
+    const double mean = from.speed - std::copysign(0.5 * braked, from.speed);
+    const double curvature = turning / std::max(mean * mean, kTurning / kTightest);
+    from.pose = alongArc(from.pose, curvature, mean * braked / kBraking);
+    from.speed -= std::copysign(braked, from.speed);
+    if (off_road(from.pose) > most) return false;
+  }
+  return true;
 }
 
 /// Part of a trajectory in which the vehicle must keep to its lane: from `first` to the time
@@ -203,8 +228,15 @@ RoadUse roadUseOfAttack(const std::vector<TrajectoryPoint>& points, const BoxSiz
   return use;
 }
 
+bool staysOnRoad(const TrajectoryPoint& from, const BoxSize& size, const LaneIndex& lanes) {
+  for (const double share : {0.0, 0.5, -0.5, 1.0, -1.0}) {
+    if (staysOnRoadTurning(share * kTurning, from, size, lanes)) return true;
+  }
+  return false;
+}
+
 std::string implausibilityOf(const RoadUse& road, const std::vector<TrajectoryPoint>& points,
-                             const BoxSize& size, const LaneIndex& lanes,
+                             const BoxSize& size, double contact, const LaneIndex& lanes,
                              const BelievabilityOptions& options) {
   const auto share = [](double value) {
     return std::to_string(static_cast<int>(std::lround(100.0 * value))) + " %";
@@ -224,6 +256,9 @@ std::string implausibilityOf(const RoadUse& road, const std::vector<TrajectoryPo
   if (road.on_lane < options.min_on_lane) {
     return "is on a lane for only " + share(road.on_lane) + " of its motion";
   }
+  const auto at = std::find_if(points.begin(), std::prev(points.end()),
+                               [&](const TrajectoryPoint& point) { return point.time >= contact; });
+  if (!staysOnRoad(*at, size, lanes)) return "would leave the road if it did not hit the ego";
   return "";
 }
 

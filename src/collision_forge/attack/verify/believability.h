@@ -32,12 +32,20 @@ RoadUse roadUseOfAttack(const std::vector<TrajectoryPoint>& points, const BoxSiz
                         double contact, const LaneIndex& lanes,
                         const BelievabilityOptions& options);
 
-/// Returns the reason why a road use from roadUseOfAttack() is implausible, worded to follow the
-/// attacker ("is on a walkway for 12 %"); empty if it is plausible or the map has no lanes. Area
-/// off the road at the first point is not counted: it was recorded. `points` must not be empty.
+/// Returns the reason why an attack with contact at `contact` (s) and its road use from
+/// roadUseOfAttack() is implausible, worded to follow the attacker ("is on a walkway for 12 %");
+/// empty if it is plausible or the map has no lanes. Area off the road at the first point is not
+/// counted: it was recorded. An attacker that could not stay on the road without the contact
+/// (staysOnRoad()) is implausible, too. `points` must not be empty.
 std::string implausibilityOf(const RoadUse& road, const std::vector<TrajectoryPoint>& points,
-                             const BoxSize& size, const LaneIndex& lanes,
+                             const BoxSize& size, double contact, const LaneIndex& lanes,
                              const BelievabilityOptions& options);
+
+/// Returns true if a vehicle with the pose, speed and box of `from` can brake to a standstill with
+/// 4 m/s2, straight or in an arc with up to 4 m/s2 to either side, so that at most 0.3 of its box
+/// leaves the drivable area, beyond the share that is outside at `from`. True if the map has no
+/// drivable area.
+bool staysOnRoad(const TrajectoryPoint& from, const BoxSize& size, const LaneIndex& lanes);
 
 /// Returns true if the position is on a traffic island or median: neither drivable area nor
 /// walkway, with drivable area within `reach` (m) on both the left and right of the pose, or both

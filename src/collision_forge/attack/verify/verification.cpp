@@ -245,10 +245,10 @@ CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationI
   report.road = roadUseOn(input.lanes);
   const LaneIndex& driven = drivenLanes(input.request, input.lanes);
   const RoadUse judged = &driven == &input.lanes ? report.road : roadUseOn(driven);
-  report.unbelievable =
-      trajectory.agent_class == AgentClass::kPedestrian
-          ? implausibleWalk(stepOutOf(points, report.contact_time, input.lanes))
-          : implausibilityOf(judged, points, trajectory.size, driven, believability);
+  report.unbelievable = trajectory.agent_class == AgentClass::kPedestrian
+                            ? implausibleWalk(stepOutOf(points, report.contact_time, input.lanes))
+                            : implausibilityOf(judged, points, trajectory.size, report.contact_time,
+                                               driven, believability);
   return report;
 }
 

@@ -49,6 +49,7 @@ ReferencePath::ReferencePath(double spacing, std::vector<Vector2> controls)
                                 " m apart, is invalid: it needs " + std::to_string(kMinControls) +
                                 " finite points or more and a spacing above 0");
   }
+  measureControls();
 }
 
 ReferencePath::ReferencePath(const Polyline& line) {
@@ -64,6 +65,15 @@ void ReferencePath::setControls(const Polyline& line) {
   points.insert(points.begin(), 2.0 * points[0] - points[1]);
   points.push_back(2.0 * points.back() - points[points.size() - 2]);
   controls_ = std::move(points);
+  measureControls();
+}
+
+void ReferencePath::measureControls() {
+  constexpr double kRounding = 1e-6;  // m
+  widest_ = kRounding;
+  for (std::size_t i = 1; i < controls_.size(); ++i) {
+    widest_ = std::max(widest_, (controls_[i] - controls_[i - 1]).norm() + kRounding);
+  }
 }
 
 ReferencePath ReferencePath::beside(double across) const {
@@ -113,15 +123,30 @@ std::vector<double> ReferencePath::bends() const {
   return bends;
 }
 
-double ReferencePath::project(const Vector2& point) const {
+/// Returns the index of the first of the closest controls, without the ends. Passes over controls
+/// that are farther away than some other one, because neighbours are at most widest_ apart.
+std::size_t ReferencePath::closestControl(const Vector2& point) const {
+  constexpr std::size_t kStride = 8;
+  const auto squared = [&](std::size_t i) { return (controls_[i] - point).squaredNorm(); };
+  double bound = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i + 1 < controls_.size(); i += kStride) {
+    bound = std::min(bound, squared(i));
+  }
+  const double bound_distance = std::sqrt(bound);
   std::size_t closest = 1;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i + 1 < controls_.size(); ++i) {
-    const double distance = (controls_[i] - point).squaredNorm();
+  for (std::size_t i = 1; i + 1 < controls_.size();) {
+    const double distance = squared(i);
     if (distance < least) closest = i;
     least = std::min(least, distance);
+    const double excess = distance > bound ? std::sqrt(distance) - bound_distance : 0.0;
+    i += std::max<std::size_t>(1, static_cast<std::size_t>(excess / widest_));
   }
-  const double arc_length = spacing_ * static_cast<double>(closest - 1);
+  return closest;
+}
+
+double ReferencePath::project(const Vector2& point) const {
+  const double arc_length = spacing_ * static_cast<double>(closestControl(point) - 1);
   const Place place = at(arc_length);
   return arc_length + place.heading.dot(point - place.pose.position());
 }

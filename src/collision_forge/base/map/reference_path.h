@@ -59,9 +59,12 @@ class ReferencePath {
 
  private:
   void setControls(const Polyline& line);
+  void measureControls();
+  std::size_t closestControl(const Vector2& point) const;
 
   double spacing_;                 // metres between controls
   std::vector<Vector2> controls_;  // of the spline, and one beyond either end
+  double widest_ = 0.0;            // m, greatest distance between neighbouring controls
 };
 
 }  // namespace forge

@@ -131,7 +131,9 @@ const char* problemOf(const Track& agent, const InputLimits& limits) {
 void checkRing(const std::vector<Vector2>& ring, const InputLimits& limits, std::size_t& points,
                const std::string& name) {
   points += ring.size();
-  for (std::size_t i = 0; i < ring.size(); ++i) check(ring[i], limits, element(name, i));
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (!isWithin(ring[i], limits)) check(ring[i], limits, element(name, i));
+  }
 }
 
 void checkAreas(const std::vector<Polygon>& areas, const InputLimits& limits, std::size_t& points,
@@ -167,6 +169,7 @@ void checkMap(const LaneMap& map, const InputLimits& limits, const std::string& 
     checkCount(lane.centerline.size(), limits.max_points, name + "points of the centreline");
     points += lane.centerline.size();
     for (std::size_t i = 0; i < lane.centerline.size(); ++i) {
+      if (isWithin(lane.centerline[i], limits)) continue;
       check(lane.centerline[i], limits, element(name + "centerline", i));
     }
     checkRing(lane.polygon, limits, points, name + "polygon");

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -93,6 +94,7 @@ double PickleField::rawNumber() const {
 }
 
 bool PickleField::flag() const {
+  if (value_->IsNumber()) return value_->GetDouble() != 0.0;
   if (!value_->IsBool()) fail("is neither True nor False");
   return value_->GetBool();
 }
@@ -102,18 +104,21 @@ std::vector<std::string> PickleField::words() const {
   if (isArray()) {
     for (const auto number : integers()) found.push_back(std::to_string(number));
   } else {
-    for (const PickleField& word : list()) found.push_back(word.word());
+    for (const PickleField& word : list()) {
+      if (word.isWord()) found.push_back(word.word());
+    }
   }
   return found;
 }
 
 std::vector<double> PickleField::column(std::optional<std::size_t> rows) const {
   const std::vector<std::size_t> sizes = shape();
-  if (sizes.empty() || sizes.size() > 2 || (sizes.size() == 2 && sizes[1] != 1)) {
+  if (isArray() && (sizes.empty() || sizes.size() > 2 || (sizes.size() == 2 && sizes[1] != 1))) {
     fail("is not an array of one dimension");
   }
-  requireRows(rows, sizes[0]);
-  return numbers();
+  std::vector<double> found = isArray() ? numbers() : numbersOfList();
+  requireRows(rows, found.size());
+  return found;
 }
 
 std::vector<Vector2> PickleField::points() const {
@@ -131,10 +136,11 @@ std::vector<Vector2> PickleField::pointRows(std::size_t rows) const {
 }
 
 std::optional<Vector2> PickleField::firstPoint() const {
-  const std::vector<std::size_t> sizes = shape();
-  if (sizes.empty() || sizes.back() < 2) return std::nullopt;
-  const std::vector<double> all = numbers();
-  for (std::size_t first = 0; first < all.size(); first += sizes.back()) {
+  if (!isArray() && !value_->IsArray()) return std::nullopt;
+  const std::vector<double> all = isArray() ? numbers() : numbersOfList();
+  const std::size_t columns = isArray() && !shape().empty() ? shape().back() : all.size();
+  if (columns < 2) return std::nullopt;
+  for (std::size_t first = 0; first < all.size(); first += columns) {
     const Vector2 point(all[first], all[first + 1]);
     if (point.allFinite()) return point;
   }
@@ -142,6 +148,8 @@ std::optional<Vector2> PickleField::firstPoint() const {
 }
 
 bool PickleField::isArray() const { return value_->IsObject() && value_->HasMember("ndarray"); }
+
+bool PickleField::isWord() const { return isText() || value_->IsInt64() || value_->IsUint64(); }
 
 void PickleField::requireDict() const {
   if (!value_->IsObject() || isArray()) fail("is not a dict");
@@ -186,6 +194,17 @@ std::vector<std::int64_t> PickleField::integers() const {
   return found;
 }
 
+std::vector<double> PickleField::numbersOfList() const {
+  if (!value_->IsArray()) fail("is neither an array nor a list of numbers");
+  std::vector<double> found;
+  for (const auto& value : value_->GetArray()) {
+    const double other =
+        value.IsBool() ? value.GetBool() : std::numeric_limits<double>::quiet_NaN();
+    found.push_back(value.IsNumber() ? value.GetDouble() : other);
+  }
+  return found;
+}
+
 std::vector<Vector2> PickleField::pointsOfArray() const {
   const std::vector<std::size_t> sizes = shape();
   const std::vector<double> all = numbers();
@@ -201,18 +220,18 @@ std::vector<Vector2> PickleField::pointsOfArray() const {
 std::vector<Vector2> PickleField::pointsOfList() const {
   std::vector<Vector2> found;
   for (const PickleField& point : list()) {
-    const std::vector<PickleField> numbers = point.list();
+    const std::vector<double> numbers = point.column();
     if (numbers.size() < 2) fail("has a point of fewer than two numbers");
-    found.emplace_back(numbers[0].rawNumber(), numbers[1].rawNumber());
+    found.emplace_back(numbers[0], numbers[1]);
   }
   return found;
 }
 
 std::string PickleField::word() const {
+  if (!isWord()) fail("is neither a string nor an integer");
   if (isText()) return value_->GetString();
-  if (value_->IsInt64()) return std::to_string(value_->GetInt64());
-  if (value_->IsUint64()) return std::to_string(value_->GetUint64());
-  fail("is neither a string nor an integer");
+  return value_->IsInt64() ? std::to_string(value_->GetInt64())
+                           : std::to_string(value_->GetUint64());
 }
 
 }  // namespace forge

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,11 @@ class PickleField {
   /// nullopt.
   PickleField at(const char* key) const;
   std::optional<PickleField> find(const char* key) const;
+  /// Dict: returns read(value of `key`). Returns nullopt if the key is absent or None, or if `read`
+  /// throws std::runtime_error; then the message is added to `problems`.
+  template <typename Read>
+  auto find(const char* key, std::vector<std::string>& problems, Read read) const
+      -> std::optional<decltype(read(std::declval<const PickleField&>()))>;
   /// Dict: returns every key with its value.
   std::vector<std::pair<std::string, PickleField>> entries() const;
   /// List or tuple: returns the elements.
@@ -41,21 +47,23 @@ class PickleField {
   double number() const;
   /// Returns a number, which may be infinite or NaN.
   double rawNumber() const;
+  /// Returns a bool, or true for a number other than 0.
   bool flag() const;
   /// Text or integer: returns it as text.
   std::string word() const;
-  /// List or array of texts or integers: returns them as texts.
+  /// List or array of texts or integers: returns them as texts, without the other elements.
   std::vector<std::string> words() const;
-  /// Array of one dimension, or of two with one column: returns its numbers. If `rows` is given,
-  /// any other length throws.
+  /// Array of one dimension, or of two with one column, or list of numbers: returns its numbers,
+  /// NaN for an element of a list that is not a number. If `rows` is given, any other length
+  /// throws.
   std::vector<double> column(std::optional<std::size_t> rows = std::nullopt) const;
-  /// Array of two dimensions, or list of lists: returns the first two numbers of each row, without
-  /// the rows that are not finite.
+  /// Array of two dimensions, or list of lists or arrays: returns the first two numbers of each
+  /// row, without the rows that are not finite.
   std::vector<Vector2> points() const;
   /// The same with the rows that are not finite; throws if there are neither 0 nor `rows` rows.
   std::vector<Vector2> pointRows(std::size_t rows) const;
-  /// Array of one or two dimensions: returns the first two numbers of its first finite row; nullopt
-  /// for any other value.
+  /// Array of one or two dimensions, or list of two or more numbers: returns the first two numbers
+  /// of its first finite row; nullopt for any other value.
   std::optional<Vector2> firstPoint() const;
 
  private:
@@ -64,6 +72,7 @@ class PickleField {
   PickleField(std::string where, const rapidjson::Value& value,
               std::shared_ptr<const Content> content);
   bool isArray() const;
+  bool isWord() const;
   void requireDict() const;
   void requireRows(std::optional<std::size_t> rows, std::size_t found) const;
   /// Returns the dimensions; empty if the value is not an array.
@@ -74,6 +83,8 @@ class PickleField {
   std::vector<Item> items() const;
   std::vector<double> numbers() const;
   std::vector<std::int64_t> integers() const;
+  /// List: returns its numbers, NaN for elements that are not numbers.
+  std::vector<double> numbersOfList() const;
   std::vector<Vector2> pointsOfArray() const;
   std::vector<Vector2> pointsOfList() const;
 
@@ -81,5 +92,18 @@ class PickleField {
   std::shared_ptr<const Content> content_;
   const rapidjson::Value* value_;  // within content_
 };
+
+template <typename Read>
+auto PickleField::find(const char* key, std::vector<std::string>& problems, Read read) const
+    -> std::optional<decltype(read(std::declval<const PickleField&>()))> {
+  const std::optional<PickleField> value = find(key);
+  if (!value) return std::nullopt;
+  try {
+    return read(*value);
+  } catch (const std::runtime_error& error) {
+    problems.push_back(error.what());
+    return std::nullopt;
+  }
+}
 
 }  // namespace forge

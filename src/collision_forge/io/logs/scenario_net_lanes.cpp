@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -34,14 +35,14 @@ std::vector<std::vector<Vector2>> holesOf(const PickleField& polygon) {
 
 class MapReader {
  public:
-  explicit MapReader(std::vector<std::string>& problems) : problems_(problems) {}
+  explicit MapReader(FeatureProblems& problems) : problems_(problems) {}
 
   LaneMap read(const PickleField& features) {
     for (const auto& [id, feature] : features.entries()) {
       try {
         add(id, feature);
       } catch (const std::runtime_error& error) {
-        problems_.push_back(error.what());
+        problems_.left_out.push_back(error.what());
       }
     }
     linkMutually(map_.lanes);
@@ -69,17 +70,18 @@ class MapReader {
     Lane lane;
     lane.id = id;
     lane.is_connector = type == "LANE_SURFACE_UNSTRUCTURE";
-    const auto inside = feature.find("is_intersection");
-    lane.is_intersection = inside && inside->flag();
+    const auto find = [&](const char* key, auto read) {
+      return feature.find(key, problems_.unused, read);
+    };
+    lane.is_intersection = find("is_intersection", std::mem_fn(&PickleField::flag)).value_or(false);
     lane.centerline = centerline(feature.at("polyline").points());
-    if (const auto outline = feature.find("polygon")) lane.polygon = outline->points();
+    lane.polygon = find("polygon", std::mem_fn(&PickleField::points)).value_or(lane.polygon);
     if (lane.polygon.size() < 3) lane.polygon = stripAlong(lane.centerline, kLaneWidth);
-    if (const auto limit = feature.find("speed_limit_kmh")) {
-      const double speed = limit->rawNumber();
-      if (std::isfinite(speed) && speed > 0.0) lane.speed_limit = speed / kKilometresAnHour;
-    }
-    if (const auto entries = feature.find("entry_lanes")) lane.incoming = entries->words();
-    if (const auto exits = feature.find("exit_lanes")) lane.outgoing = exits->words();
+    const double speed =
+        find("speed_limit_kmh", std::mem_fn(&PickleField::rawNumber)).value_or(0.0);
+    if (std::isfinite(speed) && speed > 0.0) lane.speed_limit = speed / kKilometresAnHour;
+    lane.incoming = find("entry_lanes", std::mem_fn(&PickleField::words)).value_or(lane.incoming);
+    lane.outgoing = find("exit_lanes", std::mem_fn(&PickleField::words)).value_or(lane.outgoing);
     map_.lanes.push_back(std::move(lane));
   }
 
@@ -106,7 +108,7 @@ class MapReader {
   }
 
   LaneMap map_;
-  std::vector<std::string>& problems_;
+  FeatureProblems& problems_;
 };
 
 }  // namespace
@@ -117,7 +119,7 @@ const char* toScenarioNet(FeatureKind kind) {
       ->first;
 }
 
-LaneMap lanesOf(const PickleField& features, std::vector<std::string>& problems) {
+LaneMap lanesOf(const PickleField& features, FeatureProblems& problems) {
   return MapReader(problems).read(features);
 }
 

@@ -8,15 +8,20 @@
 
 namespace forge {
 
+/// Messages about parts of map features that cannot be read.
+struct FeatureProblems {
+  std::vector<std::string> left_out;  ///< whole features
+  std::vector<std::string> unused;    ///< values of features that are kept
+};
+
 /// Returns the name of a kind of feature in scenario descriptions, as "ROAD_EDGE_MEDIAN".
 const char* toScenarioNet(FeatureKind kind);
 
 /// Returns the lanes (with mutual links), walkways, road edges, medians, crosswalks, driveways and
 /// speed bumps of a scenario description's `map_features`, m, in the frame of the file; without
 /// drivable area. Leaves out lanes of bicycles, which are not lanes of motor vehicles, and features
-/// that cannot be read; adds a message for each of these to `problems`. Throws std::runtime_error
-/// if `features` is not a dict.
-LaneMap lanesOf(const PickleField& features, std::vector<std::string>& problems);
+/// that cannot be read. Throws std::runtime_error if `features` is not a dict.
+LaneMap lanesOf(const PickleField& features, FeatureProblems& problems);
 
 /// Returns polygons with holes from a list of dicts with "exterior" and "interiors". Throws
 /// std::runtime_error for an element of another form.

@@ -18,6 +18,16 @@ LightColor colorOf(const std::string& state) {
   return LightColor::kUnknown;
 }
 
+std::vector<std::pair<std::string, PickleField>> entriesOf(const PickleField& states,
+                                                           std::vector<std::string>& problems) {
+  try {
+    return states.entries();
+  } catch (const std::runtime_error& error) {
+    problems.push_back(error.what());
+    return {};
+  }
+}
+
 void readStates(const PickleField& field, const std::vector<double>& times, TrafficLight& light) {
   const std::vector<PickleField> rows = field.at("state").at("object_state").list();
   if (rows.size() != times.size()) field.fail("has not as many states as metadata.ts has times");
@@ -38,7 +48,7 @@ std::vector<TrafficLight> lightsOf(const PickleField& states, const std::vector<
     if (!lane.centerline.empty()) lanes.emplace(lane.id, &lane);
   }
   std::vector<TrafficLight> lights;
-  for (const auto& [id, field] : states.entries()) {
+  for (const auto& [id, field] : entriesOf(states, problems)) {
     try {
       const auto controlled = field.find("lane");
       const auto lane = lanes.find(controlled ? controlled->word() : id);

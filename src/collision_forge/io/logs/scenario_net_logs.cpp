@@ -12,6 +12,7 @@
 #include "collision_forge/base/config/section.h"
 #include "collision_forge/base/map/road_area.h"
 #include "collision_forge/base/scene/input_limits.h"
+#include "collision_forge/base/scene/map_limits.h"
 #include "collision_forge/base/scene/number_words.h"
 #include "collision_forge/base/scene/request_words.h"
 #include "collision_forge/io/logs/pickle_field.h"
@@ -79,10 +80,11 @@ struct RecordedTrack {
                 const DataOptions& options);
 
   Track track;
-  double height = 0.0;            // m
-  bool has_typical_size = false;  // the file has no size of it
-  bool has_other_size = false;    // at first: isOtherSize()
-  int dropped = 0;                // valid rows with a number that is not finite
+  double height = 0.0;              // m
+  bool has_typical_size = false;    // the file has no size of it
+  bool has_other_size = false;      // at first: isOtherSize()
+  int dropped = 0;                  // valid rows with a number that is not finite
+  std::vector<std::string> unused;  // messages about values that cannot be read
 };
 
 RecordedTrack::RecordedTrack(const std::string& id, const PickleField& field,
@@ -94,18 +96,18 @@ RecordedTrack::RecordedTrack(const std::string& id, const PickleField& field,
   const std::vector<double> yaws = state.at("heading").column(rows);
   const std::vector<double> valid = state.at("valid").column(rows);
   const auto optional = [&](const char* key) {
-    const auto found = state.find(key);
-    return found ? found->column(rows) : std::vector<double>(rows, 0.0);
+    const auto read = [&](const PickleField& value) { return value.column(rows); };
+    return state.find(key, unused, read).value_or(std::vector<double>(rows, 0.0));
   };
   const std::vector<double> lengths = optional("length");
   const std::vector<double> widths = optional("width");
   const std::vector<double> heights = optional("height");
-  const auto velocities = state.find("velocity");
-  const auto speeds = velocities ? velocities->pointRows(rows) : std::vector<Vector2>();
+  const auto read_points = [&](const PickleField& value) { return value.pointRows(rows); };
+  const auto speeds = state.find("velocity", unused, read_points).value_or(std::vector<Vector2>());
   track.id = id;
   std::vector<Eigen::Vector3d> sizes;
   for (std::size_t row = 0; row < rows; ++row) {
-    if (valid[row] == 0.0) continue;
+    if (std::isnan(valid[row]) || valid[row] == 0.0) continue;
     if (!std::isfinite(yaws[row]) || !positions[row].allFinite()) {
       ++dropped;
       continue;
@@ -203,11 +205,14 @@ class DescriptionReader {
     for (const double time : frame_times_) {
       recording.frames.push_back({"", microseconds(time), {}});
     }
-    const std::string ego = metadata_.at("sdc_id").text();
+    const std::string ego = metadata_.at("sdc_id").word();
     const PickleField tracks = root_.at("tracks");
     const auto own = tracks.find(ego.c_str());
     if (!own) tracks.fail("lacks the ego \"" + ego + "\" of metadata.sdc_id");
-    addEgo(RecordedTrack(ego, *own, times_, options_), recording);
+    std::vector<std::string> unused;
+    const RecordedTrack recorded_ego(ego, *own, times_, options_);
+    addEgo(recorded_ego, recording);
+    unused.insert(unused.end(), recorded_ego.unused.begin(), recorded_ego.unused.end());
     if (recording.ego_poses.empty()) tracks.fail("the ego is valid in no row");
     std::vector<std::string> without_size;
     std::vector<std::string> other_size;
@@ -219,6 +224,7 @@ class DescriptionReader {
         if (recorded.has_typical_size) without_size.push_back(id);
         if (recorded.has_other_size) other_size.push_back(id);
         warnOfDropped(recorded);
+        unused.insert(unused.end(), recorded.unused.begin(), recorded.unused.end());
         addAgent(recorded, recording);
       } catch (const std::runtime_error& error) {
         unreadable.push_back(error.what());
@@ -230,12 +236,19 @@ class DescriptionReader {
     }
     if (!other_size.empty()) warn(sizeWarning(other_size));
     warnOfProblems(unreadable, "agent");
+    warnOfUnused(unused);
   }
 
   void warnOfProblems(const std::vector<std::string>& problems, const char* what) {
     if (problems.empty()) return;
     warn(counted(problems.size(), what) +
          " that cannot be read left out (first: " + problems.front() + ")");
+  }
+
+  void warnOfUnused(const std::vector<std::string>& problems) {
+    if (problems.empty()) return;
+    warn(counted(problems.size(), "value") +
+         " that cannot be read not used (first: " + problems.front() + ")");
   }
 
   void warnOfDropped(const RecordedTrack& recorded) {
@@ -277,20 +290,24 @@ class DescriptionReader {
   }
 
   LaneMap readMap(const std::string& location) {
-    std::vector<std::string> problems;
-    LaneMap map = lanesOf(root_.at("map_features"), problems);
-    warnOfProblems(problems, "map feature");
+    FeatureProblems problems;
+    const auto read = [&](const PickleField& features) { return lanesOf(features, problems); };
+    LaneMap map = root_.find("map_features", problems.left_out, read).value_or(LaneMap());
+    warnOfProblems(problems.left_out, "map feature");
+    warnOfUnused(problems.unused);
     map.location = location;
     map.driving_side = sideOf(own_, location, options_);
-    if (const auto areas = own_ ? own_->find("drivable_area") : std::nullopt) {
-      map.drivable_area = areasOf(*areas);
-    } else {
-      map.drivable_area = roadArea(map.features, map.lanes);
-    }
+    const auto areas = own_ ? own_->find("drivable_area") : std::nullopt;
+    if (areas) map.drivable_area = areasOf(*areas);
+    keepWithin(map, options_.input_limits, warnings_);
+    if (!areas) map.drivable_area = roadArea(map.features, map.lanes);
     if (map.drivable_area.empty()) {
       for (const Lane& lane : map.lanes) {
         if (lane.polygon.size() >= 3) map.drivable_area.push_back({lane.polygon, {}});
       }
+    }
+    if (map.lanes.empty()) {
+      warn("no lane in map_features: requests need --believable false, and no vehicle is added");
     }
     checkMap(map, options_.input_limits, path_);
     return map;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "collision_forge/base/scene/input_limits.h"
+#include "collision_forge/base/scene/map_limits.h"
 #include "collision_forge/io/maps/common_road_file.h"
 #include "collision_forge/io/maps/common_road_map.h"
 #include "collision_forge/io/maps/map_error.h"
@@ -223,6 +224,7 @@ LoggedScene readCommonRoadScenario(const std::string& path, const std::string& e
   logged.recording.name = name;
   logged.recording.location = name;
   auto map = std::make_shared<LaneMap>(commonRoadLanes(file, name, options, counter));
+  keepWithin(*map, options.input_limits, warnings);
   checkMap(*map, options.input_limits, path);
   logged.lanes = std::make_shared<const LaneIndex>(std::move(map));
   keepWithin(logged.recording, options, warnings);

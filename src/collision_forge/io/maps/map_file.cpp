@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "collision_forge/base/scene/input_limits.h"
+#include "collision_forge/base/scene/map_limits.h"
 #include "collision_forge/io/logs/nuscenes_map.h"
 #include "collision_forge/io/maps/common_road_map.h"
 #include "collision_forge/io/maps/lanelet2_map.h"
@@ -69,6 +70,7 @@ LaneMap readMapFile(const std::string& path, const DataOptions& options,
     for (const std::string& defect : defects) complaint += "; " + defect;
     throw MapError(complaint);
   }
+  keepWithin(map, options.input_limits, &defects);
   checkMap(map, options.input_limits, path);
   if (warnings != nullptr) warnings->insert(warnings->end(), defects.begin(), defects.end());
   return map;

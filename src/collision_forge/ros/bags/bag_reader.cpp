@@ -14,6 +14,7 @@
 #include <map>
 #include <unordered_map>
 
+#include "collision_forge/ros/bags/older_message.h"
 #include "collision_forge/ros/bags/read_opened.h"
 #include "collision_forge/ros/messages/conversions.h"
 #include "collision_forge/ros/messages/same_instant.h"
@@ -171,7 +172,7 @@ template <typename Message>
 boost::shared_ptr<Message> lastOn(const rosbag::Bag& bag, const char* name) {
   boost::shared_ptr<Message> last;
   rosbag::View view(bag, rosbag::TopicQuery(bagTopic(name)));
-  for (const rosbag::MessageInstance& instance : view) last = instance.instantiate<Message>();
+  for (const rosbag::MessageInstance& instance : view) last = readMessage<Message>(instance);
   return last;
 }
 
@@ -180,6 +181,12 @@ template <typename Message>
 Message requiredOn(const rosbag::Bag& bag, const char* name, const std::string& path) {
   const auto last = lastOn<Message>(bag, name);
   if (!last) throw BagError(path + ": no attack: no message on " + bagTopic(name));
+  for (const rosbag::MessageInstance& instance :
+       rosbag::View(bag, rosbag::TopicQuery(bagTopic(name)))) {
+    if (instance.isType<Message>()) continue;
+    throw BagError(path + ": " + bagTopic(name) +
+                   ": was written by another version of this suite; inject the attack again");
+  }
   return *last;
 }
 
@@ -205,13 +212,13 @@ Scene sceneIn(const std::string& path, const EgoVehicle& ego, std::vector<std::s
     for (const rosbag::MessageInstance& instance : rosbag::View(bag, rosbag::TopicQuery(topics))) {
       if (const auto transform = instance.instantiate<tf2_msgs::TFMessage>()) {
         builder.add(*transform);
-      } else if (const auto agents = instance.instantiate<collision_forge::AgentArray>()) {
+      } else if (const auto agents = readMessage<collision_forge::AgentArray>(instance)) {
         if (instance.getCallerId() != names::kInBetween) builder.add(*agents);
-      } else if (const auto map = instance.instantiate<collision_forge::LaneMap>()) {
+      } else if (const auto map = readMessage<collision_forge::LaneMap>(instance)) {
         builder.add(*map);
-      } else if (const auto lights = instance.instantiate<collision_forge::TrafficLightArray>()) {
+      } else if (const auto lights = readMessage<collision_forge::TrafficLightArray>(instance)) {
         builder.add(*lights);
-      } else if (const auto ego = instance.instantiate<collision_forge::EgoVehicle>()) {
+      } else if (const auto ego = readMessage<collision_forge::EgoVehicle>(instance)) {
         builder.add(*ego);
       }
     }

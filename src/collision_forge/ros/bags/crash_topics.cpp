@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "collision_forge/ros/bags/bag_file.h"
+#include "collision_forge/ros/bags/older_message.h"
 #include "collision_forge/ros/markers/crash_scene.h"
 #include "collision_forge/ros/messages/conversions.h"
 #include "collision_forge/ros/messages/ros_bytes.h"
@@ -85,10 +86,10 @@ void CrashTopics::take(const rosbag::MessageInstance& instance) {
     const auto transforms = instance.instantiate<tf2_msgs::TFMessage>();
     if (transforms) takeTransforms(*transforms, instance.getTime(), topic == names::kStaticTf);
   } else if (topic == agents_) {
-    const auto agents = instance.instantiate<collision_forge::AgentArray>();
+    const auto agents = readMessage<collision_forge::AgentArray>(instance);
     if (agents) takeAgents(*agents, instance.getTime());
   } else if (topic == bagTopic(names::kLaneMap)) {
-    const auto map = instance.instantiate<collision_forge::LaneMap>();
+    const auto map = readMessage<collision_forge::LaneMap>(instance);
     if (map) takeMap(*map, instance.getTime());
   } else if (topic == bagTopic(names::kAttack)) {
     const auto attack = instance.instantiate<collision_forge::Attack>();

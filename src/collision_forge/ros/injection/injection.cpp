@@ -15,6 +15,7 @@
 #include "collision_forge/attack/verify/post_crash_motion.h"
 #include "collision_forge/base/geometry/enum_words.h"
 #include "collision_forge/ros/bags/bag_file.h"
+#include "collision_forge/ros/bags/older_message.h"
 #include "collision_forge/ros/injection/attacker_injector.h"
 #include "collision_forge/ros/injection/finite_parts.h"
 #include "collision_forge/ros/injection/frame_between.h"
@@ -154,7 +155,7 @@ class Injection {
     collision_forge::AgentArray::Ptr before;
     const rosbag::TopicQuery topic(bagTopic(names::kAgents));
     for (const rosbag::MessageInstance& instance : rosbag::View(source_, topic)) {
-      const auto agents = instance.instantiate<collision_forge::AgentArray>();
+      const auto agents = readMessage<collision_forge::AgentArray>(instance);
       if (!agents) continue;
       const int left_out = keepFinite(*agents);
       if (left_out > 0) left_out_[instance.getTopic()] += left_out;
@@ -326,7 +327,7 @@ class Injection {
   /// Returns false for a message to copy unchanged.
   bool copyChanged(const rosbag::MessageInstance& instance, const ros::Time& stamp) {
     const std::string& topic = instance.getTopic();
-    if (topic == bagTopic(names::kLaneMap)) makeMapMarkers(instance);
+    if (topic == bagTopic(names::kLaneMap)) return copyMap(instance);
     for (const char* made_anew : {names::kMapMarkers, names::kAgentObjects}) {
       if (topic == bagTopic(made_anew)) return true;
     }
@@ -337,12 +338,17 @@ class Injection {
     return false;
   }
 
-  void makeMapMarkers(const rosbag::MessageInstance& instance) {
-    const auto map = instance.instantiate<collision_forge::LaneMap>();
-    if (!map) return;
+  /// Writes the markers of the map. Writes the map itself, and returns true, only if it was
+  /// recorded in another version of the message.
+  bool copyMap(const rosbag::MessageInstance& instance) {
+    const auto map = readMessage<collision_forge::LaneMap>(instance);
+    if (!map) return false;
     map_markers_ = mapMarkers(*map);
     map_markers_time_ = instance.getTime();
     writeMapMarkersAt(instance.getTime());
+    if (instance.isType<collision_forge::LaneMap>()) return false;
+    target_.writeLatched(instance.getTopic(), instance.getTime(), *map);
+    return true;
   }
 
   /// At most once per kMapInterval. RViz drops its markers where a replay jumps back, and `rosbag

@@ -68,7 +68,7 @@ void roundValues(SpeedProfileRow& row) {
 /// SceneSource::forEach().
 SpeedSituations collect(const LogSource& logs, const StudyConfig& config,
                         std::vector<std::string>& unreadable) {
-  SceneSource scenes(logs, {}, config, 1, {}, showReading());
+  SceneSource scenes(logs, {}, config, 1, printWarnings, showReading());
   const std::size_t count = scenes.names().size();
   std::vector<SpeedProfileRow> rows;
   ProgressLine progress("scenes");
