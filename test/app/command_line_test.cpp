@@ -70,6 +70,9 @@ const std::map<std::string, std::string> kComplete = {
     {"study evaluate", kLogs + " --requests " + kFile + " --out out"},
     {"report", " " + kFile + " --out page --config " + kConfig},
     {"test", kLogs + " --scenarios scenarios.jsonl --out out"},
+    {"sweep",
+     " --bag a.bag --now 4 --type ltap --tta 4 --vary overlap=0.2,0.6 --out out --config " +
+         kConfig},
     {"tune", kLogs + " --train a.jsonl --test b.jsonl --out out"},
     {"study dataset", kLogs + " --out out"},
     {"study train", kLogs + " --out out"},
@@ -144,7 +147,16 @@ TEST(CommandLine, InvalidValuesAreReportedWithTheirOption) {
            {"requests" + kComplete.at("requests") + " --tta nan", "--tta"},
            {"requests" + kComplete.at("requests") + " --types drift", "--types"},
            {"test" + kComplete.at("test") + " --background still", "--background"},
+           {"test" + kComplete.at("test") + " --background idm,model:", "--background"},
+           {"test" + kComplete.at("test") + " --background idm,idm", "given twice"},
+           {"tune" + kComplete.at("tune") + " --background idm,replay", "--background"},
            {"test" + kComplete.at("test") + " --planners idm,none", "--planners"},
+           {"sweep" + kComplete.at("sweep") + " --vary speed=1:2:1", "--vary: speed=1:2:1"},
+           {"sweep" + kComplete.at("sweep") + " --vary tta=3:6:1", "--tta"},
+           {"sweep" + kComplete.at("sweep") + " --vary overlap=0.1,0.2", "varied twice"},
+           {"sweep" + kComplete.at("sweep") + " --map overlap,class", "--map"},
+           {"sweep --bag a.bag --now 4 --type ltap --vary overlap=0.2 --out o --config " + kConfig,
+            "--tta"},
            {"study evaluate" + kComplete.at("study evaluate") + " --seeds 0", "--seeds"},
            {"study train" + kComplete.at("study train") + " --fold 6", "--fold"},
            {"study train" + kComplete.at("study train") + " --collide " + kConfig +
@@ -194,7 +206,7 @@ TEST(CommandLine, AnUnknownMethodIsRejectedAndTheKnownOnesAreListed) {
 TEST(CommandLine, HelpShowsDefaults) {
   EXPECT_THAT(read("generate --help").out, AllOf(HasSubstr("{history,replay,adaptive}=replay"),
                                                  HasSubstr("{jsonl,csv-collide}=jsonl")));
-  EXPECT_THAT(read("test --help").out, HasSubstr("{replay,idm}=replay"));
+  EXPECT_THAT(read("test --help").out, HasSubstr("{replay,idm,model:FILE.pt}=replay"));
   EXPECT_THAT(read("study test --help").out,
               AllOf(HasSubstr("{recorded,history,replay}=recorded"), HasSubstr("=val")));
   EXPECT_THAT(read("requests --help").out, HasSubstr("{any,existing,new,each}=any"));
@@ -265,7 +277,7 @@ TEST(CommandLine, ControlOptionsAreTheSameInAllCommands) {
 }
 
 TEST(CommandLine, BulkCommandsAcceptReport) {
-  for (const std::string command : {"generate", "test", "tune", "study dataset"}) {
+  for (const std::string command : {"generate", "test", "tune", "sweep", "study dataset"}) {
     const std::string line = command + kComplete.at(command);
     EXPECT_EQ(read(line + " --report page").exit_code, std::nullopt) << command;
   }

@@ -16,7 +16,7 @@ NOT_RUN = [
     (r'^rviz\b', 'opens a window'),
     (r'--collide (DIR|COLLIDE|out/set)\b', 'wants the data set COLLIDE, or a data set of many scenes'),
     (r'^forge study train\b|^cat RUN', 'trains for hours, or takes what was trained'),
-    (r'venv/bin', 'wants a torch from the network'),
+    (r'venv/bin|model:traffic\.pt', 'wants a torch from the network'),
     (r'YOUR_(BAGS|ROS2_BAG)|--source drive\.bag', 'wants bags of another stack'),
 ]
 

@@ -81,6 +81,7 @@ void addGenerate(CommandLine& line);
 void addExport(CommandLine& line);
 void addReport(CommandLine& line);
 void addTest(CommandLine& line);
+void addSweep(CommandLine& line);
 void addTune(CommandLine& line);
 void addCompletion(CommandLine& line);
 

@@ -10,6 +10,7 @@ void addCommands(CommandLine& line) {
   addGenerate(line);
   addExport(line);
   addTest(line);
+  addSweep(line);
   addTune(line);
   addReport(line);
   addCompletion(line);

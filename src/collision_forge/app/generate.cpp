@@ -8,16 +8,14 @@
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
 #include "collision_forge/app/report.h"
+#include "collision_forge/app/scenario_run.h"
 #include "collision_forge/base/scene/number_words.h"
-#include "collision_forge/io/answers/request_solver.h"
 #include "collision_forge/io/batch/dispatch.h"
 #include "collision_forge/io/batch/output.h"
 #include "collision_forge/io/batch/progress_line.h"
-#include "collision_forge/io/batch/run.h"
 #include "collision_forge/io/collide/collide_export.h"
 #include "collision_forge/io/json/input_line.h"
 #include "collision_forge/io/scenarios/request_file.h"
-#include "collision_forge/io/weights/pattern_network_file.h"
 
 namespace forge {
 namespace {
@@ -44,17 +42,6 @@ struct Arguments {
   }
 };
 
-/// Returns the fingerprints of all inputs of the scenarios.
-ResumableFile::Options runOptions(const Arguments& arguments, const Config& config,
-                                  const std::vector<SceneRequest>& requests) {
-  ResumableFile::Options options = inputsOf(config, arguments.logs);
-  if (!arguments.method.empty()) options["method"] = arguments.method;
-  addWeightsOf(arguments.method, config, options);
-  options["mode"] = toString(arguments.mode);
-  options["requests"] = fingerprintOf(requests);
-  return options;
-}
-
 struct RequestList {
   std::vector<SceneRequest> requests;  ///< with the mode and the controls of the command line
   std::vector<std::string> scenes;     ///< names, in order of first use
@@ -72,17 +59,6 @@ RequestList readList(const Arguments& arguments, const Config& config) {
     if (seen.insert(request.scene).second) list.scenes.push_back(request.scene);
   }
   return list;
-}
-
-/// Throws std::runtime_error if the scenario at `where` belongs to a request other than `request`.
-/// An answer to a request for any type has the type of its attack.
-void checkAnswer(const std::string& where, SceneRequest asked, const SceneRequest& request) {
-  if (request.request.type == CollisionType::kAny) asked.request.type = CollisionType::kAny;
-  if (requestLine(asked) == requestLine(request) && asked.request.mode == request.request.mode) {
-    return;
-  }
-  throw std::runtime_error(where + ": belongs to the request " + requestLine(asked) +
-                           " instead of " + requestLine(request) + "; choose another --out");
 }
 
 /// Rejects an output folder with clips but without a scenario file. Clips are written after all
@@ -133,31 +109,12 @@ int generate(const Arguments& arguments) {
   if (arguments.format == Format::kCsvCollide) checkFolder(arguments);
   SceneSource scenes(arguments.logs, list.scenes, config,
                      static_cast<std::size_t>(arguments.jobs) + 1, printWarnings, showReading());
-  const MethodMaker method = loadMethod(arguments.method, config, config.attack);
-  Run run;
-  run.path = arguments.scenarios();
-  run.options = runOptions(arguments, config, list.requests);
-  run.items = "requests";
-  run.count = list.requests.size();
-  run.jobs = arguments.jobs;
-  run.work = [&](std::size_t index) {
-    try {
-      const SceneRequest& asked = list.requests[index];
-      const RequestSolver answerer(scenes, method, asked.request.crash, config.ego_vehicle,
-                                   config.adaptive);
-      return scenarioLine(answerer.answer(asked));
-    } catch (const std::exception& error) {
-      throw std::runtime_error(arguments.requests + ": line " + std::to_string(index + 1) +
-                               " failed: " + error.what());
-    }
-  };
   std::size_t attacks = 0;
-  run.take = [&](std::size_t index, const std::string& where, const std::string& line) {
-    const Scenario scenario = readScenarioLine(where, line, config.input_limits);
-    checkAnswer(where, scenario.asked, list.requests[index]);
-    if (scenario.answer.status.code == StatusCode::kOk) ++attacks;
-  };
-  carryOut(run);
+  writeScenarios({arguments.scenarios(), arguments.requests, list.requests, arguments.method,
+                  arguments.mode, arguments.jobs},
+                 arguments.logs, scenes, config, [&](const Scenario& scenario) {
+                   if (scenario.answer.status.code == StatusCode::kOk) ++attacks;
+                 });
   std::cout << counted(list.requests.size(), "request") << " in " << arguments.scenarios() << ": "
             << attacks << " solved, " << list.requests.size() - attacks << " rejected\n";
   if (arguments.format == Format::kCsvCollide) {

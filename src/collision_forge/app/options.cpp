@@ -250,6 +250,15 @@ std::vector<CollisionType> typesNamed(const std::vector<std::string>& names) {
   return types;
 }
 
+void addPolicies(CLI::App& app, std::vector<std::string>& policies, const std::string& fallback) {
+  app.add_option("--attacker-policy", policies,
+                 "attacker policies, separated by commas; fixed: follows its planned trajectory; "
+                 "adaptive: observes the ego and replans; default: " +
+                     fallback)
+      ->delimiter(',')
+      ->transform(oneOf({"fixed", "adaptive"}));
+}
+
 void addMode(CLI::App& app, Mode& mode, bool may_adapt) {
   if (!may_adapt) {
     addChoice<Mode>(app, "--mode", mode, {{"history", Mode::kHistory}, {"replay", Mode::kReplay}},
@@ -310,11 +319,59 @@ void addPlannerFingerprints(ResumableFile::Options& options,
   }
 }
 
-void addBackground(CLI::App& app, Background& background) {
-  addChoice<Background>(
-      app, "--background", background, {{"replay", Background::kReplay}, {"idm", Background::kIdm}},
-      "motion of other agents; replay: as recorded; idm: reactive, they brake for vehicles ahead "
-      "(IDM)");
+std::string BackgroundChoice::text() const {
+  std::string names;
+  for (const Background background : backgrounds) {
+    names += std::string(names.empty() ? "" : ",") + toString(background);
+  }
+  return names;
+}
+
+void addBackground(CLI::App& app, BackgroundChoice& choice, std::size_t most) {
+  const auto take = [&choice, most](const std::vector<std::string>& words) {
+    const auto refuse = [](const std::string& problem) {
+      throw CLI::ValidationError("--background", problem);
+    };
+    choice.backgrounds.clear();
+    for (const std::string& word : words) {
+      const bool is_model = word.rfind("model:", 0) == 0 && word != "model:";
+      const auto background = is_model ? Background::kModel : backgroundFromString(lowered(word));
+      if (!background || (*background == Background::kModel && !is_model)) {
+        refuse("\"" + word + "\" is none of replay, idm, model:FILE.pt" +
+               nearestNameHint(word, {"replay", "idm"}));
+      }
+      auto& chosen = choice.backgrounds;
+      if (std::find(chosen.begin(), chosen.end(), *background) != chosen.end()) {
+        refuse(std::string(toString(*background)) + " is given twice");
+      }
+      if (is_model) choice.model = word.substr(word.find(':') + 1);
+      chosen.push_back(*background);
+    }
+    if (choice.backgrounds.size() > most) refuse("takes one value");
+  };
+  const std::string several =
+      most > 1 ? "; several, separated by commas, test each case with each" : "";
+  app.add_option_function<std::vector<std::string>>(
+         "--background", take,
+         "motion of other agents; replay: as recorded; idm: reactive, they brake for vehicles "
+         "ahead "
+         "(IDM); model:FILE.pt: by a learned model (docs/learned_planner.md)" +
+             several)
+      ->delimiter(',')
+      ->type_name("TEXT:{replay,idm,model:FILE.pt}")
+      ->default_str("replay");
+}
+
+void useBackground(const BackgroundChoice& choice, Config& config) {
+  if (choice.model.empty()) return;
+  TorchscriptOptions& model = config.planners.traffic_model;
+  model.file = allowedWeights(config, choice.model);
+  model.workers->giveBack(model.workers->take(model, workerKey(model)));
+}
+
+void addBackgroundFingerprints(ResumableFile::Options& options, const BackgroundChoice& choice) {
+  options["background"] = choice.text();
+  if (!choice.model.empty()) options["background_model"] = fingerprintOfFile(choice.model);
 }
 
 ResumableFile::Options inputsOf(const Config& config, const LogSource& logs) {

@@ -99,6 +99,8 @@ std::string checkType(const std::string& name);
 /// Returns the types that `names`, which passed checkType(), mean in a list of types, each once:
 /// "any" means all.
 std::vector<CollisionType> typesNamed(const std::vector<std::string>& names);
+/// --attacker-policy; `fallback`: the default in words.
+void addPolicies(CLI::App& app, std::vector<std::string>& policies, const std::string& fallback);
 /// --mode; the current content of `mode` is the default. Commands that make collisions default to
 /// replay, commands that measure methods to history. `may_adapt`: adaptive is allowed, too.
 void addMode(CLI::App& app, Mode& mode, bool may_adapt);
@@ -137,8 +139,21 @@ void useOwnPlanners(const OwnPlanners& own, const std::vector<std::string>& plan
 void addPlannerFingerprints(ResumableFile::Options& options,
                             const std::vector<std::string>& planners,
                             const PlannerOptions& settings);
-/// --background: how other agents move in a planner test, replay or idm.
-void addBackground(CLI::App& app, Background& background);
+/// How other agents move in a planner test.
+struct BackgroundChoice {
+  std::vector<Background> backgrounds = {Background::kReplay};
+  std::string model;  ///< TorchScript file of Background::kModel
+
+  /// Returns the names, separated by commas.
+  std::string text() const;
+};
+/// --background: at most `most` of replay, idm and model:FILE, separated by commas.
+void addBackground(CLI::App& app, BackgroundChoice& choice, std::size_t most);
+/// Stores the model's file in config.planners after checking its licence, and loads it once, so
+/// that an unusable file throws PlannerFileError before the work begins.
+void useBackground(const BackgroundChoice& choice, Config& config);
+/// Adds the fingerprints of the choice to `options`.
+void addBackgroundFingerprints(ResumableFile::Options& options, const BackgroundChoice& choice);
 
 /// Returns the fingerprints of all inputs of a run over logs: configuration, models, logs. A run is
 /// resumed only if they are unchanged.

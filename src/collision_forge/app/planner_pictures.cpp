@@ -20,7 +20,7 @@ ScenarioView viewOf(const PlannerCase& one, const PlannerRow& row,
   const Mode mode = policy == PolicyKind::kAdaptive ? Mode::kAdaptive : one.request.mode;
   ScenarioView view{one.scene,         one.request.tta, mode,     scenario.snapshot,
                     scenario.recorded, one.pattern,     attacker, {}};
-  view.planner = rowName(row.planner, policy);
+  view.planner = rowName(row);
   view.future.ego.states = toStates(ego);
   view.lights = scenario.lights;
   return view;

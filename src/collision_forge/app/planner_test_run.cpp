@@ -23,6 +23,7 @@
 #include "collision_forge/planner_test/trials/planner_report.h"
 #include "collision_forge/planner_test/trials/planner_result_file.h"
 #include "collision_forge/planner_test/trials/planner_summary.h"
+#include "collision_forge/planner_test/trials/step_metrics.h"
 
 namespace forge {
 namespace {
@@ -41,7 +42,7 @@ class PlanningTimes {
   void add(const PlannerTestResult& result) {
     const std::lock_guard<std::mutex> lock(mutex_);
     for (const PlannerRow& row : result.rows) {
-      Sum& sum = sums_[rowName(row.planner, row.attacker.policy)];
+      Sum& sum = sums_[rowName(row)];
       sum.seconds += row.outcome.planning_seconds;
       sum.calls += row.outcome.plans;
     }
@@ -74,7 +75,7 @@ std::string csvOf(const std::vector<PlannerTestResult>& results) {
 }
 
 TestPlan planOf(const PlannerTestArguments& arguments, const Config& config) {
-  TestPlan plan{arguments.planners, arguments.background, {}, {}};
+  TestPlan plan{arguments.planners, arguments.background.backgrounds, {}, {}};
   for (const std::string& name : arguments.policies) {
     plan.policies.push_back(*policyKindFromString(name));
     if (plan.policies.back() == PolicyKind::kAdaptive) plan.models = loadPredictionModels(config);
@@ -85,6 +86,7 @@ TestPlan planOf(const PlannerTestArguments& arguments, const Config& config) {
 Config loadTestConfig(const PlannerTestArguments& arguments) {
   Config config = loadConfig(arguments.config);
   useOwnPlanners(arguments.own_planners, arguments.planners, config);
+  useBackground(arguments.background, config);
   return config;
 }
 
@@ -94,8 +96,8 @@ void printSummary(const std::vector<PlannerTestResult>& results, const PlanningT
   const auto is_tested = [](const PlannerTestResult& result) { return result.isTested(); };
   const auto tested = std::count_if(results.begin(), results.end(), is_tested);
   std::cout << tested << " of " << counted(results.size(), "case") << " tested\n"
-            << summaryText(summarizePlanners(results, rowNames(plan)), times.means()) << "in "
-            << folder
+            << summaryText(summarizePlanners(results, rowNames(plan)), times.means())
+            << backgroundText(results, plan) << "in " << folder
             << ": table.md (rates by type and TTA, reasons of untested cases), results.csv, worst/ "
                "(pictures)\n";
 }
@@ -118,10 +120,8 @@ void addCriteria(CLI::App& app, std::vector<Criterion>& criteria) {
   app.add_option_function<std::vector<std::string>>("--fail-if", add, text)->expected(1, -1);
 }
 
-/// Throws std::runtime_error if no case was tested.
-void checkTested(const std::vector<PlannerTestResult>& results, const std::string& path) {
-  const auto isTested = [](const PlannerTestResult& result) { return result.isTested(); };
-  if (std::any_of(results.begin(), results.end(), isTested)) return;
+/// Throws std::runtime_error that no case was tested.
+void refuseUntested(const std::vector<PlannerTestResult>& results, const std::string& path) {
   const PlannerTestResult& first = results.front();
   throw std::runtime_error(path + ": no case could be tested (" + std::to_string(results.size()) +
                            " tried); the first one, " + first.name + ": " + first.status + ": " +
@@ -129,6 +129,11 @@ void checkTested(const std::vector<PlannerTestResult>& results, const std::strin
 }
 
 }  // namespace
+
+bool anyTested(const std::vector<PlannerTestResult>& results) {
+  return std::any_of(results.begin(), results.end(),
+                     [](const PlannerTestResult& result) { return result.isTested(); });
+}
 
 PlannerTestRun::PlannerTestRun(PlannerTestArguments arguments)
     : arguments_(std::move(arguments)),
@@ -143,12 +148,14 @@ ResumableFile::Options PlannerTestRun::runOptions(const PlannerCases& cases) con
   options["planners"] = joined(arguments_.planners);
   options["attacker_policy"] = joined(arguments_.policies);
   addPlannerFingerprints(options, arguments_.planners, config_.planners);
-  options["background"] = toString(arguments_.background);
+  addBackgroundFingerprints(options, arguments_.background);
+  if (arguments_.steps) options["steps"] = "true";
   return options;
 }
 
 void PlannerTestRun::writeTables(const std::vector<PlannerTestResult>& results) const {
-  std::string text = reportTitle("Planners in closed loop") + "\n" + describeCases(results);
+  std::string text = reportTitle("Planners in closed loop") + "\n" + describeCases(results) +
+                     backgroundText(results, plan_);
   std::string csv = rateCsvHeader() + "\n";
   for (const PlannerTable& entry : plannerTables(results, rowNames(plan_))) {
     text += "\n" + toMarkdown(entry.table, entry.unit);
@@ -165,37 +172,46 @@ void PlannerTestRun::drawWorst(const PlannerCases& cases,
   const fs::path folder = fs::path(arguments_.out) / "worst";
   fs::remove_all(folder);
   fs::create_directories(folder);
-  std::map<std::string, int> ranks;
-  for (const std::string& planner : plan_.planners) {
-    for (const PolicyKind policy : plan_.policies) {
-      const std::string row = rowName(planner, policy);
-      for (const WorstCase& worst : worstCases(results, {row}, arguments_.worst)) {
-        const PlannerCase one = cases.at(worst.result);
-        const std::string name =
-            planner + "_" + toString(policy) + "_" + std::to_string(++ranks[row]);
-        drawView((folder / name).string(),
-                 viewOfCollision(one, drives.rowOf(one, worst.result, planner, policy), config_),
-                 config_.drawing);
-      }
+  for (const RowKey& key : rowKeys(plan_)) {
+    int rank = 0;
+    for (const WorstCase& worst : worstCases(results, {rowName(key)}, arguments_.worst)) {
+      const PlannerCase one = cases.at(worst.result);
+      drawView((folder / pictureName(key, ++rank)).string(),
+               viewOfCollision(one, drives.rowOf(one, worst.result, key), config_),
+               config_.drawing);
     }
   }
 }
 
-std::vector<PlannerTestResult> PlannerTestRun::run(
-    const PlannerCases& cases, const ResumableFile::Options& fingerprints) const {
+/// Called for every case before its line is kept, so a resumed run has the files of all cases.
+void PlannerTestRun::writeSteps(const PlannerCase& one, const PlannerTestResult& result,
+                                const std::vector<std::string>& names) const {
+  const auto place = std::find(names.begin(), names.end(), one.name) - names.begin();
+  const fs::path folder = fs::path(arguments_.out) / "steps";
+  writeText((folder / (std::to_string(place + 1) + ".csv")).string(), stepsCsv(one, result));
+}
+
+std::vector<PlannerTestResult> PlannerTestRun::run(const PlannerCases& cases,
+                                                   const ResumableFile::Options& fingerprints,
+                                                   bool may_be_untested) const {
   Run run;
   run.path = results_path_;
   run.options = runOptions(cases);
   run.options.insert(fingerprints.begin(), fingerprints.end());
   run.jobs = arguments_.jobs;
   PlanningTimes times;
+  if (arguments_.steps) fs::create_directories(fs::path(arguments_.out) / "steps");
   const auto test = [&](const PlannerCase& one) {
     const PlannerTestResult result = testPlanners(one, plan_, config_, config_.planners);
     times.add(result);
+    if (arguments_.steps) writeSteps(one, result, cases.names());
     return result;
   };
   std::vector<PlannerTestResult> results = testCases(run, cases, test);
-  checkTested(results, run.path);
+  if (!anyTested(results)) {
+    if (!may_be_untested) refuseUntested(results, run.path);
+    return results;
+  }
   writeTables(results);
   printSummary(results, times, plan_, arguments_.out);
   drawWorst(cases, results, KeptDrives(results_path_));
@@ -227,10 +243,12 @@ void addPlannerTestOptions(CLI::App& app, PlannerTestArguments& arguments) {
       ->transform(oneOf(plannerNames()))
       ->capture_default_str();
   addOwnPlanners(app, arguments.own_planners);
-  addBackground(app, arguments.background);
+  addBackground(app, arguments.background, 3);
   app.add_option("--worst", arguments.worst,
                  "number of pictures per planner, hardest impacts first")
       ->capture_default_str();
+  app.add_flag("--steps", arguments.steps,
+               "also write OUT/steps/N.csv: measures of every step of all rollouts of case N");
   addOut(app, arguments.out, "output folder; see docs/planners.md");
   addJobs(app, arguments.jobs, "cases tested in parallel");
   addReportOption(app, arguments.report);

@@ -53,6 +53,7 @@ Tuning openTuning(const TuningArguments& arguments, const Config& config, Tuning
   for (PlannerVariant& variant : variants) {
     variant.options.torchscript.file = config.planners.torchscript.file;
     variant.options.torchscript.workers = config.planners.torchscript.workers;
+    variant.options.traffic_model = config.planners.traffic_model;
     variant.options.external.command = config.planners.external.command;
     variant.options.external.is_node = config.planners.external.is_node;
     variant.options.external.processes = config.planners.external.processes;
@@ -66,7 +67,7 @@ ResumableFile::Options runOptions(const Tuning& tuning) {
   ResumableFile::Options options = inputsOf(tuning.config, arguments.logs);
   options["planner"] = arguments.planner;
   addPlannerFingerprints(options, {arguments.planner}, tuning.config.planners);
-  options["background"] = toString(arguments.background);
+  addBackgroundFingerprints(options, arguments.background);
   std::string found;
   for (const PlannerVariant& variant : tuning.variants) {
     for (const auto& [key, value] : variant.values) {
@@ -94,8 +95,8 @@ std::vector<PlannerTestResult> driveVariants(const Tuning& tuning) {
   return testCases(partRun(tuning, "train", *tuning.cases.train), *tuning.cases.train,
                    [&](const PlannerCase& one) {
                      return testVariants(one, tuning.arguments.planner, tuning.variants, true,
-                                         tuning.arguments.background, tuning.config,
-                                         tuning.config.planners);
+                                         tuning.arguments.background.backgrounds.front(),
+                                         tuning.config, tuning.config.planners);
                    });
 }
 
@@ -109,11 +110,12 @@ std::vector<PlannerVariant> comparedVariants(const Tuning& tuning, std::size_t b
 /// Tests default and tuned planner on the test cases and returns the results.
 std::vector<PlannerTestResult> compare(const Tuning& tuning, std::size_t best) {
   const std::vector<PlannerVariant> pair = comparedVariants(tuning, best);
-  return testCases(
-      partRun(tuning, "test", *tuning.cases.test), *tuning.cases.test, [&](const PlannerCase& one) {
-        return testVariants(one, tuning.arguments.planner, pair, false, tuning.arguments.background,
-                            tuning.config, tuning.config.planners);
-      });
+  return testCases(partRun(tuning, "test", *tuning.cases.test), *tuning.cases.test,
+                   [&](const PlannerCase& one) {
+                     return testVariants(one, tuning.arguments.planner, pair, false,
+                                         tuning.arguments.background.backgrounds.front(),
+                                         tuning.config, tuning.config.planners);
+                   });
 }
 
 /// Returns the index of the best variant and writes the scores of all to variants.csv.
@@ -141,7 +143,10 @@ void report(const Tuning& tuning, std::size_t best, const std::vector<PlannerTes
                               "\nTest: " + describeCases(test) + "\n" + toMarkdown(comparison);
   std::string text = outcome;
   std::string csv = rateCsvHeader() + "\n" + toCsv(comparison);
-  for (const PlannerTable& entry : plannerTables(test, {"default", "tuned"})) {
+  const Background background = arguments.background.backgrounds.front();
+  const std::vector<std::string> rows = {rowName(RowKey{"default", PolicyKind::kFixed, background}),
+                                         rowName(RowKey{"tuned", PolicyKind::kFixed, background})};
+  for (const PlannerTable& entry : plannerTables(test, rows)) {
     text += "\n" + toMarkdown(entry.table, entry.unit);
     csv += toCsv(entry.table);
   }
@@ -167,6 +172,7 @@ int tunePlanner(const TuningArguments& arguments,
                 const std::function<TuningCases(const Config&)>& open) {
   Config config = loadConfig(arguments.config);
   useOwnPlanners(arguments.own_planners, {arguments.planner}, config);
+  useBackground(arguments.background, config);
   const OutputLocks locks = lockFolders({arguments.out, arguments.report});
   const Tuning tuning = openTuning(arguments, config, open(config));
   const std::vector<PlannerTestResult> train = driveVariants(tuning);
@@ -188,7 +194,7 @@ void addTuningOptions(CLI::App& app, TuningArguments& arguments) {
                  "YAML file with the values to try (default: tuning.yaml of --config)")
       ->check(CLI::ExistingFile);
   addSource(app, arguments.logs)->required();
-  addBackground(app, arguments.background);
+  addBackground(app, arguments.background, 1);
   addOut(app, arguments.out, "output folder; see docs/planners.md");
   addJobs(app, arguments.jobs, "cases tested in parallel");
   addReportOption(app, arguments.report);

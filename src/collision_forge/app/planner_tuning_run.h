@@ -23,9 +23,9 @@ struct TuningArguments {
   OwnPlanners own_planners;     ///< files and commands of the user's planners
   std::string grid;  ///< YAML file with the values; empty: tuning.yaml of the configuration
   LogSource logs;
-  Background background = Background::kReplay;  ///< motion of other agents
-  std::string out;                              ///< output folder
-  std::string report;                           ///< folder of the HTML report; empty: none
+  BackgroundChoice background;  ///< motion of other agents, one
+  std::string out;              ///< output folder
+  std::string report;           ///< folder of the HTML report; empty: none
   ConfigFolder config;
   int jobs = defaultJobs();  ///< threads
 };

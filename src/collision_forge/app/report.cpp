@@ -50,9 +50,11 @@ void addReport(CommandLine& line) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App& app = line.add(kPlanners, "report", "Writes an HTML report of results.",
                            [arguments] { return report(*arguments); });
-  CLI::Option* results = app.add_option("results", arguments->inputs.files,
-                                        "scenario files, results.jsonl of forge test or tune")
-                             ->check(CLI::ExistingFile);
+  CLI::Option* results =
+      app.add_option("results", arguments->inputs.files,
+                     "scenario files, results.jsonl of forge test or tune, map.png of "
+                     "forge sweep")
+          ->check(CLI::ExistingFile);
   CLI::Option* out =
       app.add_option("--out", arguments->out, "output folder; open its index.html in a browser");
   CLI::Option* compared =

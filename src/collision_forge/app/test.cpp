@@ -108,12 +108,7 @@ void addTest(CommandLine& line) {
       ->needs(until_hit);
   addSeed(app, arguments->seed, "random seed of --until-hit")->needs(until_hit);
   addMethod(app, arguments->method, arguments->config)->needs(until_hit);
-  app.add_option("--attacker-policy", arguments->policies,
-                 "attacker policies, separated by commas; fixed: follows its planned trajectory; "
-                 "adaptive: observes the ego and replans; default: adaptive with --until-hit, else "
-                 "fixed")
-      ->delimiter(',')
-      ->transform(oneOf({"fixed", "adaptive"}));
+  addPolicies(app, arguments->policies, "adaptive with --until-hit, else fixed");
   addPlannerTestOptions(app, *arguments);
 }
 

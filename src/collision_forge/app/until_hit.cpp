@@ -31,7 +31,7 @@ Shown show(const Weakness& weakness, const RequestCases& cases, const KeptDrives
   const std::size_t hardest = weakness.results.front();
   Shown shown{cases.scenario(hardest), {}, {}};
   shown.one = cases.caseOf(shown.scenario, hardest);
-  shown.row = drives.rowOf(shown.one, hardest, weakness.planner, weakness.policy);
+  shown.row = drives.rowOf(shown.one, hardest, weakness.row);
   return shown;
 }
 
@@ -56,8 +56,9 @@ std::string witnessLine(const Weakness& weakness, const Shown& shown) {
   JsonLineWriter writer;
   writer.beginObject();
   writer.text("name", shown.one.name);
-  writer.text("planner", weakness.planner);
-  writer.text("policy", toString(weakness.policy));
+  writer.text("planner", weakness.row.planner);
+  writer.text("policy", toString(weakness.row.policy));
+  writer.text("background", toString(weakness.row.background));
   writer.text("manoeuvre", toString(evasion.manoeuvre));
   writer.number("start_t", fromNow(evasion.start, now));
   writeMotion(writer, "ego", wholeEvasion(shown.row.outcome.driven, evasion), now);
@@ -74,8 +75,8 @@ std::string tableRow(int rank, const Weakness& weakness, const Shown& shown) {
                 100.0 * contact.severity.worse().mais3,
                 fromNow(contact.time, shown.one.scenario.snapshot.now), toString(evasion.manoeuvre),
                 contact.time - evasion.start, weakness.results.size());
-  return "| " + std::to_string(rank) + " | " + rowName(weakness.planner, weakness.policy) + " | " +
-         shown.one.name + " | " + toString(weakness.manoeuvre) + " | " +
+  return "| " + std::to_string(rank) + " | " + rowName(weakness.row) + " | " + shown.one.name +
+         " | " + toString(weakness.manoeuvre) + " | " +
          (weakness.at_fault ? "planner" : "attacker") + " | " + toString(weakness.place) + " | " +
          numbers + " |\n";
 }
@@ -95,7 +96,7 @@ std::string printedLine(int rank, const Weakness& weakness, const Shown& shown) 
   const PlannerContact& contact = *shown.row.outcome.contact;
   const Avoidance& evasion = shown.row.evasion_drive->ego;
   const double now = shown.one.scenario.snapshot.now;
-  return "  " + std::to_string(rank) + " " + rowName(weakness.planner, weakness.policy) + ": " +
+  return "  " + std::to_string(rank) + " " + rowName(weakness.row) + ": " +
          toString(weakness.manoeuvre) + " (" + toString(weakness.place) + ", " +
          (weakness.at_fault ? "planner" : "attacker") + " at fault)" +
          formatted(" after %.1f s at %.1f m/s, avoidable ", fromNow(contact.time, now),

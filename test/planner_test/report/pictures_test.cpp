@@ -41,6 +41,20 @@ TEST(PicturesBeside, AreFoundByTheirRankAmongTheHits) {
   EXPECT_TRUE(pictures.at({"case:1", "idm"}).empty());
 }
 
+TEST(PicturesBeside, DifferByBackground) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() + "/worst");
+  folder.write("worst/idm_fixed_1.png", "");
+  folder.write("worst/idm_fixed_idm_1.png", "");
+  PlannerTestResult both = hit(1);
+  both.rows.push_back(both.rows.front());
+  both.rows.back().background = Background::kIdm;
+  const auto pictures = picturesBeside(folder.path() + "/results.jsonl", {both}, shippedLimits());
+  EXPECT_THAT(pictures.at({"case:1", "idm"})[0].path, EndsWith("idm_fixed_1.png"));
+  EXPECT_THAT(pictures.at({"case:1", "idm in idm traffic"})[0].path,
+              EndsWith("idm_fixed_idm_1.png"));
+}
+
 TEST(PicturesBeside, AreSearchedOnlyBesideTheResults) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder.path() + "/out/worst");
@@ -54,7 +68,8 @@ TEST(PicturesBeside, AreSearchedOnlyBesideTheResults) {
 TEST(PicturesBeside, ShowHitAndEvasionOfAWeakness) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder.path() + "/weaknesses");
-  folder.write("witnesses.jsonl", R"({"name":"case:1","planner":"idm","policy":"fixed"})");
+  folder.write("witnesses.jsonl",
+               R"({"name":"case:1","planner":"idm","policy":"fixed","background":"replay"})");
   folder.write("weaknesses/1.gif", "");
   folder.write("weaknesses/1_escape.gif", "");
   const auto pictures = picturesBeside(folder.path() + "/results.jsonl", {hit(1)}, shippedLimits());

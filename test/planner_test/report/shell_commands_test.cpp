@@ -61,7 +61,7 @@ TEST(CommandsOfAttack, QuoteSpecialCharacters) {
 
 TEST(CommandsOfTest, TestThePlannerOnThatLineAlone) {
   const ShellCommands commands =
-      commandsOfTest("out/my runs.jsonl", 11, "pdm", PolicyKind::kAdaptive, Background::kIdm,
+      commandsOfTest("out/my runs.jsonl", 11, {"pdm", PolicyKind::kAdaptive, Background::kIdm},
                      {"data/embedded", ""});
   EXPECT_EQ(commands.lines,
             "sed -n 11p 'out/my runs.jsonl' > one.jsonl\n"

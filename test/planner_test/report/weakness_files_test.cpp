@@ -15,7 +15,7 @@ using testing::IsEmpty;
 
 std::string line(const std::string& name, const std::string& planner, const std::string& policy) {
   return R"({"name":")" + name + R"(","planner":")" + planner + R"(","policy":")" + policy +
-         "\"}\n";
+         "\",\"background\":\"replay\"}\n";
 }
 
 TEST(WeaknessFiles, ACaseThatHitsTwoPlannersIsOneScenario) {

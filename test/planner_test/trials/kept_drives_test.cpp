@@ -20,13 +20,13 @@ TEST(KeptDrives, ARowComesWithItsMotionsAndTheAttackersBox) {
                plannerResultLine(before) + "\n" + plannerResultLine(result) + "\n");
   const KeptDrives drives(folder.path() + "/results.jsonl");
   const PlannerCase one = rearEnd();
-  const PlannerRow row = drives.rowOf(one, 1, "idm", PolicyKind::kFixed);
+  const PlannerRow row = drives.rowOf(one, 1, {"idm"});
   const RolloutOutcome& outcome = row.outcome;
   EXPECT_EQ(outcome.driven.size(), result.rows[0].outcome.driven.size());
   EXPECT_EQ(outcome.attacker.size.length, one.scenario.attacker.size.length);
   EXPECT_EQ(outcome.attacker.points.size(), result.rows[0].outcome.attacker.points.size());
-  EXPECT_THROW(drives.rowOf(one, 0, "idm", PolicyKind::kFixed), std::out_of_range);
-  EXPECT_THROW(drives.rowOf(one, 2, "idm", PolicyKind::kFixed), std::out_of_range);
+  EXPECT_THROW(drives.rowOf(one, 0, {"idm"}), std::out_of_range);
+  EXPECT_THROW(drives.rowOf(one, 2, {"idm"}), std::out_of_range);
 }
 
 TEST(KeptDrives, AMissingFileIsNamed) {

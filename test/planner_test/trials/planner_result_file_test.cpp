@@ -49,7 +49,7 @@ TEST(PlannerResultFile, ALineReadsBackAsTheSameLine) {
 TEST(PlannerResultFile, KeepsTheMotionsToTheMicrometre) {
   PlannerCase one = rearEnd();
   one.request.crash.limits = LimitSet::kDrivable;
-  const TestPlan plan{{"idm"}, Background::kIdm, {PolicyKind::kAdaptive}, {}};
+  const TestPlan plan{{"idm"}, {Background::kIdm}, {PolicyKind::kAdaptive}, {}};
   PlannerTestResult result = testPlanners(one, plan, config(), config().planners);
   PlannerRow& row = result.rows.front();
   ASSERT_TRUE(row.evasion_drive);
@@ -60,7 +60,7 @@ TEST(PlannerResultFile, KeepsTheMotionsToTheMicrometre) {
   const PlannerTestResult read = readPlannerResultLine("here", line);
   const PlannerRow& kept = read.rows.front();
   EXPECT_EQ(plannerResultLine(read), line);
-  EXPECT_EQ(read.background, Background::kIdm);
+  EXPECT_EQ(kept.background, Background::kIdm);
   const auto expect_same = [](const std::vector<TrajectoryPoint>& found,
                               const std::vector<TrajectoryPoint>& expected) {
     ASSERT_EQ(found.size(), expected.size());
@@ -95,7 +95,7 @@ TEST(PlannerResultFile, AMotionWithListsOfDifferentLengthIsRejected) {
 
 TEST(PlannerResultFile, AnotherFormatIsRejectedWithTheField) {
   std::string line = plannerResultLine(tested());
-  line.replace(line.find("\"version\":6"), 11, "\"version\":2");
+  line.replace(line.find("\"version\":7"), 11, "\"version\":2");
   try {
     readPlannerResultLine("results.jsonl: line 4", line);
     ADD_FAILURE();

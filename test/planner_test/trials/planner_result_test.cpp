@@ -37,13 +37,13 @@ TEST(PlannerResult, EachPolicyOfTheAttackerHasARowOfItsOwn) {
   PlannerCase one = rearEnd();
   one.request.crash.limits = LimitSet::kDrivable;
   const TestPlan plan{
-      {"idm", "pdm"}, Background::kReplay, {PolicyKind::kFixed, PolicyKind::kAdaptive}, {}};
+      {"idm", "pdm"}, {Background::kReplay}, {PolicyKind::kFixed, PolicyKind::kAdaptive}, {}};
   const PlannerTestResult result = testPlanners(one, plan, config(), config().planners);
   ASSERT_EQ(result.rows.size(), 4u);
   const std::vector<std::string> names = rowNames(plan);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const PlannerRow& row = result.rows[i];
-    EXPECT_EQ(rowName(row.planner, row.attacker.policy), names[i]);
+    EXPECT_EQ(rowName(row), names[i]);
     EXPECT_EQ(names[i].find(','), std::string::npos) << "it is a cell of CSV files";
     EXPECT_EQ(row.attacker.broken_limit, "");
     EXPECT_EQ(row.published_hit.has_value(), row.attacker.policy == PolicyKind::kFixed);
@@ -57,6 +57,16 @@ TEST(PlannerResult, EachPolicyOfTheAttackerHasARowOfItsOwn) {
   EXPECT_TRUE(result.rows[1].is_fair);
   EXPECT_EQ(result.rows[0].evasion.has_value(),
             result.rows[0].outcome.contact && result.rows[0].outcome.contact->is_attacker);
+}
+
+TEST(PlannerResult, EachBackgroundHasARowOfItsOwn) {
+  const TestPlan plan{{"idm"}, {Background::kReplay, Background::kIdm}, {PolicyKind::kFixed}, {}};
+  EXPECT_EQ(rowNames(plan), (std::vector<std::string>{"idm", "idm in idm traffic"}));
+  const PlannerTestResult result = testPlanners(rearEnd(), plan, config(), config().planners);
+  ASSERT_EQ(result.rows.size(), 2u);
+  EXPECT_EQ(result.rows[0].background, Background::kReplay);
+  EXPECT_EQ(result.rows[1].background, Background::kIdm);
+  EXPECT_EQ(rowName(result.rows[1]), "idm in idm traffic");
 }
 
 TEST(PlannerResult, AHitAvoidableForLessThanAvoidableForIsUnfair) {

@@ -40,13 +40,29 @@ TEST(PlannerSummary, CountsOnlyFairHitsAsAvoidable) {
 TEST(PlannerSummary, SeparatesAttackerPolicies) {
   PlannerRow adaptive = row("idm", 4.0);
   adaptive.attacker.policy = PolicyKind::kAdaptive;
-  const std::string name = rowName("idm", PolicyKind::kAdaptive);
+  const std::string name = rowName(RowKey{"idm", PolicyKind::kAdaptive});
   const auto summaries =
       summarizePlanners({result("s:1", "a", {row("idm", {}), adaptive})}, {"idm", name});
   ASSERT_EQ(summaries.size(), 2u);
   EXPECT_EQ(summaries[0].hits, 0);
   EXPECT_EQ(summaries[1].hits, 1);
   EXPECT_EQ(summaries[1].planner, name);
+}
+
+TEST(PlannerSummary, CountsTheCasesWhoseVerdictDependsOnTheBackground) {
+  const auto both = [](std::optional<double> replayed, std::optional<double> reacting) {
+    std::vector<PlannerRow> rows = {row("idm", replayed), row("idm", reacting)};
+    rows[1].background = Background::kIdm;
+    return rows;
+  };
+  const std::vector<PlannerTestResult> results = {
+      result("s:1", "a", both(4.0, 6.0)), result("s:2", "a", both(4.0, {})),
+      result("s:3", "a", both({}, {})), result("s:4", "a", both({}, 3.0))};
+  TestPlan plan{{"idm"}, {Background::kReplay, Background::kIdm}, {PolicyKind::kFixed}, {}};
+  EXPECT_EQ(backgroundText(results, plan),
+            "the verdict depends on the background traffic in 2 of 4 cases: idm 2\n");
+  plan.backgrounds = {Background::kIdm};
+  EXPECT_EQ(backgroundText(results, plan), "");
 }
 
 TEST(PlannerSummary, HasALineForEachPlannerUnderTitles) {

@@ -36,7 +36,7 @@ TEST(Weaknesses, GroupHitsOfOneKindHardestFirstAtEqualSeverity) {
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].results, (std::vector<std::size_t>{1, 2, 0}));
   EXPECT_EQ(found[0].manoeuvre, Manoeuvre::kCutIn);
-  EXPECT_EQ(found[0].planner, "pdm");
+  EXPECT_EQ(found[0].row.planner, "pdm");
 }
 
 TEST(Weaknesses, HaveTheHitWithTheLikeliestSevereInjuryFirst) {
@@ -58,7 +58,7 @@ TEST(Weaknesses, DifferByManoeuvreFaultPlaceAndPlanner) {
   EXPECT_TRUE(found[0].at_fault) << "the most severe hit";
   EXPECT_EQ(found[1].place, ContactPlace::kJunction);
   EXPECT_EQ(found[3].manoeuvre, Manoeuvre::kMerge);
-  EXPECT_EQ(found[4].planner, "idm");
+  EXPECT_EQ(found[4].row.planner, "idm");
 }
 
 TEST(Weaknesses, CountOnlyFairHardHitsWithinTheAttackersLimits) {

@@ -13,6 +13,14 @@ namespace forge {
 inline const char* const kContractArguments =
     "self, ego_history, agents, agents_mask, lanes, lanes_mask, route";
 
+inline const char* const kTrafficArguments =
+    "self, ego_history, agents, agents_mask, lanes, lanes_mask, step";
+
+/// A forward() body of a traffic model in which every agent keeps its velocity.
+inline const char* const kSteadyTraffic =
+    "    now = agents[:, -1]\n"
+    "    return torch.cat([now[:, 0:2] + step * now[:, 3:5], now[:, 2:3]], 1)\n";
+
 /// A forward() body that keeps speed and heading.
 inline const char* const kConstantVelocity =
     "    times = 0.1 * torch.arange(1, 81).float()\n"

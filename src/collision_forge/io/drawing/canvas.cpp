@@ -2,6 +2,7 @@
 
 #include <cairo.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <stdexcept>
@@ -140,13 +141,22 @@ void Canvas::selectFont(const TextStyle& style) {
 }
 
 void Canvas::text(const Vector2& position, const std::string& text, const TextStyle& style) {
-  double left = position.x();
-  if (style.align == TextAlign::kCenter) left -= textWidth(text, style) / 2;
-  if (style.align == TextAlign::kRight) left -= textWidth(text, style);
+  double begin = 0.0;
+  if (style.align == TextAlign::kCenter) begin = -textWidth(text, style) / 2;
+  if (style.align == TextAlign::kRight) begin = -textWidth(text, style);
   selectFont(style);
   setColor(context_.get(), style.color, 1.0);
-  cairo_move_to(context_.get(), left, position.y());
+  if (!style.upwards) {
+    cairo_move_to(context_.get(), position.x() + begin, position.y());
+    cairo_show_text(context_.get(), text.c_str());
+    return;
+  }
+  cairo_save(context_.get());
+  cairo_translate(context_.get(), position.x(), position.y());
+  cairo_rotate(context_.get(), -M_PI_2);
+  cairo_move_to(context_.get(), begin, 0.0);
   cairo_show_text(context_.get(), text.c_str());
+  cairo_restore(context_.get());
 }
 
 double Canvas::textWidth(const std::string& text, const TextStyle& style) {

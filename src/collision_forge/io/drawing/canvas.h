@@ -31,6 +31,7 @@ struct TextStyle {
   double size = 0.0;  ///< pixels
   bool bold = false;
   TextAlign align = TextAlign::kLeft;
+  bool upwards = false;  ///< true: the text reads from the bottom to the top
 };
 
 /// An opaque RGB image. Copying copies the pixels. The constructor throws std::runtime_error if
@@ -72,7 +73,7 @@ class Canvas {
   /// Draws a line; nothing for fewer than two points.
   void stroke(const std::vector<Vector2>& points, const LineStyle& style);
 
-  /// Draws UTF-8 text. `position`: on the baseline, at the text's left end, middle or right end by
+  /// Draws UTF-8 text. `position`: on the baseline, at the text's beginning, middle or end by
   /// `style.align`.
   void text(const Vector2& position, const std::string& text, const TextStyle& style);
   /// Returns the width of a text, pixels.

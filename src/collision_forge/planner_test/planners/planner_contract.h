@@ -5,8 +5,8 @@
 
 namespace forge {
 
-// Input and output format of a learned planner, as docs/learned_planner.md defines it. These
-// numbers are fixed: model files depend on them.
+// Input and output formats of a learned planner and of a learned traffic model, as
+// docs/learned_planner.md defines them. These numbers are fixed: model files depend on them.
 
 inline constexpr std::size_t kContractFrames = 5;   ///< past frames; the last is the current one
 inline constexpr double kContractFrameStep = 0.5;   ///< s between them
@@ -66,6 +66,36 @@ inline constexpr std::size_t kContractNumbers = contractStart(kContractInputs.si
 /// The return value of forward().
 inline constexpr ContractTensor kContractOutput = {
     "the output", {kContractPoses, kContractPoseNumbers, 0}, 2};
+
+/// The arguments of forward() of a traffic model: the first ones of a planner, and the time, s,
+/// from now to the poses of the output.
+inline constexpr std::array<ContractTensor, 6> kTrafficInputs = {{
+    kContractInputs[kEgoHistory],
+    kContractInputs[kAgents],
+    kContractInputs[kAgentsMask],
+    kContractInputs[kLanes],
+    kContractInputs[kLanesMask],
+    {"step", {1, 0, 0}, 1},
+}};
+
+/// Inputs and output of a model file.
+struct ModelContract {
+  const char* name;  ///< also an argument of the worker process
+  const std::array<ContractTensor, 6>& inputs;
+  ContractTensor output;
+
+  /// Returns the number of values in all inputs together.
+  constexpr std::size_t numbers() const {
+    std::size_t sum = 0;
+    for (const ContractTensor& input : inputs) sum += input.count();
+    return sum;
+  }
+};
+
+inline constexpr ModelContract kPlannerContract = {"planner", kContractInputs, kContractOutput};
+/// The output: the next pose of each agent of `agents`.
+inline constexpr ModelContract kTrafficContract = {
+    "traffic", kTrafficInputs, {"the output", {kContractAgents, kContractPoseNumbers, 0}, 2}};
 
 // Protocol between the test suite and the worker process that runs a model file, over one byte
 // stream. The worker first sends one reply: whether the file is usable. Then it replies to each

@@ -74,21 +74,6 @@ double kindOf(AgentClass agent_class) {
   }
 }
 
-/// Returns the agents with a state, nearest first.
-std::vector<const Track*> nearestAgents(const std::vector<Track>& agents, const Pose2& ego) {
-  std::vector<std::pair<double, const Track*>> found;
-  for (const Track& agent : agents) {
-    if (agent.states.empty()) continue;
-    const Vector2 away = agent.states.back().pose.position() - ego.position();
-    found.emplace_back(away.norm(), &agent);
-  }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<const Track*> nearest;
-  for (const auto& [distance, agent] : found) nearest.push_back(agent);
-  return nearest;
-}
-
 void writeAgents(const std::vector<Track>& agents, const TrajectoryPoint& ego, float* numbers,
                  float* mask) {
   const std::vector<const Track*> nearest = nearestAgents(agents, ego.pose);
@@ -132,18 +117,40 @@ void writeLanes(const LaneIndex& lanes, const Pose2& ego, float* numbers, float*
 
 }  // namespace
 
+std::vector<const Track*> nearestAgents(const std::vector<Track>& agents, const Pose2& ego) {
+  std::vector<std::pair<double, const Track*>> found;
+  for (const Track& agent : agents) {
+    if (agent.states.empty()) continue;
+    const Vector2 away = agent.states.back().pose.position() - ego.position();
+    found.emplace_back(away.norm(), &agent);
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<const Track*> nearest;
+  for (const auto& [distance, agent] : found) nearest.push_back(agent);
+  return nearest;
+}
+
+std::vector<float> sharedInputs(const LaneIndex& lanes,
+                                const std::vector<TrajectoryPoint>& ego_history,
+                                const std::vector<Track>& agents) {
+  const TrajectoryPoint& ego = ego_history.back();
+  std::vector<float> numbers(contractStart(kRoute), 0.0f);
+  const auto input = [&](ContractInput which) { return numbers.data() + contractStart(which); };
+  writeEgo(ego_history, input(kEgoHistory));
+  writeAgents(agents, ego, input(kAgents), input(kAgentsMask));
+  writeLanes(lanes, ego.pose, input(kLanes), input(kLanesMask));
+  return numbers;
+}
+
 PlannerInputs::PlannerInputs(const DrivingTask& task, const RouteCenterlineOptions& options)
     : lanes_(checked(task).lanes), way_(routeCenterline(*task.lanes, task.route, options)) {}
 
 std::vector<float> PlannerInputs::at(const std::vector<TrajectoryPoint>& ego_history,
                                      const std::vector<Track>& agents) const {
-  const TrajectoryPoint& ego = ego_history.back();
-  std::vector<float> numbers(kContractNumbers, 0.0f);
-  const auto input = [&](ContractInput which) { return numbers.data() + contractStart(which); };
-  writeEgo(ego_history, input(kEgoHistory));
-  writeAgents(agents, ego, input(kAgents), input(kAgentsMask));
-  writeLanes(*lanes_, ego.pose, input(kLanes), input(kLanesMask));
-  writeRoute(ego.pose, input(kRoute));
+  std::vector<float> numbers = sharedInputs(*lanes_, ego_history, agents);
+  numbers.resize(kContractNumbers, 0.0f);
+  writeRoute(ego_history.back().pose, numbers.data() + contractStart(kRoute));
   return numbers;
 }
 

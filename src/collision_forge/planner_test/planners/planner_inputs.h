@@ -9,6 +9,15 @@
 
 namespace forge {
 
+/// Returns the agents with a state, nearest to the ego first.
+std::vector<const Track*> nearestAgents(const std::vector<Track>& agents, const Pose2& ego);
+
+/// Returns the numbers of the inputs that a learned planner and a traffic model share, the first
+/// five of kContractInputs; arguments as in PlannerInputs::at().
+std::vector<float> sharedInputs(const LaneIndex& lanes,
+                                const std::vector<TrajectoryPoint>& ego_history,
+                                const std::vector<Track>& agents);
+
 /// Builds the input tensors of a learned planner along one drive (planner_contract.h): in the
 /// current frame of the ego (middle of the box, x forward, y left), m, rad, m/s, not normalised.
 /// Unused entries and their mask are 0.

@@ -5,8 +5,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include "collision_forge/planner_test/planners/planner_contract.h"
-
 namespace forge {
 namespace {
 
@@ -23,11 +21,11 @@ std::vector<std::string> commandOf(const TorchscriptFileOptions& options) {
   }
   if (!fs::exists(program)) {
     throw PlannerFileError(options.file +
-                           ": learned planners are not available in this build: program " +
-                           program + " does not exist; install libtorch and build again");
+                           ": learned models are not available in this build: program " + program +
+                           " does not exist; install libtorch and build again");
   }
   const double longest = std::max(options.timeout, options.start_timeout);
-  return {program, options.file, options.device, std::to_string(longest)};
+  return {program, options.file, options.device, std::to_string(longest), options.contract->name};
 }
 
 }  // namespace
@@ -35,8 +33,9 @@ std::vector<std::string> commandOf(const TorchscriptFileOptions& options) {
 std::string workerKey(const TorchscriptFileOptions& options) {
   std::error_code absent;
   const auto written = fs::last_write_time(options.file, absent).time_since_epoch().count();
-  return options.device + ' ' + std::to_string(options.timeout) + ' ' +
-         std::to_string(options.start_timeout) + ' ' + std::to_string(written) + ' ' + options.file;
+  return std::string(options.contract->name) + ' ' + options.device + ' ' +
+         std::to_string(options.timeout) + ' ' + std::to_string(options.start_timeout) + ' ' +
+         std::to_string(written) + ' ' + options.file;
 }
 
 PlannerWorker::PlannerWorker(const TorchscriptFileOptions& options)
@@ -56,7 +55,7 @@ void PlannerWorker::begin() {
 }
 
 std::vector<float> PlannerWorker::plan(const std::vector<float>& inputs) {
-  std::vector<float> poses(kContractOutput.count());
+  std::vector<float> poses(options_.contract->output.count());
   ask(kRequestPlan, inputs, poses);
   return poses;
 }

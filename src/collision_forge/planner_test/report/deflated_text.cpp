@@ -3,12 +3,10 @@
 #include <zlib.h>
 
 #include <stdexcept>
-#include <vector>
 
 namespace forge {
-namespace {
 
-std::string base64(const std::vector<Bytef>& bytes) {
+std::string base64Text(const std::string& bytes) {
   static const char* const kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
@@ -16,7 +14,7 @@ std::string base64(const std::vector<Bytef>& bytes) {
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     unsigned group = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      group = group << 8 | (i + k < bytes.size() ? bytes[i + k] : 0u);
+      group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
     }
     for (std::size_t k = 0; k < 4; ++k) {
       const bool is_padding = i + k > bytes.size();
@@ -26,17 +24,16 @@ std::string base64(const std::vector<Bytef>& bytes) {
   return text;
 }
 
-}  // namespace
-
 std::string deflatedText(const std::string& text) {
   uLongf size = compressBound(text.size());
-  std::vector<Bytef> packed(size);
+  std::string packed(size, '\0');
   const auto* bytes = reinterpret_cast<const Bytef*>(text.data());
-  if (compress2(packed.data(), &size, bytes, text.size(), Z_BEST_COMPRESSION) != Z_OK) {
+  if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size, bytes, text.size(),
+                Z_BEST_COMPRESSION) != Z_OK) {
     throw std::runtime_error("cannot compress " + std::to_string(text.size()) + " bytes");
   }
   packed.resize(size);
-  return base64(packed);
+  return base64Text(packed);
 }
 
 }  // namespace forge

@@ -63,7 +63,7 @@ void addCase(const PlannerTestResult& result, const std::string& name,
     return;
   }
   for (const PlannerRow& row : result.rows) {
-    if (rowName(row.planner, row.attacker.policy) != name) continue;
+    if (rowName(row) != name) continue;
     const pugi::xml_node entry = suite.add(result.name, row.outcome.duration);
     const std::string criterion = failedBy(criteria, row);
     if (!criterion.empty()) suite.fail(entry, criterion + ": " + describe(row));

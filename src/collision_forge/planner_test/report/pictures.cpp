@@ -1,7 +1,7 @@
 #include "collision_forge/planner_test/report/pictures.h"
 
 #include <filesystem>
-#include <set>
+#include <map>
 
 #include "collision_forge/base/files/plain_name.h"
 #include "collision_forge/planner_test/report/weakness_files.h"
@@ -25,17 +25,16 @@ void add(std::vector<Picture>& pictures, const std::string& name, const std::str
 void addWorst(TestPictures& pictures, const std::string& folder,
               const std::vector<PlannerTestResult>& results) {
   if (!fs::is_directory(folder)) return;
-  std::set<std::pair<std::string, PolicyKind>> tested;
+  std::map<std::string, RowKey> tested;
   for (const PlannerTestResult& result : results) {
-    for (const PlannerRow& row : result.rows) tested.emplace(row.planner, row.attacker.policy);
+    for (const PlannerRow& row : result.rows) tested.emplace(rowName(row), keyOf(row));
   }
-  for (const auto& [planner, policy] : tested) {
-    if (!nameFault(planner).empty()) continue;  // the file may have been edited by hand
-    const std::string row = rowName(planner, policy);
+  for (const auto& [row, key] : tested) {
+    if (!nameFault(key.planner).empty()) continue;  // the file may have been edited by hand
     int rank = 0;
     for (const WorstCase& worst : worstCases(results, {row}, results.size())) {
-      const std::string name = planner + "_" + toString(policy) + "_" + std::to_string(++rank);
-      add(pictures[{results[worst.result].name, row}], "The hit as driven", folder + "/" + name);
+      add(pictures[{results[worst.result].name, row}], "The hit as driven",
+          folder + "/" + pictureName(key, ++rank));
     }
   }
 }

@@ -36,6 +36,7 @@ ReportFileKind kindOf(const std::string& where, const std::string& line) {
 
 ReportFile openReportFile(const std::string& path, const InputLimits& limits) {
   std::ifstream file = openToRead(path);
+  if (fs::path(path).extension() == ".png") return {path, ReportFileKind::kMaps};
   const std::string where = path + ": line 1";
   std::string line;
   readInputLine(file, line, where, limits);

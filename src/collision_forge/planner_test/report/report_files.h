@@ -11,6 +11,7 @@ namespace forge {
 enum class ReportFileKind {
   kScenarios,     ///< output of forge generate, or the attempts of forge study dataset
   kPlannerTests,  ///< results.jsonl of forge test, train.jsonl and test.jsonl of forge tune
+  kMaps,          ///< map.png of forge sweep
 };
 
 /// An input file with its detected kind.
@@ -19,8 +20,9 @@ struct ReportFile {
   ReportFileKind kind;
 };
 
-/// Detects the kind of a file by its first line. Throws std::runtime_error, naming file and line,
-/// if it cannot be read or is of no known kind, InputError as readInputLine().
+/// Detects the kind of a file by its first line, of a picture by its ending .png. Throws
+/// std::runtime_error, naming file and line, if it cannot be read or is of no known kind,
+/// InputError as readInputLine().
 ReportFile openReportFile(const std::string& path, const InputLimits& limits);
 
 /// Receives one line: `where` ("FILE: line 2"), the line number from 1 on, the text, and the share

@@ -178,7 +178,7 @@ ReportRow rowOfTest(const PlannerTestResult& result, const PlannerRow* row,
   found.message = result.message;
   found.outcome = "untested";
   if (row == nullptr) return found;
-  found.planner = rowName(row->planner, row->attacker.policy);
+  found.planner = rowName(*row);
   if (!result.isTested()) return found;
   const RolloutOutcome& outcome = row->outcome;
   found.outcome = outcomeOf(outcome);

@@ -122,12 +122,14 @@ std::vector<ShellCommands> commandsOfAttack(const Scenario& scenario, int altern
   return commands;
 }
 
-ShellCommands commandsOfTest(const std::string& path, std::size_t line, const std::string& planner,
-                             PolicyKind policy, Background background, const LogSource& logs) {
+ShellCommands commandsOfTest(const std::string& path, std::size_t line, const RowKey& row,
+                             const LogSource& logs) {
   std::string lines = "sed -n " + std::to_string(line) + "p " + shellWord(path) +
                       " > one.jsonl\nforge test" + sourceOptions(logs) + " --scenarios one.jsonl" +
-                      option("planners", planner) + option("attacker-policy", toString(policy));
-  if (background == Background::kIdm) lines += " --background idm";
+                      option("planners", row.planner) +
+                      option("attacker-policy", toString(row.policy));
+  if (row.background == Background::kIdm) lines += " --background idm";
+  if (row.background == Background::kModel) lines += " --background model:FILE.pt";
   return {"Test, picture and animation", lines + " --out one --report one/page"};
 }
 

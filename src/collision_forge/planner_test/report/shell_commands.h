@@ -32,8 +32,8 @@ std::vector<ShellCommands> commandsOfAttack(const Scenario& scenario, int altern
 
 /// Returns the `forge test` command of one planner for one line (counted from 1 on) of the scenario
 /// file at `path`.
-ShellCommands commandsOfTest(const std::string& path, std::size_t line, const std::string& planner,
-                             PolicyKind policy, Background background, const LogSource& logs);
+ShellCommands commandsOfTest(const std::string& path, std::size_t line, const RowKey& row,
+                             const LogSource& logs);
 
 /// Returns the page's record of the commands, as JSON.
 std::string commandsRecord(const std::vector<ShellCommands>& commands);

@@ -20,7 +20,10 @@ std::vector<WitnessedHit> readWitnessedHits(const std::string& folder, const Inp
     JsonObject object = line.root();
     const auto policy = policyKindFromString(object.text("policy"));
     if (!policy) object.fail("policy", "is not an attacker policy");
-    hits.push_back({object.text("name"), rowName(object.text("planner"), *policy)});
+    const auto background = backgroundFromString(object.text("background"));
+    if (!background) object.fail("background", "is not a kind of background traffic");
+    hits.push_back(
+        {object.text("name"), rowName(RowKey{object.text("planner"), *policy, *background})});
   }
   return hits;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <set>
@@ -12,6 +14,7 @@
 #include "collision_forge/io/logs/scene_source.h"
 #include "collision_forge/planner_test/planners/planner_factory.h"
 #include "collision_forge/planner_test/report/attack_record.h"
+#include "collision_forge/planner_test/report/deflated_text.h"
 #include "collision_forge/planner_test/report/page_file.h"
 #include "collision_forge/planner_test/report/pictures.h"
 #include "collision_forge/planner_test/report/report_files.h"
@@ -50,6 +53,14 @@ void writeColor(JsonLineWriter& writer, const char* key, const Color& color) {
   writer.numbers(key, {color.red, color.green, color.blue});
 }
 
+/// Returns a picture in base64. Throws std::runtime_error if it cannot be read.
+std::string mapData(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (bytes.empty()) throw std::runtime_error(path + ": cannot be read");
+  return base64Text(bytes);
+}
+
 /// Reads the inputs in sequence and adds their records to the page.
 class ReportBuilder {
  public:
@@ -70,6 +81,7 @@ class ReportBuilder {
     // Scenario files come first, because tests refer to their attacks.
     for (const bool is_of_attacks : {true, false}) {
       for (std::size_t i = 0; i < files_.size(); ++i) {
+        if (files_[i].kind == ReportFileKind::kMaps) continue;
         if ((files_[i].kind == ReportFileKind::kScenarios) == is_of_attacks) read(i);
       }
     }
@@ -128,6 +140,9 @@ class ReportBuilder {
           break;
         case ReportFileKind::kPlannerTests:
           addPlannerTest(where, text, pictures);
+          break;
+        case ReportFileKind::kMaps:
+          break;
       }
       for (std::size_t i = first; i < rows_.size(); ++i) {
         rows_[i].file = place;
@@ -228,17 +243,15 @@ class ReportBuilder {
     for (const PlannerRow& test : result.rows) {
       ReportRow& row = rows_.emplace_back(rowOfTest(result, &test, known_row));
       if (result.isTested()) {
-        const auto links =
-            pictures.find({result.name, rowName(test.planner, test.attacker.policy)});
+        const auto links = pictures.find({result.name, rowName(test)});
         row.test = page_.add(plannerRecord(
             result, test,
             {attack != nullptr, attack ? crashOf(test, *attack, result.scene) : std::nullopt,
              links != pictures.end() ? linksTo(links->second) : std::vector<PictureLink>()}));
       }
       if (!known || !isPlannerName(test.planner)) continue;
-      row.commands = page_.add(
-          commandsRecord({commandsOfTest(files_[known->file].path, known->line, test.planner,
-                                         test.attacker.policy, result.background, inputs_.logs)}));
+      row.commands = page_.add(commandsRecord(
+          {commandsOfTest(files_[known->file].path, known->line, keyOf(test), inputs_.logs)}));
     }
   }
 
@@ -307,6 +320,11 @@ class ReportBuilder {
       writer.endObject();
     }
     writer.endArray();
+    std::vector<std::string> maps;
+    for (const ReportFile& file : files_) {
+      if (file.kind == ReportFileKind::kMaps) maps.push_back(mapData(file.path));
+    }
+    writer.texts("maps", maps);
     writeColors(writer);
     writeColumns(writer, rows_);
     writer.endObject();

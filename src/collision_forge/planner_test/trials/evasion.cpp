@@ -43,8 +43,7 @@ class Search {
  private:
   /// Records all agents at the start times before the contact.
   std::vector<Traffic> momentsOf(const std::vector<TrajectoryPoint>& driven) const {
-    Traffic traffic(scenario_, makeRolloutAttacker(scenario_, setup_), setup_.background,
-                    setup_.planners.traffic, setup_.planners.planning.history);
+    Traffic traffic = makeRolloutTraffic(scenario_, setup_);
     std::vector<Traffic> moments = {traffic};
     for (std::size_t i = 1; i + 1 < driven.size(); ++i) {
       traffic.advance(driven[i].time, egoAt(driven[i - 1]));

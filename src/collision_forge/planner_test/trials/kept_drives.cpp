@@ -14,15 +14,14 @@ KeptDrives::KeptDrives(const std::string& path) : path_(path) {
   if (lines_.empty()) throw std::runtime_error(path + ": cannot be read");
 }
 
-PlannerRow KeptDrives::rowOf(const PlannerCase& one, std::size_t index, const std::string& planner,
-                             PolicyKind policy) const {
+PlannerRow KeptDrives::rowOf(const PlannerCase& one, std::size_t index, const RowKey& key) const {
   std::ifstream file(path_, std::ios::binary);
   file.seekg(lines_.at(index));
   std::string line;
   std::getline(file, line);
   const std::string where = path_ + ": line " + std::to_string(index + 1);
   for (PlannerRow& row : readPlannerResultLine(where, line).rows) {
-    if (row.planner != planner || row.attacker.policy != policy) continue;
+    if (rowName(row) != rowName(key)) continue;
     const auto complete = [&](AttackerTrajectory& attacker) {
       std::vector<TrajectoryPoint> points = std::move(attacker.points);
       attacker = one.scenario.attacker;
@@ -32,7 +31,7 @@ PlannerRow KeptDrives::rowOf(const PlannerCase& one, std::size_t index, const st
     if (row.evasion_drive) complete(row.evasion_drive->attacker);
     return row;
   }
-  throw std::out_of_range(where + ": has no row for planner " + rowName(planner, policy));
+  throw std::out_of_range(where + ": has no row for planner " + rowName(key));
 }
 
 }  // namespace forge

@@ -14,11 +14,9 @@ class KeptDrives {
   /// Throws std::runtime_error if the file cannot be read.
   explicit KeptDrives(const std::string& path);
 
-  /// Returns the row, with its motions, of a planner and policy in the case `one`, which has this
-  /// index. Throws JsonLineError as readPlannerResultLine(), and std::out_of_range if the file has
-  /// no such row.
-  PlannerRow rowOf(const PlannerCase& one, std::size_t index, const std::string& planner,
-                   PolicyKind policy) const;
+  /// Returns the row of `key`, with its motions, in the case `one`, which has this index. Throws
+  /// JsonLineError as readPlannerResultLine(), and std::out_of_range if the file has no such row.
+  PlannerRow rowOf(const PlannerCase& one, std::size_t index, const RowKey& key) const;
 
  private:
   std::string path_;

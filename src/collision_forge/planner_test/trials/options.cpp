@@ -26,6 +26,11 @@ static void readOptions(Section& section, UntilHitOptions& options) {
   options.min_impact_speed = section.nonNegative("min_impact_speed");
 }
 
+static void readOptions(Section& section, SweepOptions& options) {
+  options.impact_speed_tolerance = section.positive("impact_speed_tolerance");
+  options.overlap_tolerance = section.positive("overlap_tolerance");
+}
+
 /// Checks that `interval` is a multiple of the rollout's step.
 static void checkIntervals(const Section& file, const TrialOptions& options) {
   const double step = options.rollout.step;
@@ -46,9 +51,13 @@ static void checkIntervals(const Section& file, const TrialOptions& options) {
 void readOptions(Section& file, TrialOptions& options, const VehicleLimits& limits) {
   readOptions(file, static_cast<PlannerOptions&>(options), limits);
   options.traffic = options.idm;
+  options.traffic_model = options.torchscript;
+  options.traffic_model.file.clear();
+  options.traffic_model.contract = &kTrafficContract;
   file.read("rollout", options.rollout);
   file.read("avoidability", options.avoidability, limits);
   file.read("until_hit", options.until_hit);
+  file.read("sweep", options.sweep);
   options.avoidability.step = options.rollout.step;
   checkIntervals(file, options);
 }

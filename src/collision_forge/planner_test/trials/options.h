@@ -20,15 +20,26 @@ struct UntilHitOptions {
   double min_impact_speed = 0.0;  ///< m/s; softer hits are ignored
 };
 
+/// Options of forge sweep: config/planners.yaml, section sweep, where the reasons stand. A swept
+/// value of a field that is a range requests [value - tolerance, value + tolerance].
+struct SweepOptions {
+  double impact_speed_tolerance = 0.0;  ///< m/s
+  double overlap_tolerance = 0.0;       ///< share 0..1
+};
+
 /// All options of config/planners.yaml: the planners and the tests.
 struct TrialOptions : PlannerOptions {
   /// Drives other agents with Background::kIdm: `idm` of the file, whatever planner or variant is
   /// tested.
   IdmOptions traffic;
+  /// Drives other agents with Background::kModel: `torchscript` of the file with the model's file,
+  /// which the command line names.
+  TorchscriptOptions traffic_model;
   RolloutOptions rollout;
   NuplanScoreOptions nuplan_score;
   AvoidabilityOptions avoidability;
   UntilHitOptions until_hit;
+  SweepOptions sweep;
 };
 
 /// Reads all of planners.yaml; `limits` are the ego's. Throws ConfigError for a missing, unknown or

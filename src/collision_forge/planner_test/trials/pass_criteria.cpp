@@ -189,7 +189,7 @@ std::vector<CriterionVerdict> judge(const std::vector<Criterion>& criteria,
     for (const PlannerTestResult& result : results) {
       if (!result.isTested()) continue;
       for (const PlannerRow& row : result.rows) {
-        if (rowName(row.planner, row.attacker.policy) == name) found.push_back(&row);
+        if (rowName(row) == name) found.push_back(&row);
       }
     }
     for (const Criterion& criterion : criteria) {

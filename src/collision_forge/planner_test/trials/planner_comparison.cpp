@@ -20,7 +20,7 @@ std::map<std::string, RowsByCase> rowsOf(const std::vector<PlannerTestResult>& r
   for (const PlannerTestResult& result : results) {
     if (!result.isTested()) continue;
     for (const PlannerRow& row : result.rows) {
-      found[rowName(row.planner, row.attacker.policy)][result.name] = &row;
+      found[rowName(row)][result.name] = &row;
     }
   }
   return found;

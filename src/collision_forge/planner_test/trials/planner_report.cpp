@@ -231,7 +231,7 @@ PlannerTable rolloutTable(const RolloutMeasure& measure,
       for (const PlannerTestResult& result : results) {
         if (!(result.isTested() || measure.counts_unfit) || result.source != source) continue;
         for (const PlannerRow& row : result.rows) {
-          if (rowName(row.planner, row.attacker.policy) != planner) continue;
+          if (rowName(row) != planner) continue;
           const auto value = measure.value(result, row);
           if (value) trials.back().second.push_back(trialOf(result, *value));
         }
@@ -327,8 +327,8 @@ std::vector<WorstCase> worstCases(const std::vector<PlannerTestResult>& results,
     for (std::size_t i = 0; i < results.size(); ++i) {
       if (!results[i].isTested()) continue;
       for (const PlannerRow& row : results[i].rows) {
-        if (rowName(row.planner, row.attacker.policy) == planner && row.is_fair &&
-            !hasFailed(row.outcome) && hitsAttacker(row.outcome)) {
+        if (rowName(row) == planner && row.is_fair && !hasFailed(row.outcome) &&
+            hitsAttacker(row.outcome)) {
           contacts.emplace_back(*row.outcome.contact, i);
         }
       }

@@ -54,7 +54,7 @@ AttackerSummary summaryOf(const PlannerCase& one, PolicyKind policy, Background 
   const CrashScenario& scenario = one.scenario;
   Future driven = scenario.recorded;
   // The positions of reactive agents are not kept.
-  if (background == Background::kIdm) driven.agents.clear();
+  if (background != Background::kReplay) driven.agents.clear();
   driven.ego.states = toStates(outcome.driven);
   AttackerTrajectory attacker = outcome.attacker;
   const double end = outcome.driven.back().time;
@@ -126,16 +126,39 @@ PlannerTestResult evaluateCase(const PlannerCase& one, const AnswerOptions& opti
   return result;
 }
 
-std::string rowName(const std::string& planner, PolicyKind policy) {
-  return policy == PolicyKind::kFixed ? planner : planner + " against adaptive";
+std::string rowName(const RowKey& key) {
+  std::string name = key.planner;
+  if (key.policy != PolicyKind::kFixed) name += " against adaptive";
+  if (key.background == Background::kReplay) return name;
+  return name + " in " + toString(key.background) + " traffic";
+}
+
+RowKey keyOf(const PlannerRow& row) { return {row.planner, row.attacker.policy, row.background}; }
+
+std::string rowName(const PlannerRow& row) { return rowName(keyOf(row)); }
+
+std::vector<RowKey> rowKeys(const TestPlan& plan) {
+  std::vector<RowKey> keys;
+  for (const std::string& planner : plan.planners) {
+    for (const PolicyKind policy : plan.policies) {
+      for (const Background background : plan.backgrounds) {
+        keys.push_back({planner, policy, background});
+      }
+    }
+  }
+  return keys;
 }
 
 std::vector<std::string> rowNames(const TestPlan& plan) {
   std::vector<std::string> names;
-  for (const std::string& planner : plan.planners) {
-    for (const PolicyKind policy : plan.policies) names.push_back(rowName(planner, policy));
-  }
+  for (const RowKey& key : rowKeys(plan)) names.push_back(rowName(key));
   return names;
+}
+
+std::string pictureName(const RowKey& key, int rank) {
+  std::string name = key.planner + "_" + toString(key.policy) + "_";
+  if (key.background != Background::kReplay) name += std::string(toString(key.background)) + "_";
+  return name + std::to_string(rank);
 }
 
 std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind policy,
@@ -151,16 +174,16 @@ std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind 
                     options.attack, options.adaptive});
 }
 
-PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, PolicyKind policy,
-                       const TestPlan& plan, const AnswerOptions& options,
-                       const TrialOptions& trials) {
-  const auto attacker = makeAttacker(one, policy, plan.models, options);
-  const RolloutSetup setup{trials,          options.attack, options.crash,
-                           plan.background, true,           attacker.get()};
+PlannerRow testPlanner(const PlannerCase& one, const RowKey& key, const PredictionModels& models,
+                       const AnswerOptions& options, const TrialOptions& trials) {
+  const auto attacker = makeAttacker(one, key.policy, models, options);
+  const RolloutSetup setup{trials,         options.attack, options.crash,
+                           key.background, true,           attacker.get()};
   PlannerRow row;
-  row.planner = planner;
-  row.outcome = drive(one, planner, setup);
-  row.attacker = summaryOf(one, policy, plan.background, row.outcome, options);
+  row.planner = key.planner;
+  row.background = key.background;
+  row.outcome = drive(one, key.planner, setup);
+  row.attacker = summaryOf(one, key.policy, key.background, row.outcome, options);
   if (row.outcome.contact && row.outcome.contact->is_attacker) {
     row.evasion_drive = findEvasion(one.scenario, row.outcome.driven, setup);
     row.evasion = summaryOf(row.evasion_drive, one.scenario.snapshot.now);
@@ -169,9 +192,9 @@ PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, Polic
                   (!fairness.avoidable_by ||
                    isAvoidedBy(row.outcome.careful_drivers, *fairness.avoidable_by));
   }
-  if (one.published && policy == PolicyKind::kFixed &&
+  if (one.published && key.policy == PolicyKind::kFixed &&
       row.outcome.failure == PlannerFailure::kNone) {
-    row.published_hit = isPublishedHit(one, planner, plan.background, options, trials);
+    row.published_hit = isPublishedHit(one, key.planner, key.background, options, trials);
   }
   return row;
 }
@@ -189,7 +212,6 @@ void dropMotions(PlannerTestResult& result) {
 PlannerTestResult testPlanners(const PlannerCase& one, const TestPlan& plan,
                                const AnswerOptions& options, const TrialOptions& trials) {
   PlannerTestResult result = evaluateCase(one, options, trials);
-  result.background = plan.background;
   for (const std::string& name : plan.planners) {
     if (result.status == kUnfit && one.published && name == kPublishedIdm) {
       result.rows.push_back(
@@ -197,10 +219,8 @@ PlannerTestResult testPlanners(const PlannerCase& one, const TestPlan& plan,
     }
   }
   if (!result.isTested()) return result;
-  for (const std::string& name : plan.planners) {
-    for (const PolicyKind policy : plan.policies) {
-      result.rows.push_back(testPlanner(one, name, policy, plan, options, trials));
-    }
+  for (const RowKey& key : rowKeys(plan)) {
+    result.rows.push_back(testPlanner(one, key, plan.models, options, trials));
   }
   return result;
 }

@@ -26,16 +26,26 @@ struct AvoidabilitySummary {
 /// Configuration of a test: planners, background traffic and attacker policies.
 struct TestPlan {
   std::vector<std::string> planners;
-  Background background = Background::kReplay;
+  std::vector<Background> backgrounds = {Background::kReplay};
   std::vector<PolicyKind> policies = {PolicyKind::kFixed};
   PredictionModels models = {};  ///< of adaptive attackers
 };
 
-/// Returns the row title of a planner tested against such an attacker; the planner's own name for a
-/// fixed one.
-std::string rowName(const std::string& planner, PolicyKind policy);
-/// Returns the names of all rows of a plan, in order; the policies of each planner are adjacent.
+/// Identifies a row of a test: the planner, its attacker, and the motion of the other agents.
+struct RowKey {
+  std::string planner;
+  PolicyKind policy = PolicyKind::kFixed;
+  Background background = Background::kReplay;
+};
+
+/// Returns the title of a row: the planner's own name for a fixed attacker in replayed traffic.
+std::string rowName(const RowKey& key);
+/// Returns the rows of a plan, in order; the rows of each planner are adjacent.
+std::vector<RowKey> rowKeys(const TestPlan& plan);
+/// Returns the titles of rowKeys().
 std::vector<std::string> rowNames(const TestPlan& plan);
+/// Returns the name, without an ending, of the rank-th picture of a row, from 1 on.
+std::string pictureName(const RowKey& key, int rank);
 
 /// State of an attacker at the end of a rollout.
 struct AttackerSummary {
@@ -65,7 +75,12 @@ struct PlannerRow {
   /// For a clip of COLLIDE: whether the attacker hits the planner's ego by the published protocol
   /// (PublishedProtocol). The ego drives to the last frame, even through contacts.
   std::optional<bool> published_hit = {};
+  Background background = Background::kReplay;  ///< motion of the other agents
 };
+
+RowKey keyOf(const PlannerRow& row);
+/// Returns rowName() of keyOf().
+std::string rowName(const PlannerRow& row);
 
 /// Status of a case that cannot be read; only its name is known.
 inline constexpr const char* kUnreadable = "UNREADABLE";
@@ -83,15 +98,15 @@ struct PlannerTestResult {
   double tta = 0.0;  ///< s, requested
   double now = 0.0;  ///< s, scene clock; t0
   // Valid for all results:
-  Background background = Background::kReplay;
   std::string status;      ///< "OK", or why there is no test: a StatusCode, kUnreadable or kUnfit
   std::string message;     ///< for users; empty with OK
   bool is_strict = false;  ///< with OK: meets the strict protocol against the recording
   AvoidabilitySummary avoidability;  ///< valid with OK, like the next two fields
   /// driveCarefully() in the recorded ego's place.
   std::vector<CarefulDrive> careful_drivers;
-  /// With OK one row per planner and policy, ordered as rowNames(). An unfit clip has one row,
-  /// idm_published, with only `published_hit` set: that test drives the clip from its first frame.
+  /// With OK one row per planner, policy and background, ordered as rowKeys(). An unfit clip has
+  /// one row, idm_published, with only `published_hit` set: that test drives the clip from its
+  /// first frame.
   std::vector<PlannerRow> rows;
 
   /// Returns true if the planners were tested in the case.
@@ -114,16 +129,16 @@ std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind 
                                              const PredictionModels& models,
                                              const AnswerOptions& options);
 
-/// Runs a planner through a case that evaluateCase() found OK. Uses only the background and the
-/// models of the plan. Throws std::invalid_argument for an unknown planner.
-PlannerRow testPlanner(const PlannerCase& one, const std::string& planner, PolicyKind policy,
-                       const TestPlan& plan, const AnswerOptions& options,
-                       const TrialOptions& trials);
+/// Runs the planner of a row through a case that evaluateCase() found OK. `models`: of adaptive
+/// attackers. Throws std::invalid_argument for an unknown planner, and std::runtime_error, naming
+/// the file, for a failure of a traffic model.
+PlannerRow testPlanner(const PlannerCase& one, const RowKey& key, const PredictionModels& models,
+                       const AnswerOptions& options, const TrialOptions& trials);
 
 /// Removes the motions from the rows to save memory; tables do not need them.
 void dropMotions(PlannerTestResult& result);
 
-/// Runs evaluateCase(), then every planner of the plan against an attacker of each policy; rows as
+/// Runs evaluateCase(), then every planner of the plan with each policy and background; rows as
 /// in PlannerTestResult. Throws as testPlanner().
 PlannerTestResult testPlanners(const PlannerCase& one, const TestPlan& plan,
                                const AnswerOptions& options, const TrialOptions& trials);

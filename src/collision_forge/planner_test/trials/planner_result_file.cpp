@@ -15,7 +15,7 @@ namespace forge {
 namespace {
 
 constexpr const char* kFormat = "collision_forge/planner_test";
-constexpr int kVersion = 6;
+constexpr int kVersion = 7;
 constexpr int kMaxRows = 10000;              // rows of a case
 constexpr std::size_t kContactColumns = 18;  // of a row of the CSV file
 
@@ -166,6 +166,7 @@ AttackerSummary readAttacker(JsonObject object) {
 PlannerRow readRow(JsonObject& object, double now) {
   PlannerRow row;
   row.planner = object.text("planner");
+  row.background = readName(object, "background", backgroundFromString);
   row.attacker = readAttacker(object.object("attacker"));
   row.outcome.failure = readName(object, "failure", plannerFailureFromString);
   row.outcome.failure_message = object.text("message");
@@ -248,7 +249,7 @@ std::string csvHit(const std::optional<bool>& hit) { return hit ? (*hit ? "1" : 
 std::vector<std::string> untestedCsvRows(const std::string& start,
                                          const std::vector<PlannerRow>& rows) {
   constexpr std::size_t kBefore = 5;  // columns up to the planner's
-  const std::size_t after = 18 + kContactColumns + nuplanParts().size();
+  const std::size_t after = 19 + kContactColumns + nuplanParts().size();
   if (rows.empty()) return {start + std::string(kBefore + after, ',')};
   std::vector<std::string> lines;
   for (const PlannerRow& row : rows) {
@@ -282,6 +283,7 @@ void writeAvoidability(JsonLineWriter& writer, const char* key,
 void writePlannerRow(JsonLineWriter& writer, const PlannerRow& row, double now) {
   const RolloutOutcome& outcome = row.outcome;
   writer.text("planner", row.planner);
+  writer.text("background", toString(row.background));
   writeAttacker(writer, row.attacker);
   writer.text("failure", toString(outcome.failure));
   writer.text("message", outcome.failure_message);
@@ -312,14 +314,9 @@ void writePlannerRow(JsonLineWriter& writer, const PlannerRow& row, double now) 
   }
 }
 
-std::string plannerResultLine(const PlannerTestResult& result) {
-  JsonLineWriter writer;
-  writer.beginObject();
-  writer.text("format", kFormat);
-  writer.count("version", kVersion);
+void writePlannerResult(JsonLineWriter& writer, const PlannerTestResult& result) {
   writer.text("name", result.name);
   writeCase(writer, result);
-  writer.text("background", toString(result.background));
   writer.text("status", result.status);
   writer.text("message", result.message);
   writer.flag("strict", result.is_strict);
@@ -333,6 +330,14 @@ std::string plannerResultLine(const PlannerTestResult& result) {
     writer.endObject();
   }
   writer.endArray();
+}
+
+std::string plannerResultLine(const PlannerTestResult& result) {
+  JsonLineWriter writer;
+  writer.beginObject();
+  writer.text("format", kFormat);
+  writer.count("version", kVersion);
+  writePlannerResult(writer, result);
   writer.endObject();
   return writer.line();
 }
@@ -346,7 +351,6 @@ PlannerTestResult readPlannerResultLine(const std::string& where, const std::str
   }
   PlannerTestResult result;
   result.name = object.text("name");
-  result.background = readName(object, "background", backgroundFromString);
   result.status = object.text("status");
   readCase(object, result);
   result.message = object.text("message");
@@ -362,7 +366,8 @@ PlannerTestResult readPlannerResultLine(const std::string& where, const std::str
 
 std::string plannerResultCsvHeader() {
   return "name,source,scene,type,tta,status,strict,avoidable,last_manoeuvre,last_start,planner,"
-         "policy,phase,attacker_plans,broken_limit,touched,as_asked,escape_manoeuvre,escape_start,"
+         "background,policy,phase,attacker_plans,broken_limit,touched,as_asked,escape_manoeuvre,"
+         "escape_start,"
          "avoided_by,fair,failure,other,attacker,"
          "contact_after,contact_type,relative_heading,ego_side,other_side,impact_speed,ego_speed,"
          "ego_delta_v,other_delta_v,mais2,mais3,severity_class,injury_curve,cause,at_fault,place,"
@@ -383,11 +388,12 @@ std::vector<std::string> plannerResultCsvRows(const PlannerTestResult& result) {
     const std::string numbers = formatted(
         "%.3f,%.3f,%.3f,%.4f,%.3f,%.3f", outcome.duration, outcome.max_braking,
         outcome.hard_braking, outcome.off_road_share, outcome.progress, outcome.recorded_progress);
-    rows.push_back(start + ',' + row.planner + ',' + csvAttacker(row.attacker) + ',' +
-                   (row.evasion ? csvLast(*row.evasion) : ",") + ',' +
-                   avoiders(row.outcome.careful_drivers, " ") + (row.is_fair ? ",1," : ",0,") +
-                   toString(outcome.failure) + ',' + csvContact(outcome.contact, result.now) + ',' +
-                   numbers + csvNuplan(outcome.nuplan) + ',' + csvHit(row.published_hit));
+    rows.push_back(start + ',' + row.planner + ',' + toString(row.background) + ',' +
+                   csvAttacker(row.attacker) + ',' + (row.evasion ? csvLast(*row.evasion) : ",") +
+                   ',' + avoiders(row.outcome.careful_drivers, " ") +
+                   (row.is_fair ? ",1," : ",0,") + toString(outcome.failure) + ',' +
+                   csvContact(outcome.contact, result.now) + ',' + numbers +
+                   csvNuplan(outcome.nuplan) + ',' + csvHit(row.published_hit));
   }
   return rows;
 }

@@ -16,6 +16,9 @@ PlannerTestResult readPlannerResultLine(const std::string& where, const std::str
 
 // Parts of the line, shared with other files.
 
+/// Writes the fields of the line, except for format and version, into the open object.
+void writePlannerResult(JsonLineWriter& writer, const PlannerTestResult& result);
+
 /// Writes the summary as the object `key`.
 void writeAvoidability(JsonLineWriter& writer, const char* key, const AvoidabilitySummary& summary);
 

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "collision_forge/base/scene/formatted.h"
+#include "collision_forge/base/scene/number_words.h"
 
 namespace forge {
 namespace {
@@ -27,6 +28,13 @@ void addRow(const PlannerTestResult& result, const PlannerRow& row, PlannerSumma
   }
 }
 
+/// Returns a number for no contact, a hit by the attacker, another contact, and a failure.
+int verdictOf(const RolloutOutcome& outcome) {
+  if (outcome.failure != PlannerFailure::kNone) return 3;
+  if (!outcome.contact) return 0;
+  return outcome.contact->is_attacker ? 1 : 2;
+}
+
 std::string timeText(const PlannerSummary& summary,
                      const std::map<std::string, double>& milliseconds) {
   const auto found = milliseconds.find(summary.planner);
@@ -45,7 +53,7 @@ std::vector<PlannerSummary> summarizePlanners(const std::vector<PlannerTestResul
     for (const PlannerTestResult& result : results) {
       if (!result.isTested()) continue;
       for (const PlannerRow& row : result.rows) {
-        if (rowName(row.planner, row.attacker.policy) != name) continue;
+        if (rowName(row) != name) continue;
         scenes.insert(result.scene);
         addRow(result, row, summary);
       }
@@ -54,6 +62,32 @@ std::vector<PlannerSummary> summarizePlanners(const std::vector<PlannerTestResul
     summaries.push_back(std::move(summary));
   }
   return summaries;
+}
+
+std::string backgroundText(const std::vector<PlannerTestResult>& results, const TestPlan& plan) {
+  if (plan.backgrounds.size() < 2) return "";
+  std::size_t tested = 0;
+  std::size_t dependent = 0;
+  std::map<std::string, int> counts;
+  for (const PlannerTestResult& result : results) {
+    std::map<std::string, std::set<int>> verdicts;  // by row without its background
+    for (const PlannerRow& row : result.rows) {
+      verdicts[rowName(RowKey{row.planner, row.attacker.policy})].insert(verdictOf(row.outcome));
+    }
+    bool is_dependent = false;
+    for (const auto& [name, found] : verdicts) {
+      counts[name] += found.size() > 1 ? 1 : 0;
+      is_dependent = is_dependent || found.size() > 1;
+    }
+    tested += result.isTested() ? 1 : 0;
+    dependent += is_dependent ? 1 : 0;
+  }
+  std::string text;
+  for (const auto& [name, count] : counts) {
+    text += (text.empty() ? ": " : ", ") + name + " " + std::to_string(count);
+  }
+  return "the verdict depends on the background traffic in " + std::to_string(dependent) + " of " +
+         counted(tested, "case") + text + "\n";
 }
 
 std::string summaryText(const std::vector<PlannerSummary>& summaries,

@@ -30,6 +30,11 @@ struct PlannerSummary {
 std::vector<PlannerSummary> summarizePlanners(const std::vector<PlannerTestResult>& results,
                                               const std::vector<std::string>& rows);
 
+/// Returns lines with the number of cases in which the verdict (hit by the attacker, contact with
+/// another agent, failure or no contact) of a planner depends on the background, in total and for
+/// each planner and policy; "" for a plan with one background.
+std::string backgroundText(const std::vector<PlannerTestResult>& results, const TestPlan& plan);
+
 /// Returns a table for a terminal: a title line, then one line per summary. `milliseconds`: mean
 /// computing time of a call by row name; "-" if a row is missing in it.
 std::string summaryText(const std::vector<PlannerSummary>& summaries,

@@ -108,13 +108,10 @@ PlannerTestResult testVariants(const PlannerCase& one, const std::string& planne
                                Background background, const AnswerOptions& options,
                                const TrialOptions& trials) {
   PlannerTestResult result = evaluateCase(one, options, trials);
-  result.background = background;
   if (!result.isTested() || (only_avoidable && !result.avoidability.is_avoidable)) return result;
-  TestPlan plan;
-  plan.background = background;
+  const RowKey key{planner, PolicyKind::kFixed, background};
   for (const PlannerVariant& variant : variants) {
-    result.rows.push_back(
-        testPlanner(one, planner, PolicyKind::kFixed, plan, options, variant.options));
+    result.rows.push_back(testPlanner(one, key, {}, options, variant.options));
     result.rows.back().planner = variant.name;
   }
   if (only_avoidable) dropMotions(result);  // saves memory: a result has a row for every variant

@@ -163,8 +163,7 @@ class Run {
         road_(roadAlong(*scenario.lanes, task_.route, setup.planners.route_centerline,
                         setup.planners.pdm.map)),
         judge_(road_.map, scenario.ego, setup.planners.pdm.scoring, setup.planners.nuplan_score),
-        traffic_(scenario, makeRolloutAttacker(scenario, setup), setup.background,
-                 setup.planners.traffic, setup.planners.planning.history),
+        traffic_(makeRolloutTraffic(scenario, setup)),
         ego_(startOf(scenario, setup.attack), driving, scenario.ego, setup.planners) {
     const OrientedBox box{ego_.point().pose, scenario.ego.size};
     for (const Track& agent : traffic_.agents()) {
@@ -255,7 +254,7 @@ class Run {
 
   /// Returns the current poses of the agents; agents that do not react are at their recorded poses.
   void keepOthers() {
-    if (setup_.background != Background::kIdm) return;
+    if (setup_.background == Background::kReplay) return;
     for (const Track& agent : traffic_.agents()) {
       if (agent.id == scenario_.attacker.attacker_id) continue;
       const Track track{agent.id, agent.agent_class, agent.size, {}};
@@ -374,7 +373,7 @@ class Run {
     Future future;
     future.ego = {kEgoId, AgentClass::kCar, scenario_.ego.size, toStates(outcome_.driven)};
     future.agents =
-        setup_.background == Background::kIdm ? outcome_.others : scenario_.recorded.agents;
+        setup_.background == Background::kReplay ? scenario_.recorded.agents : outcome_.others;
     return future;
   }
 
@@ -415,6 +414,19 @@ std::unique_ptr<AttackerPolicy> makeRolloutAttacker(const CrashScenario& scenari
                                                     const RolloutSetup& setup) {
   if (setup.attacker) return setup.attacker->clone();
   return std::make_unique<FixedAttacker>(scenario.attacker);
+}
+
+Traffic makeRolloutTraffic(const CrashScenario& scenario, const RolloutSetup& setup) {
+  std::shared_ptr<BackgroundModel> model;
+  if (setup.background == Background::kModel) {
+    model = std::make_shared<BackgroundModel>(setup.planners.traffic_model, scenario.lanes);
+  }
+  return {scenario,
+          makeRolloutAttacker(scenario, setup),
+          setup.background,
+          setup.planners.traffic,
+          setup.planners.planning.history,
+          std::move(model)};
 }
 
 RolloutOutcome rollout(Planner& planner, const Driving& driving, const CrashScenario& scenario,

@@ -81,7 +81,7 @@ struct RolloutOutcome {
   double recorded_progress = 0.0;  ///< m along the route, of the recorded ego in the same time
   NuplanScore nuplan;
   std::vector<TrajectoryPoint> driven;  ///< the ego at every step; the last point is at the end
-  std::vector<Track> others;            ///< reactive agents (Background::kIdm) at every step
+  std::vector<Track> others;            ///< other agents unless they replay their recording
   AttackerTrajectory attacker;          ///< as driven up to the end, and as planned after it
   AttackerPhase phase = AttackerPhase::kCommitted;  ///< of the attacker at the end
   std::vector<AttackerPlan> attacker_plans;         ///< AttackerPolicy::plans()
@@ -89,6 +89,10 @@ struct RolloutOutcome {
   double planning_seconds =
       0.0;  ///< s of computing time in these calls; the only non-deterministic field
 };
+
+/// Creates the traffic of a rollout at t0. Throws PlannerFileError if the file of a traffic model
+/// cannot be used.
+Traffic makeRolloutTraffic(const CrashScenario& scenario, const RolloutSetup& setup);
 
 /// Creates the attacker's policy for a rollout: a copy of the setup's, or one that follows the
 /// scenario's trajectory.

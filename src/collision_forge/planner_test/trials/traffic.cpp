@@ -14,6 +14,7 @@ namespace {
 constexpr EnumWord<Background> kBackgroundWords[] = {
     {Background::kReplay, "replay"},
     {Background::kIdm, "idm"},
+    {Background::kModel, "model"},
 };
 
 /// Interpolates linearly between the states; constant beyond them.
@@ -48,8 +49,13 @@ std::optional<Background> backgroundFromString(const std::string& name) {
 }
 
 Traffic::Traffic(const CrashScenario& scenario, std::unique_ptr<AttackerPolicy> attacker,
-                 Background background, const IdmOptions& idm, double history)
-    : attacker_(std::move(attacker)), idm_(idm), history_(history), time_(scenario.snapshot.now) {
+                 Background background, const IdmOptions& idm, double history,
+                 std::shared_ptr<BackgroundModel> model)
+    : attacker_(std::move(attacker)),
+      idm_(idm),
+      history_(history),
+      time_(scenario.snapshot.now),
+      model_(std::move(model)) {
   for (Track& track : agentsFromT0(scenario)) {
     Driver driver;
     driver.shown = Track{track.id, track.agent_class, track.size, {}};
@@ -62,6 +68,8 @@ Traffic::Traffic(const CrashScenario& scenario, std::unique_ptr<AttackerPolicy> 
     const bool reacts = background == Background::kIdm && !driver.is_attacker &&
                         isMotorVehicle(driver.recorded.agent_class);
     if (reacts) prepareToReact(driver);
+    driver.is_modelled = background == Background::kModel && !driver.is_attacker &&
+                         driver.recorded.agent_class != AgentClass::kStaticObject;
     drivers_.push_back(std::move(driver));
   }
   for (Driver& driver : drivers_) {
@@ -75,6 +83,8 @@ Traffic::Traffic(const Traffic& other)
       idm_(other.idm_),
       history_(other.history_),
       time_(other.time_),
+      model_(other.model_),
+      ego_history_(other.ego_history_),
       drivers_(other.drivers_),
       agents_(other.agents_) {}
 
@@ -106,6 +116,10 @@ void Traffic::advance(double time, const Track& ego) {
   in_sight.push_back(ego);
   const double step = time - time_;
   for (Driver& driver : drivers_) drive(driver, time, in_sight);
+  if (model_) {
+    remember(ego.states.back());
+    moveModelled(time);
+  }
   time_ = time;
   for (Driver& driver : drivers_) show(driver, step);
   collect();
@@ -136,11 +150,41 @@ void Traffic::drive(Driver& driver, double time, const std::vector<Track>& in_si
   driver.clock = timeAt(states, driver.arc_lengths, here + next * step, time);
 }
 
+void Traffic::remember(const AgentState& ego) {
+  TrajectoryPoint point{ego.time, ego.pose, ego.velocity.dot(ego.pose.heading()), 0.0, 0.0};
+  if (!ego_history_.empty()) {
+    const TrajectoryPoint& before = ego_history_.back();
+    point.acceleration = (point.speed - before.speed) / (point.time - before.time);
+  }
+  ego_history_.push_back(point);
+  const auto kept = std::find_if(
+      ego_history_.begin(), ego_history_.end(),
+      [&](const TrajectoryPoint& past) { return past.time >= ego.time - history_ - kTimeEpsilon; });
+  ego_history_.erase(ego_history_.begin(), kept);
+}
+
+/// Sets the poses of the modelled agents at `time`.
+void Traffic::moveModelled(double time) {
+  const std::map<std::string, Pose2> poses = model_->next(ego_history_, agents_, time - time_);
+  for (Driver& driver : drivers_) {
+    if (!driver.is_modelled || !endsAt(driver.shown, time_)) continue;
+    const AgentState& here = driver.shown.states.back();
+    const auto found = poses.find(driver.shown.id);
+    if (found != poses.end()) {
+      driver.pose = found->second;
+    } else {
+      const Vector2 place = here.pose.position() + (time - time_) * here.velocity;
+      driver.pose = Pose2{place.x(), place.y(), here.pose.yaw};
+    }
+  }
+}
+
 /// Appends the driver's current state, if it is in sight, with the velocity over the last step.
 void Traffic::show(Driver& driver, double step) const {
   // A delayed vehicle may wait at a place where the recording has lost it.
   auto state = stateAt(driver.recorded, driver.clock,
                        driver.way ? std::numeric_limits<double>::infinity() : kMaxGap);
+  if (driver.pose) state = AgentState{time_, *driver.pose, Vector2::Zero()};
   if (!state) return;
   state->time = time_;
   auto& states = driver.shown.states;

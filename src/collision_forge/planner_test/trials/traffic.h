@@ -1,18 +1,22 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "collision_forge/attack/policy/attacker_policy.h"
+#include "collision_forge/planner_test/planners/background_model.h"
 #include "collision_forge/planner_test/planners/idm.h"
 #include "collision_forge/planner_test/trials/crash_scenario.h"
 
 namespace forge {
 
-/// How other agents move: replay their recording, or react by the intelligent driver model.
-enum class Background { kReplay, kIdm };
-/// Returns "replay" or "idm".
+/// How other agents move: replay their recording, react by the intelligent driver model, or drive
+/// by a learned model.
+enum class Background { kReplay, kIdm, kModel };
+/// Returns "replay", "idm" or "model".
 const char* toString(Background background);
 /// Returns the value of a name as toString() spells it; nullopt for another name.
 std::optional<Background> backgroundFromString(const std::string& name);
@@ -21,13 +25,16 @@ std::optional<Background> backgroundFromString(const std::string& name);
 /// before it moves the attacker; other agents replay their recorded tracks. With kIdm, a vehicle
 /// that moves in the recording drives its recorded path at its own time: the intelligent driver
 /// model delays it behind the ego, the attacker or another agent, and it catches up no faster than
-/// the model accelerates. No agent is ever ahead of its recording.
+/// the model accelerates. No agent is ever ahead of its recording. With kModel, the learned model
+/// moves every agent but static objects from its first recorded state after t0 on; an agent that is
+/// not among those nearest to the ego keeps its velocity.
 class Traffic {
  public:
   /// `attacker`: policy of the attacker, starting with the scenario's trajectory. `history`: s of
-  /// past states in agents().
+  /// past states in agents(). `model`: of kModel, else null; copies share it.
   Traffic(const CrashScenario& scenario, std::unique_ptr<AttackerPolicy> attacker,
-          Background background, const IdmOptions& idm, double history);
+          Background background, const IdmOptions& idm, double history,
+          std::shared_ptr<BackgroundModel> model = nullptr);
   /// Copies the state, including a clone of the attacker's policy.
   Traffic(const Traffic& other);
 
@@ -41,6 +48,7 @@ class Traffic {
   const AttackerPolicy& attacker() const { return *attacker_; }
 
   /// Advances to `time` (s, scene clock, > time()). The newest state of `ego` must be at time().
+  /// Throws as BackgroundModel::next().
   void advance(double time, const Track& ego);
 
  private:
@@ -52,11 +60,15 @@ class Traffic {
     /// For vehicles that react: recorded path and the arc length of each recorded state on it.
     std::optional<Polyline> way;
     std::vector<double> arc_lengths;
-    double speed = 0.0;      ///< m/s
-    double top_speed = 0.0;  ///< m/s, the highest recorded
+    double speed = 0.0;         ///< m/s
+    double top_speed = 0.0;     ///< m/s, the highest recorded
+    bool is_modelled = false;   ///< the learned model moves it
+    std::optional<Pose2> pose;  ///< of a modelled agent at time(), once it was in sight
   };
 
   static void prepareToReact(Driver& driver);
+  void remember(const AgentState& ego);
+  void moveModelled(double time);
   void drive(Driver& driver, double time, const std::vector<Track>& in_sight) const;
   void show(Driver& driver, double step) const;
   void collect();
@@ -65,6 +77,8 @@ class Traffic {
   IdmOptions idm_;
   double history_;
   double time_;
+  std::shared_ptr<BackgroundModel> model_;
+  std::vector<TrajectoryPoint> ego_history_;  // of the last `history_` seconds, for the model
   std::vector<Driver> drivers_;
   std::vector<Track> agents_;
 };

@@ -55,20 +55,15 @@ std::vector<Weakness> findWeaknesses(const std::vector<PlannerTestResult>& resul
     const Manoeuvre manoeuvre = manoeuvreOf(hit.result);
     if (isRearEndFault(contact, manoeuvre)) continue;
     const auto isOf = [&](const Weakness& known) {
-      return known.planner == hit.row->planner && known.policy == hit.row->attacker.policy &&
-             known.manoeuvre == manoeuvre && known.at_fault == contact.at_fault &&
-             known.place == contact.place;
+      return rowName(known.row) == rowName(*hit.row) && known.manoeuvre == manoeuvre &&
+             known.at_fault == contact.at_fault && known.place == contact.place;
     };
     const auto known = std::find_if(weaknesses.begin(), weaknesses.end(), isOf);
     if (known != weaknesses.end()) {
       known->results.push_back(hit.result);
     } else {
-      weaknesses.push_back({hit.row->planner,
-                            hit.row->attacker.policy,
-                            manoeuvre,
-                            contact.at_fault,
-                            contact.place,
-                            {hit.result}});
+      weaknesses.push_back(
+          {keyOf(*hit.row), manoeuvre, contact.at_fault, contact.place, {hit.result}});
     }
   }
   return weaknesses;

@@ -10,10 +10,9 @@
 
 namespace forge {
 
-/// A class of avoidable hits of a planner: same manoeuvre, kind of road and fault.
+/// A class of avoidable hits of a row of the test: same manoeuvre, kind of road and fault.
 struct Weakness {
-  std::string planner;
-  PolicyKind policy = PolicyKind::kAdaptive;
+  RowKey row;
   Manoeuvre manoeuvre = Manoeuvre::kFollowerCloses;
   bool at_fault = false;
   ContactPlace place = ContactPlace::kElsewhere;

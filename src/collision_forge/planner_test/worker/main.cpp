@@ -71,14 +71,15 @@ bool answerWith(const Call& call, double longest) {
   return is_done;
 }
 
-int serve(const std::string& file, const std::string& device, double longest) {
+int serve(const std::string& file, const std::string& device, double longest,
+          const ModelContract& contract) {
   std::optional<PlannerModule> module;
   const auto load = [&] {
-    module.emplace(file, device);
+    module.emplace(file, device, contract);
     return std::vector<float>();
   };
   if (!answerWith(load, longest)) return EXIT_FAILURE;
-  std::vector<float> inputs(kContractNumbers);
+  std::vector<float> inputs(contract.numbers());
   char request = 0;
   while (receive(&request, 1)) {
     if (request == kRequestPlan && !receive(inputs.data(), inputs.size() * sizeof(float))) {
@@ -97,12 +98,16 @@ int serve(const std::string& file, const std::string& device, double longest) {
 }  // namespace
 }  // namespace forge
 
-/// Runs a learned planner's file for PlannerWorker, which starts it.
+/// Runs a model file for PlannerWorker, which starts it.
 int main(int argc, char** argv) {
-  if (argc != 4) {
-    std::cerr << "usage: planner_worker FILE DEVICE SECONDS, with a stream as file descriptor "
+  const std::string contract = argc == 5 ? argv[4] : "";
+  const bool is_traffic = contract == forge::kTrafficContract.name;
+  if (!is_traffic && contract != forge::kPlannerContract.name) {
+    std::cerr << "usage: planner_worker FILE DEVICE SECONDS planner|traffic, with a stream as file "
+                 "descriptor "
               << forge::kWorkerStream << "; forge starts it\n";
     return 2;
   }
-  return forge::serve(argv[1], argv[2], std::atof(argv[3]));
+  return forge::serve(argv[1], argv[2], std::atof(argv[3]),
+                      is_traffic ? forge::kTrafficContract : forge::kPlannerContract);
 }

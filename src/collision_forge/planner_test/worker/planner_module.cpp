@@ -49,12 +49,12 @@ torch::jit::Module loadModule(const std::string& file, const torch::Device& devi
 }
 
 /// Throws unless forward() has the required inputs by name and in order.
-void checkInputs(const torch::jit::Module& module) {
+void checkInputs(const torch::jit::Module& module, const ModelContract& contract) {
   const auto forward = module.find_method("forward");
   if (!forward) throw std::runtime_error("has no forward()");
   const auto& arguments = forward->function().getSchema().arguments();  // the first is self
-  for (std::size_t i = 0; i < kContractInputs.size(); ++i) {
-    const std::string name = kContractInputs[i].name;
+  for (std::size_t i = 0; i < contract.inputs.size(); ++i) {
+    const std::string name = contract.inputs[i].name;
     if (arguments.size() <= i + 1) throw std::runtime_error("forward() has no input " + name);
     const c10::Argument& argument = arguments[i + 1];
     if (argument.name() != name) {
@@ -66,7 +66,7 @@ void checkInputs(const torch::jit::Module& module) {
                                argument.type()->str() + ", not Tensor");
     }
   }
-  const std::size_t expected = kContractInputs.size() + 1;
+  const std::size_t expected = contract.inputs.size() + 1;
   if (arguments.size() > expected && !arguments[expected].default_value()) {
     throw std::runtime_error("forward() has an unknown input: " + arguments[expected].name());
   }
@@ -82,10 +82,11 @@ std::string text(const c10::IntArrayRef& sizes) {
   return stream.str();
 }
 
-std::vector<c10::IValue> tensorsOf(const std::vector<float>& numbers, const torch::Device& device) {
+std::vector<c10::IValue> tensorsOf(const std::vector<float>& numbers, const ModelContract& contract,
+                                   const torch::Device& device) {
   std::vector<c10::IValue> tensors;
   const float* next = numbers.data();
-  for (const ContractTensor& input : kContractInputs) {
+  for (const ContractTensor& input : contract.inputs) {
     torch::Tensor tensor = torch::empty(sizesOf(input), torch::kFloat32);
     std::memcpy(tensor.data_ptr<float>(), next, input.count() * sizeof(float));
     tensors.emplace_back(tensor.to(device));
@@ -95,13 +96,13 @@ std::vector<c10::IValue> tensorsOf(const std::vector<float>& numbers, const torc
 }
 
 /// Throws unless type and shape of the tensor match.
-torch::Tensor checkedOutput(const c10::IValue& value) {
-  const std::string name = kContractOutput.name;
+torch::Tensor checkedOutput(const c10::IValue& value, const ContractTensor& output) {
+  const std::string name = output.name;
   if (!value.isTensor()) {
     throw std::runtime_error(name + " is of type " + value.tagKind() + ", not Tensor");
   }
   const torch::Tensor& tensor = value.toTensor();
-  const std::vector<std::int64_t> sizes = sizesOf(kContractOutput);
+  const std::vector<std::int64_t> sizes = sizesOf(output);
   if (tensor.sizes() != c10::IntArrayRef(sizes)) {
     throw std::runtime_error(name + " has the shape " + text(tensor.sizes()) + ", not " +
                              text(sizes));
@@ -115,13 +116,14 @@ torch::Tensor checkedOutput(const c10::IValue& value) {
 
 }  // namespace
 
-PlannerModule::PlannerModule(const std::string& file, const std::string& device)
-    : device_(deviceOf(device)) {
+PlannerModule::PlannerModule(const std::string& file, const std::string& device,
+                             const ModelContract& contract)
+    : contract_(contract), device_(deviceOf(device)) {
   torch::set_num_threads(1);
   torch::jit::setGraphExecutorOptimize(false);
   torch::globalContext().setDeterministicAlgorithms(true, true);
   loaded_ = loadModule(file, device_);
-  checkInputs(loaded_);
+  checkInputs(loaded_, contract_);
   tryOut();
 }
 
@@ -134,11 +136,11 @@ std::vector<float> PlannerModule::plan(const std::vector<float>& inputs) {
   const torch::NoGradGuard no_gradients;
   c10::IValue output;
   try {
-    output = module_.forward(tensorsOf(inputs, device_));
+    output = module_.forward(tensorsOf(inputs, contract_, device_));
   } catch (const std::exception& error) {
     throw std::runtime_error("forward() throws: " + complaint(error));
   }
-  const torch::Tensor tensor = checkedOutput(output);
+  const torch::Tensor tensor = checkedOutput(output, contract_.output);
   const float* numbers = tensor.data_ptr<float>();
   return {numbers, numbers + tensor.numel()};
 }
@@ -149,9 +151,9 @@ void PlannerModule::tryOut() {
                                      std::pair("all inputs filled", 1.0f)}) {
     begin();
     try {
-      const std::vector<float> poses = plan(std::vector<float>(kContractNumbers, number));
+      const std::vector<float> poses = plan(std::vector<float>(contract_.numbers(), number));
       if (!std::all_of(poses.begin(), poses.end(), isFinite)) {
-        throw std::runtime_error(std::string(kContractOutput.name) +
+        throw std::runtime_error(std::string(contract_.output.name) +
                                  " has numbers that are not finite");
       }
     } catch (const std::exception& error) {

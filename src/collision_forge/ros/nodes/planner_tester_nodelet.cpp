@@ -50,7 +50,7 @@ void requireAbsolute(const std::string& parameter, const std::string& path) {
 Background backgroundOf(const std::string& name) {
   if (name.empty()) return Background::kReplay;
   const auto background = backgroundFromString(name);
-  if (!background) {
+  if (!background || *background == Background::kModel) {
     refuse(Response::INVALID_INPUT, "background = \"" + name + "\" is neither replay nor idm");
   }
   return *background;

@@ -117,6 +117,8 @@ function showIndex(index) {
     history.replaceState(null, '', location.pathname + location.search);
     table.scroller.focus();
   });
+  find('maps').append(...index.maps.map((data) => element('img', {
+    src: 'data:image/png;base64,' + data, alt: 'Pass and fail of each planner over two fields of the request'})));
   find('clear').addEventListener('click', () => kinds.filters.clear());
   find('source').textContent = index.files.map(({path}) => path).join(', ')
     + (index.source ? `; ${[index.source, index.version].filter(Boolean).join(', ')}` : '');
