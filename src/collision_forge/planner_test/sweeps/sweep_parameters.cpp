@@ -11,6 +11,7 @@
 
 #include "collision_forge/attack/forecast/random.h"
 #include "collision_forge/base/config/nearest_names.h"
+#include "collision_forge/base/scene/contact_conditions.h"
 #include "collision_forge/base/scene/number_words.h"
 
 namespace forge {
@@ -20,11 +21,10 @@ constexpr double kStepSlack = 1e-9;  // share of a step by which the last value 
 constexpr double kDecimals = 1e9;  // values are rounded to 1e-9, so that three steps of 0.1 are 0.3
 
 /// A field of the request that is a range around the value.
-SweepParameter band(const char* name, const char* heading, double min, double max,
-                    std::optional<Range> CollisionRequest::*field,
-                    double (*tolerance)(const SweepOptions& options)) {
+SweepParameter band(const char* name, const std::string& heading, double min, double max,
+                    std::optional<Range> CollisionRequest::*field) {
   const auto set = [=](SceneRequest& asked, double value, const SweepOptions& options) {
-    const double most = tolerance(options);
+    const double most = options.tolerances.at(name);
     asked.request.*field = Range{std::max(value - most, min), std::min(value + most, max)};
   };
   return {name, heading, min, max, {}, set};
@@ -46,9 +46,10 @@ SweepParameter choice(const char* name, const char* heading, Field CollisionRequ
 std::vector<SweepParameter> makeParameters() {
   using Request = CollisionRequest;
   const std::vector<Side> sides = {Side::kFront, Side::kRear, Side::kLeft, Side::kRight};
+  const std::vector<Side> from_sides = {Side::kLeft, Side::kRight};
   const std::vector<AttackerChoice> choices = {AttackerChoice::kAny, AttackerChoice::kExisting,
                                                AttackerChoice::kNew};
-  return {
+  std::vector<SweepParameter> parameters = {
       {"tta",
        "time to attack (s)",
        0.1,
@@ -61,16 +62,22 @@ std::vector<SweepParameter> makeParameters() {
        1e5,
        {},
        [](SceneRequest& asked, double value, const SweepOptions&) { asked.now = value; }},
-      band("impact_speed", "impact speed (m/s)", 0.0, 100.0, &Request::impact_speed,
-           [](const SweepOptions& options) { return options.impact_speed_tolerance; }),
-      band("overlap", "overlap (share)", 0.0, 1.0, &Request::overlap,
-           [](const SweepOptions& options) { return options.overlap_tolerance; }),
+      band("impact_speed", "impact speed (m/s)", 0.0, 100.0, &Request::impact_speed),
+      band("overlap", "overlap (share)", 0.0, 1.0, &Request::overlap),
       choice("class", "class of the attacker", &Request::attacker_class, kAttackerClasses),
       choice("manoeuvre", "manoeuvre", &Request::manoeuvre, kManoeuvres),
       choice("ego_side", "touched side of the ego", &Request::ego_side, sides),
       choice("choice", "origin of the attacker", &Request::choice, choices),
-      choice("type", "collision type", &Request::type, kCollisionTypes),
+      choice("type", "collision type", &Request::type, kAllCollisionTypes),
+      choice("from_side", "side of the attacker", &Request::from_side, from_sides),
   };
+  for (const RangeControl& control : kRangeControls) {
+    std::string heading = control.name;
+    std::replace(heading.begin(), heading.end(), '_', ' ');
+    heading += std::string(" (") + control.unit + ")";
+    parameters.push_back(band(control.name, heading, control.least, control.most, control.asked));
+  }
+  return parameters;
 }
 
 std::string joined(const std::vector<std::string>& words) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "collision_forge/base/config/section.h"
+#include "collision_forge/base/scene/contact_conditions.h"
 #include "collision_forge/base/scene/number_words.h"
 
 namespace forge {
@@ -27,8 +28,14 @@ static void readOptions(Section& section, UntilHitOptions& options) {
 }
 
 static void readOptions(Section& section, SweepOptions& options) {
-  options.impact_speed_tolerance = section.positive("impact_speed_tolerance");
-  options.overlap_tolerance = section.positive("overlap_tolerance");
+  Section tolerances = section.section("tolerances");
+  for (const char* name : {"impact_speed", "overlap"}) {
+    options.tolerances[name] = tolerances.positive(name);
+  }
+  for (const RangeControl& control : kRangeControls) {
+    options.tolerances[control.name] = tolerances.positive(control.name);
+  }
+  tolerances.finish();
 }
 
 /// Checks that `interval` is a multiple of the rollout's step.

@@ -23,8 +23,8 @@ struct UntilHitOptions {
 /// Options of forge sweep: config/planners.yaml, section sweep, where the reasons stand. A swept
 /// value of a field that is a range requests [value - tolerance, value + tolerance].
 struct SweepOptions {
-  double impact_speed_tolerance = 0.0;  ///< m/s
-  double overlap_tolerance = 0.0;       ///< share 0..1
+  /// Half the width of the requested range, in the unit of the field, by its name.
+  std::map<std::string, double> tolerances;
 };
 
 /// All options of config/planners.yaml: the planners and the tests.
