@@ -6,7 +6,7 @@ from pathlib import Path
 import yaml
 
 CONFIG = Path(__file__).resolve().parent.parent / 'config'
-VERSIONS = (5, 6)
+VERSIONS = (5, 6, 7)
 
 DRIVABLE = ('wheelbase_share', 'max_steering_angle', 'max_steering_rate', 'max_lateral_acceleration',
             'max_forward_acceleration', 'switching_speed', 'max_braking', 'max_jerk', 'max_speed')

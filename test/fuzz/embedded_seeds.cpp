@@ -26,8 +26,8 @@ using Tokens = std::set<std::string>;
 const std::string kEmbedded = COLLISION_FORGE_SOURCE_DIR "/data/embedded";
 const std::string kScene = "scene-0001";
 constexpr std::size_t kFrames = 2;
-constexpr std::size_t kAgents = 3;  // agents kept per frame
-constexpr double kRadius = 5.0;     // m around the ego within which the map is kept
+constexpr std::size_t kKeptAgents = 3;  // per frame
+constexpr double kRadius = 5.0;         // m around the ego within which the map is kept
 
 Document parsed(const std::string& path) {
   Document document;
@@ -96,7 +96,7 @@ LoggedScene firstFrames() {
   NuScenesRecording& recording = logged.recording;
   recording.frames.resize(kFrames);
   for (NuScenesFrame& frame : recording.frames) {
-    frame.annotations.resize(std::min(frame.annotations.size(), kAgents));
+    frame.annotations.resize(std::min(frame.annotations.size(), kKeptAgents));
   }
   recording.ego_poses.resize(kFrames);
   return logged;
@@ -120,7 +120,7 @@ std::map<std::string, std::string> embeddedTables() {
   keepFirst(tables["sample"], kFrames);
   const Tokens samples = tokensIn(tables["sample"], "token");
   keepRows(tables["sample_annotation"], "sample_token", samples);
-  keepFirst(tables["sample_annotation"], kFrames * kAgents);
+  keepFirst(tables["sample_annotation"], kFrames * kKeptAgents);
   keepRows(tables["instance"], "token", tokensIn(tables["sample_annotation"], "instance_token"));
   keepRows(tables["sample_data"], "sample_token", samples);
   keepRows(tables["ego_pose"], "token", tokensIn(tables["sample_data"], "ego_pose_token"));

@@ -37,7 +37,7 @@ class Bags {
     const std::string path = folder_.path() + "/attacked.bag";
     injectIntoBag(bagOf(scenario.asked.scene), path, attack,
                   {asked.recording->scene.ego, config.ego_vehicle.center_offset,
-                   config.attack.verification.drivable, config.attacked_bag});
+                   config.attack.verification, config.attacked_bag});
     return path;
   }
 

@@ -29,8 +29,8 @@ std::vector<PlannerTestResult> twoHitsOfThree() {
   results[0].rows[0].is_fair = false;
   RolloutOutcome& second = results[1].rows[0].outcome;
   second.nuplan.total = 0.25;
-  second.careful_drivers = {{"rss", true}, {"cc_driver", true}};
-  results[0].rows[0].outcome.careful_drivers = {{"rss", true}};
+  second.careful_drivers = {{"rss", true, {}}, {"cc_driver", true, {}}};
+  results[0].rows[0].outcome.careful_drivers = {{"rss", true, {}}};
   second.contact->severity.ego.delta_v = 6.0;
   second.contact->severity.ego.most_class = 1;
   second.contact->severity.other.mais3 = 0.2;

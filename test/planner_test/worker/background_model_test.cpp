@@ -33,7 +33,7 @@ AgentState stateAfter(int steps, const std::string& id, const ScriptFile& file,
                       const CrashScenario& scenario = scenarioWithBraker()) {
   TrialOptions planners = shippedConfig().planners;
   planners.traffic_model = trafficOptions(file);
-  const RolloutSetup setup{planners, shippedConfig().attack, shippedConfig().crash.types,
+  const RolloutSetup setup{planners, shippedConfig().attack, shippedConfig().crash,
                            Background::kModel};
   Traffic traffic = makeRolloutTraffic(scenario, setup);
   for (int i = 0; i < steps; ++i) {

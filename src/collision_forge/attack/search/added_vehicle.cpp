@@ -233,9 +233,8 @@ class VehicleInsertion {
     const AddedKind kind =
         drawKind(manner.rides && !asks_for_bicycle ? AgentClass::kMotorcycle : asked);
     const BoxSize size{kind.length, kind.width};
-    const std::string name = newName(found);
-    const SpeedVariation variation = variationOf(name, input_.request.seed);
-    if (!drives_.plan(meeting, manner, size, drive_, variation))
+    nameNext(found);
+    if (!drives_.plan(meeting, manner, size, drive_, variation_))
       return "cannot reach the contact in time";
     const ReferencePath& path = meeting.way->path;
     const double ego_yaw = past_.ego.states.back().pose.yaw;
@@ -245,7 +244,7 @@ class VehicleInsertion {
       return "do not approach from the direction of the type";
     }
     has_way_ = true;
-    Track track{name, kind.agent_class, size, {}};
+    Track track{name_, kind.agent_class, size, {}};
     if (const char* reason = added_past_.drive(drive_, path, track)) return reason;
     if (!startsAsRequested(track)) return "have another gap or headway at t0";
     const bool keeps_aside = drive_.aside != 0.0 && manner.kind != ApproachManner::kPark;
@@ -266,6 +265,14 @@ class VehicleInsertion {
     const AgentState& now = track.states.back();
     measureStart(past_.ego.states.back(), past_.ego.size, now, track.size, measured);
     return fits(request.gap, measured.gap) && fits(request.headway, measured.headway);
+  }
+
+  /// Sets name_ and variation_ of the vehicle after those in `found`.
+  void nameNext(const std::vector<AddedVehicle>& found) {
+    if (!name_.empty() && found.size() == named_after_) return;
+    name_ = newName(found);
+    variation_ = variationOf(name_, input_.request.seed);
+    named_after_ = found.size();
   }
 
   std::string newName(const std::vector<AddedVehicle>& found) const {
@@ -322,6 +329,9 @@ class VehicleInsertion {
   std::map<std::string, int> reasons_;
   bool has_way_ = false;  // a path leads to the ego from the type's direction
   AddedDrive drive_;
+  std::string name_;             // of the vehicle that is tried
+  SpeedVariation variation_;     // its own
+  std::size_t named_after_ = 0;  // vehicles found when it was named
 };
 
 /// Returns the states of a vehicle in the frames of a snapshot.

@@ -16,7 +16,7 @@ struct CrashedVehicle {
 };
 
 /// Returns the unit normal of the contact plane of two touching or overlapping boxes, in either
-/// direction: that of the touched face; the mean of both faces if both are a front or a rear.
+/// direction: the normal of the touched face, or the mean of both if both are a front or a rear.
 Vector2 contactNormal(const OrientedBox& first, const OrientedBox& second);
 
 /// Returns the party as a rigid body with its mass at the box centre and without yaw rate.
