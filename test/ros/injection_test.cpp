@@ -146,7 +146,7 @@ class InjectIntoBagTest : public testing::Test {
   void inject() {
     AttackedBagOptions options = config_.attacked_bag;
     options.seconds_after_stand = seconds_after_stand_;
-    injectIntoBag(in_, out_, attack_, {ego_, 0.0, config_.attack.verification.drivable, options});
+    injectIntoBag(in_, out_, attack_, {ego_, 0.0, config_.attack.verification, options});
   }
 
   template <typename Message>
@@ -466,9 +466,8 @@ TEST_F(InjectIntoBagTest, NonFiniteEntriesAreDroppedWithAWarning) {
     }
     bag.commit();
   }
-  const auto warnings =
-      injectIntoBag(spoilt, out_, attack_,
-                    {ego_, 0.0, config_.attack.verification.drivable, config_.attacked_bag});
+  const auto warnings = injectIntoBag(
+      spoilt, out_, attack_, {ego_, 0.0, config_.attack.verification, config_.attacked_bag});
   EXPECT_EQ(warnings, (std::vector<std::string>{"4 entries of /agents are not finite and left out",
                                                 "2 entries of /odom are not finite and left out",
                                                 "2 entries of /tf are not finite and left out"}));

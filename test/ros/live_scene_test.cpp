@@ -64,14 +64,14 @@ class LiveSceneTest : public testing::Test {
 
   /// The ego at rest, hit from ahead by the attacker with 8 m/s at 13 s.
   void showCrash(double now) {
-    const DriveLimitOptions limits =
-        loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").attack.verification.drivable;
+    const SeverityOptions severity =
+        loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").attack.verification.severity;
     const BoxSize size{4.6, 1.9};
     live_.attack = &attack_;
     live_.now = ros::Time(now);
     live_.crash.emplace(
         CrashedVehicle{AgentClass::kCar, size, {13.0, {9.4, 0.0, 0.0}, {0.0, 0.0}}},
-        CrashedVehicle{AgentClass::kCar, size, {13.0, {14.0, 0.0, M_PI}, {-8.0, 0.0}}}, limits);
+        CrashedVehicle{AgentClass::kCar, size, {13.0, {14.0, 0.0, M_PI}, {-8.0, 0.0}}}, severity);
   }
 
   std::vector<Marker> shown(const std::string& name) const {

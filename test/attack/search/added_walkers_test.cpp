@@ -61,6 +61,7 @@ TEST(AddedWalkers, StepOutInFrontOfTheEgo) {
 TEST(AddedWalkers, NeedARoadside) {
   AddedScene scene = street();
   scene.map->drivable_area = {rectangle(-200.0, -60.0, 200.0, 60.0)};
+  scene.request.choice = AttackerChoice::kNew;
   const Attack attack = answerIn(scene);
   EXPECT_EQ(attack.status.code, StatusCode::kNoCandidate);
   EXPECT_NE(attack.status.message.find("no pedestrian can be added"), std::string::npos)

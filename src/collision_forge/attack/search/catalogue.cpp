@@ -35,6 +35,10 @@ bool setWord(const std::string& field, const std::string& word, CollisionRequest
   return false;
 }
 
+std::string unknownWord(const std::string& word) {
+  return "\"" + word + "\" is not a value of a field of this name";
+}
+
 /// Returns the range control of a name, or null.
 const RangeControl* rangeControl(const std::string& name) {
   const auto found =
@@ -91,7 +95,8 @@ class Reader {
     Section fields = section.section("request");
     const std::set<std::string> keys = fields.unread();
     for (const std::string& key : keys) {
-      if (!setWord(key, fields.text(key), request)) fields.refuse(key, "is not a known word");
+      const std::string word = fields.text(key);
+      if (!setWord(key, word, request)) fields.refuse(key, unknownWord(word));
     }
     fields.finish();
     entry.cells = {{entry.name, request}};
@@ -132,7 +137,7 @@ class Reader {
         for (std::string word; list >> word;) {
           all.push_back(cell);
           all.back().name += " " + field + "=" + word;
-          if (!setWord(field, word, all.back().request)) grid.refuse(field, "is not a known word");
+          if (!setWord(field, word, all.back().request)) grid.refuse(field, unknownWord(word));
         }
       }
     }

@@ -102,9 +102,12 @@ nav_msgs::Odometry PostCrashEgo::changed(nav_msgs::Odometry message) {
   const AgentState ego = crash_.egoAt(time);
   const double yaw = ego.pose.yaw;
   const Pose2 local = relativeTo({0.0, 0.0, yaw}, {ego.velocity.x(), ego.velocity.y(), yaw});
+  constexpr double kInstant = 0.01;  // s
+  const double yaw_rate = angleBetween(yaw, crash_.egoAt(time + kInstant).pose.yaw) / kInstant;
   message.twist.twist = geometry_msgs::Twist();
   message.twist.twist.linear.x = local.x;
-  message.twist.twist.linear.y = local.y;
+  message.twist.twist.linear.y = local.y - yaw_rate * center_offset_;  // at base_link
+  message.twist.twist.angular.z = yaw_rate;
   return message;
 }
 
