@@ -85,7 +85,7 @@ class ConversionTest(road.RoadTest):
             pass
         result = road.run('convert', '--source', foreign, '--out', self.path('nothing'))
         self.assertEqual(result.returncode, 1, result.stderr)
-        self.assertIn('no message on /lane_map, no message on /agents, no transform map -> base_link on /tf: is no bag of '
+        self.assertIn('no message on /lane_map, no message on /agents, no transform map -> base_link on /tf: is not a bag of '
                       'this suite; convert a bag of another stack with forge convert --topics', result.stderr)
 
     def test_a_scene_that_cannot_be_read_costs_itself_alone(self):

@@ -237,15 +237,19 @@ TEST_F(InjectIntoBagTest, AgentsMoveLinearlyAndTheAttackerAlongItsTrajectory) {
   }
 }
 
-TEST_F(InjectIntoBagTest, EgoAndAttackerKeepTheirRelativePoseAfterTheContact) {
+TEST_F(InjectIntoBagTest, EgoAndAttackerMoveByTheImpactAfterTheContact) {
   inject();
-  const double y = 8.0 - 8.0 * (kContact - kNow);
+  const auto crash = motionAfterContact(kContact, fromMessage(attack_.attack.trajectory), ego_,
+                                        config_.attack.verification.severity);
   const auto last = attackerIn(frames().back());
   const auto transform = read<tf2_msgs::TFMessage>(names::kTf).back().transforms.front().transform;
   const auto odometry = read<nav_msgs::Odometry>(bagTopic(names::kOdometry)).back();
-  // From one place to each other to the same one, by a way that is not zero.
-  EXPECT_NEAR(last.pose.position.x - 3.0, transform.translation.x - egoAt(kContact), 1e-4);
-  EXPECT_NEAR(last.pose.position.y - y, transform.translation.y, 1e-4);
+  const Pose2 ego = crash->egoAt(100.0).pose;
+  const Pose2 attacker = crash->attackerAt(100.0).pose;
+  EXPECT_NEAR(last.pose.position.x, attacker.x, 1e-4);
+  EXPECT_NEAR(last.pose.position.y, attacker.y, 1e-4);
+  EXPECT_NEAR(transform.translation.x, ego.x, 1e-4);
+  EXPECT_NEAR(transform.translation.y, ego.y, 1e-4);
   EXPECT_LT(transform.translation.y, -0.1);
   EXPECT_LT(transform.translation.x, egoAt(14.0) - 5.0);
   EXPECT_NEAR(last.velocity.y, 0.0, 1e-9);

@@ -152,7 +152,7 @@ TEST(RolloutMarkers, ShowThePostCrashMotionOfTheTouchedVehicle) {
     };
     EXPECT_GT(moved("ego"), 0.5);
     const bool is_attacker = trial.outcome.contact->is_attacker;
-    EXPECT_NEAR(moved(is_attacker ? "attacker" : "agents"), moved("ego"), 1e-6) << touched;
+    EXPECT_GT(moved(is_attacker ? "attacker" : "agents"), moved("ego")) << touched << ", pushed";
     if (!is_attacker) {
       EXPECT_LT(moved("attacker"), -0.5) << "nobody stops the attacker";
     }

@@ -15,15 +15,19 @@ Track trackOf(const std::vector<std::pair<double, Pose2>>& poses) {
   return track;
 }
 
-TEST(CanAttack, HoldsForMotorVehicles) {
+TEST(CanAttack, HoldsForMotorVehiclesBicyclesAndPedestrians) {
   std::vector<std::string> attackers;
+  std::vector<std::string> motor_vehicles;
   for (int i = 0; i <= static_cast<int>(AgentClass::kStaticObject); ++i) {
     const auto agent_class = static_cast<AgentClass>(i);
     if (canAttack(agent_class)) attackers.push_back(toString(agent_class));
+    if (isMotorVehicle(agent_class)) motor_vehicles.push_back(toString(agent_class));
   }
-  EXPECT_THAT(attackers,
+  EXPECT_THAT(motor_vehicles,
               testing::UnorderedElementsAre("car", "truck", "bus", "construction_vehicle",
                                             "emergency_vehicle", "motorcycle"));
+  motor_vehicles.insert(motor_vehicles.end(), {"bicycle", "pedestrian"});
+  EXPECT_THAT(attackers, testing::UnorderedElementsAreArray(motor_vehicles));
 }
 
 TEST(IsVehicle, HoldsForAllButPeopleAnimalsAndThings) {

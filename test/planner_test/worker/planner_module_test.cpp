@@ -72,7 +72,7 @@ TEST(PlannerModule, RejectsOtherInputsByName) {
                 "self, ego_history, agents, others, lanes, lanes_mask, route");
   expectRefusal(body, {"input route", "int", "Tensor"},
                 "self, ego_history, agents, agents_mask, lanes, lanes_mask, route: int");
-  expectRefusal(body, {"an input more", "goal"}, std::string(kContractArguments) + ", goal");
+  expectRefusal(body, {"unknown input", "goal"}, std::string(kContractArguments) + ", goal");
 }
 
 TEST(PlannerModule, RejectsAnOutputOfAnotherShape) {

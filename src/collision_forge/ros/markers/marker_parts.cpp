@@ -42,7 +42,7 @@ BoxSize sizeOf(const geometry_msgs::Vector3& size) { return {size.x, size.y}; }
 
 bool canAttackClass(std::uint8_t agent_class) {
   return agent_class <= collision_forge::Agent::STATIC_OBJECT &&
-         canAttack(static_cast<AgentClass>(agent_class));
+         isMotorVehicle(static_cast<AgentClass>(agent_class));
 }
 
 void addId(const std::string& id, const OrientedBox& framed, const OrientedBox& shown, double scale,

@@ -34,7 +34,7 @@ inline constexpr float kContactAlpha = 0.45F;    // of the vehicles at contact
 /// Returns length (x) and width (y) of a size in a message, m.
 BoxSize sizeOf(const geometry_msgs::Vector3& size);
 
-/// Returns true if agents of this class (Agent constants) can attack.
+/// Returns true if agents of this class (Agent constants) can attack unnamed: motor vehicles.
 bool canAttackClass(std::uint8_t agent_class);
 
 /// Adds the short form of an agent's id (namespace "ids") beside `shown`, the agent's box in the
