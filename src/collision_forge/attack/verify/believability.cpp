@@ -12,10 +12,10 @@ namespace forge {
 namespace {
 
 constexpr double kStandstill = 0.1;  // m/s
-constexpr double kBraking = 4.0;     // m/s2, firm: of a driver without an emergency
-constexpr double kTurning = 4.0;     // m/s2 to the side, firm
+constexpr double kBraking = 6.0;     // m/s2, hard: of a driver who sees the kerb
+constexpr double kTurning = 6.0;     // m/s2 to the side, hard
 constexpr double kTightest = 0.2;    // 1/m; curvature of a car at full lock
-constexpr double kMostOff = 0.3;     // share of the box that may leave the road: an overhang
+constexpr double kMostOff = 0.5;     // share of the box that may leave the road: an overhang
 constexpr double kArcStep = 0.2;     // s
 constexpr double kStep = 0.5;  // m between the points searched for road; the raster's cell size
 
