@@ -21,8 +21,8 @@ using LaneArcs = std::unordered_map<std::string, std::vector<ArcPath>>;
 /// around. Global map frame, metres, radians. Poses are box centres.
 ///
 /// Until contact the ego and the other agents are as recorded and the attacker follows its
-/// trajectory. After it, ego and attacker move by PostCrashMotion, with boxes that overlap by at
-/// least 5 mm.
+/// trajectory. After it, ego and attacker move by PostCrashMotion; at the first step from the
+/// contact on, their boxes overlap by at least 5 mm.
 struct CrashRecord {
   std::string name;               ///< base name of the files, as "scene-0061_17"
   Scenario scenario;              ///< request and result; times on the scene's clock

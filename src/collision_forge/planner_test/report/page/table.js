@@ -50,9 +50,9 @@ export class Table {
     this.headings = element('div', {className: 'row headings', role: 'row'});
     this.scroller.append(this.headings, this.body);
     place.append(this.scroller);
-    this.scroller.addEventListener('scroll', () => this.draw(), {passive: true});
+    this.scroller.addEventListener('scroll', () => this.drawIfMoved(), {passive: true});
     this.scroller.addEventListener('keydown', (event) => this.onKey(event));
-    new ResizeObserver(() => this.draw()).observe(this.scroller);
+    new ResizeObserver(() => this.drawIfMoved()).observe(this.scroller);
   }
 
   /** Selects the columns that the rows of this list need. */
@@ -115,10 +115,21 @@ export class Table {
     this.draw();
   }
 
-  draw() {
+  /** Returns the first place in view and the one after the last. */
+  placesInView() {
     const first = Math.max(0, Math.floor(this.scroller.scrollTop / ROW_HEIGHT) - 4);
     const count = Math.ceil(this.scroller.clientHeight / ROW_HEIGHT) + 8;
-    const last = Math.min(this.order.length, first + count);
+    return [first, Math.min(this.order.length, first + count)];
+  }
+
+  /** Keeps the rows, which a click may be under way to, unless others come into view. */
+  drawIfMoved() {
+    if (this.placesInView().join() !== this.drawn) this.draw();
+  }
+
+  draw() {
+    const [first, last] = this.placesInView();
+    this.drawn = [first, last].join();
     const shown = [];
     for (let place = first; place < last; ++place) shown.push(this.makeRow(place));
     this.body.replaceChildren(...shown);
