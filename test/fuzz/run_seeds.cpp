@@ -43,7 +43,8 @@ std::string stoppedRun() {
 std::vector<std::string> runSeeds() {
   ResultRow published = row();
   published.meets.resize(measuresOf(Protocol::kPublished).size());
-  const std::string witness = R"({"name":"requests:1","planner":"idm","policy":"adaptive","background":"replay"})";
+  const std::string witness =
+      R"({"name":"requests:1","planner":"idm","policy":"adaptive","background":"replay"})";
   return {plannerResultLine(tested()), witness + "\n" + witness, toCsv(row()), toCsv(published),
           stoppedRun()};
 }

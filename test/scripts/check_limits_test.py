@@ -169,7 +169,7 @@ class DrivableLimits(CheckLimits):
             self.assertTrue(lines[-1].startswith(row + ' (2 trajectories): '), lines)
 
     def test_a_class_without_limits_is_no_success(self):
-        for agent_class, named in (('bicycle', 'no limits for the class "bicycle"'), (None, 'has no class')):
+        for agent_class, named in (('animal', 'no limits for the class "animal"'), (None, 'has no class')):
             result = self.check(dict(scenario(Drive(2.7, 5.0).points(), agent_class, 4.6)))
             self.assertEqual(result.returncode, 2)
             self.assertIn('line 1: ', result.stderr)

@@ -26,7 +26,8 @@ std::vector<Vector2> distinctPoints(const std::vector<Vector2>& line) {
 }  // namespace
 
 std::vector<Vector2> middleOf(const LaneBounds& bounds) {
-  const auto& [left, right] = bounds;
+  const std::vector<Vector2>& left = bounds.left;
+  const std::vector<Vector2>& right = bounds.right;
   std::vector<Vector2> middle;
   std::size_t l = 0;
   std::size_t r = 0;
