@@ -254,6 +254,16 @@ TEST(CommandLine, MistypedWordsGetASuggestion) {
   }
 }
 
+TEST(CommandLine, ACatalogueExcludesTypes) {
+  for (const std::string& line : {"requests" + kComplete.at("requests") + " --types rear_end",
+                                  "possible" + kComplete.at("possible") + " --type rear_end"}) {
+    EXPECT_EQ(read(line).exit_code, std::nullopt) << line;
+    const Reading reading = read(line + " --catalogue nhtsa");
+    EXPECT_EQ(reading.exit_code, kExitUsage) << line;
+    EXPECT_THAT(reading.err, HasSubstr("--catalogue")) << line;
+  }
+}
+
 TEST(CommandLine, ControlOptionsAreTheSameInAllCommands) {
   for (const std::string command : {"inject", "generate", "requests"}) {
     const std::string line = command + kComplete.at(command);

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """forge possible: collisions possible at a time, for a bag and for a nuScenes root."""
+import json
 import re
 
 import road
@@ -52,6 +53,30 @@ class PossibleTest(road.RoadTest):
         by_short_id = road.inject(self.bag(SCENE), out.with_name('short.bag'), row['type'], row['tta'], NOW,
                                   '--attacker', row['id'])
         self.assertEqual(by_short_id.returncode, 0, by_short_id.stderr)
+
+    def test_a_catalogue_is_listed_with_the_reasons(self):
+        result = of_the_root('--catalogue', 'un_r157', '--tta', '4')
+        self.assertEqual(result.returncode, 0, result.stderr)
+        table, reasons = result.stdout.split('\nrejected\n')
+        self.assertRegex(table, r'(?m)^un_r157/4\.2\.3_crossing_pedestrian from_side=\w+\n  junction_crossing ')
+        self.assertIn('un_r157/4.5.1_cut_out_fully_blocking  cannot be requested: an attack has one attacker\n', reasons)
+        wrong = of_the_root('--catalogue', 'un_r157', '--name', '4.2.1_fully_blocking_targt')
+        self.assertEqual(wrong.returncode, 1)
+        self.assertIn('did you mean 4.2.1_fully_blocking_target?', wrong.stderr)
+
+    def test_requests_of_a_catalogue_are_named_and_take_the_other_options(self):
+        out = self.path('named.jsonl')
+        result = road.run('requests', '--dataroot', DATAROOT, '--version', VERSION, '--scene', SCENE, '--tta', 4,
+                          '--stride', 5, '--catalogue', 'nhtsa', '--name', '24_lead_vehicle_slower', '--attackers', 'each',
+                          '--believable', 'false', '--out', out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        listed = [json.loads(line) for line in out.read_text(encoding='utf-8').splitlines()]
+        self.assertGreater(len(listed), 3)
+        for request in listed:
+            self.assertEqual(request['name'], 'nhtsa/24_lead_vehicle_slower')
+            self.assertEqual((request['type'], request['manoeuvre']), ('rear_end', 'lead_slow'))
+            self.assertIsNotNone(request['attacker'])
+            self.assertIs(request['believable'], False)
 
     def test_nothing_possible_is_an_exit_code(self):
         result = of_the_root('--type', 'ltap', '--tta', '2')

@@ -200,10 +200,11 @@ std::vector<CatalogueEntry> CatalogueChoice::entries(const ConfigFolder& folder)
   return namedEntries(readCatalogue(folder, name), scenarios);
 }
 
-void addCatalogue(CLI::App& app, CatalogueChoice& choice) {
+void addCatalogue(CLI::App& app, CLI::Option* types, CatalogueChoice& choice) {
   CLI::Option* catalogue = app.add_option(
       "--catalogue", choice.name,
       "scenarios of a test programme instead of types: euro_ncap_2026, un_r157, nhtsa or all");
+  catalogue->excludes(types);
   app.add_option("--name", choice.scenarios, "scenarios of the catalogue, e.g. CCRb; default: all")
       ->needs(catalogue);
 }

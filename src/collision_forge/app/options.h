@@ -104,7 +104,6 @@ void addPolicies(CLI::App& app, std::vector<std::string>& policies, const std::s
 /// --mode; the current content of `mode` is the default. Commands that make collisions default to
 /// replay, commands that measure methods to history. `may_adapt`: adaptive is allowed, too.
 void addMode(CLI::App& app, Mode& mode, bool may_adapt);
-/// --method, checked by checkMethod() when all options are parsed; empty: the built-in default.
 /// The scenarios of a catalogue that a command is for.
 struct CatalogueChoice {
   std::string name;                    ///< of the catalogue, or "all"; empty without one
@@ -114,9 +113,9 @@ struct CatalogueChoice {
   std::vector<CatalogueEntry> entries(const ConfigFolder& folder) const;
 };
 
-/// Adds --catalogue and --name.
-void addCatalogue(CLI::App& app, CatalogueChoice& choice);
-
+/// --catalogue, which excludes the option `types`, and --name.
+void addCatalogue(CLI::App& app, CLI::Option* types, CatalogueChoice& choice);
+/// --method, checked by checkMethod() when all options are parsed; empty: the built-in default.
 CLI::Option* addMethod(CLI::App& app, std::string& method, const ConfigFolder& config);
 /// Throws CLI::ValidationError, naming `option` and the known methods, if `method` is neither built
 /// in nor listed in methods.yaml. Ignores an invalid configuration, which the run itself reports.

@@ -83,41 +83,56 @@ std::vector<Attack> attacksOf(Attack answer) {
   return attacks;
 }
 
-/// Prints the scenarios of a catalogue that are possible at the instant, each by its first cell and
-/// TTA with an attack, then those that are not, with the reason. Returns the number of possible
-/// ones.
-std::size_t listScenarios(const Arguments& arguments, const Config& config, const Moment& moment,
-                          const MethodMaker& maker, CollisionRequest request, double now) {
-  std::size_t possible = 0;
-  std::ostringstream rejected;
-  for (const CatalogueEntry& entry : arguments.catalogue.entries(arguments.config)) {
-    std::string reason = entry.missing.empty() ? "" : "cannot be requested: " + entry.missing;
-    bool is_possible = false;
-    for (const CatalogueCell& cell : entry.cells) {
-      for (const double tta : arguments.ttas.empty() ? config.requests.ttas : arguments.ttas) {
-        CollisionRequest asked = cell.request;
-        asked.crash = request.crash;
-        asked.mode = request.mode;
-        asked.seed = request.seed;
-        asked.tta = tta;
-        const Attack answer =
-            generateCollision(*maker.make(), moment, asked, config.attack.prediction);
-        is_possible = answer.status.code == StatusCode::kOk;
-        if (!is_possible && reason.empty()) {
-          reason = std::string(toString(answer.status.code)) + ": " + answer.status.message;
-        }
-        if (!is_possible) continue;
+std::vector<double> ttasOf(const Arguments& arguments, const Config& config) {
+  return arguments.ttas.empty() ? config.requests.ttas : arguments.ttas;
+}
+
+std::string rejectionText(const Status& status) {
+  return std::string(toString(status.code)) + ": " + status.message;
+}
+
+/// Prints the first attack of a scenario over its cells and the TTAs, and returns ""; without an
+/// attack, returns the reason. `common`: fields that all requests share.
+std::string tryScenario(const CatalogueEntry& entry, const CollisionRequest& common,
+                        const Arguments& arguments, const Config& config, const Moment& moment,
+                        const MethodMaker& maker) {
+  if (!entry.missing.empty()) return "cannot be requested: " + entry.missing;
+  std::string reason;
+  for (const CatalogueCell& cell : entry.cells) {
+    CollisionRequest request = cell.request;
+    request.crash = common.crash;
+    request.mode = common.mode;
+    request.seed = common.seed;
+    arguments.controls.applyTo(request);
+    for (const double tta : ttasOf(arguments, config)) {
+      request.tta = tta;
+      const Attack answer =
+          generateCollision(*maker.make(), moment, request, config.attack.prediction);
+      if (answer.status.code == StatusCode::kOk) {
         std::cout << cell.name << "\n  ";
-        printPossible(asked, answer, now);
-        break;
+        printPossible(request, answer, moment.snapshot.now);
+        return "";
       }
-      if (is_possible) break;
+      if (reason.empty()) reason = rejectionText(answer.status);
     }
-    possible += is_possible;
-    if (!is_possible) rejected << entry.name << "  " << reason << "\n";
   }
-  if (!rejected.str().empty()) std::cout << "\nrejected\n" << rejected.str();
-  return possible;
+  return reason;
+}
+
+/// Prints the scenarios of a catalogue that are possible at the instant, then the others with the
+/// reason. Returns the exit code.
+int listScenarios(const CollisionRequest& common, const Arguments& arguments, const Config& config,
+                  const Moment& moment, const MethodMaker& maker) {
+  std::ostringstream rejected;
+  const std::vector<CatalogueEntry> entries = arguments.catalogue.entries(arguments.config);
+  std::size_t possible = 0;
+  for (const CatalogueEntry& entry : entries) {
+    const std::string reason = tryScenario(entry, common, arguments, config, moment, maker);
+    possible += reason.empty();
+    if (!reason.empty()) rejected << entry.name << "  " << reason << "\n";
+  }
+  if (possible < entries.size()) std::cout << "\nrejected\n" << rejected.str();
+  return possible > 0 ? kExitOk : kExitNoAttack;
 }
 
 int listPossible(const Arguments& arguments) {
@@ -133,8 +148,7 @@ int listPossible(const Arguments& arguments) {
   request.seed = arguments.seed;
   arguments.controls.applyTo(request);
   if (!arguments.catalogue.name.empty()) {
-    return listScenarios(arguments, config, moment, maker, request, now) > 0 ? kExitOk
-                                                                             : kExitNoAttack;
+    return listScenarios(request, arguments, config, moment, maker);
   }
 
   std::ostringstream rejected;
@@ -143,14 +157,13 @@ int listPossible(const Arguments& arguments) {
             << "  TTA  manoeuvre             id      attacker                "
                "confidence  contact     impact\n";
   for (const CollisionType type : typesOf(arguments)) {
-    for (const double tta : arguments.ttas.empty() ? config.requests.ttas : arguments.ttas) {
+    for (const double tta : ttasOf(arguments, config)) {
       request.type = type;
       request.tta = tta;
       const Attack answer =
           generateCollision(*maker.make(), moment, request, config.attack.prediction);
       if (answer.status.code != StatusCode::kOk) {
-        rejected << requestText(request) << "  " << toString(answer.status.code) << ": "
-                 << answer.status.message << "\n";
+        rejected << requestText(request) << "  " << rejectionText(answer.status) << "\n";
         continue;
       }
       for (const Attack& attack : attacksOf(answer)) {
@@ -181,14 +194,14 @@ void addPossible(CommandLine& line) {
   app.add_option("--now", arguments->now,
                  "time of the request t0, s from the first frame; uses the frame at or before")
       ->required();
-  app.add_option(
-         "--type", arguments->types,
-         "requested collision types; any: all; default: the first five of " + collisionTypeWords())
-      ->check(checkType);
+  CLI::Option* types = app.add_option(
+      "--type", arguments->types,
+      "requested collision types; any: all; default: the first five of " + collisionTypeWords());
+  types->check(checkType);
   app.add_option("--tta", arguments->ttas,
                  "times to attack, s: time from t0 to contact; default: ttas of requests.yaml");
   addAttacker(app, arguments->controls);
-  addCatalogue(app, arguments->catalogue);
+  addCatalogue(app, types, arguments->catalogue);
   addControls(app, arguments->controls);
   addAlternatives(app, arguments->controls);
   addMethod(app, arguments->method, arguments->config);

@@ -112,11 +112,10 @@ void print(const RoadCounts& counts) {
   sum.print("all");
 }
 
-/// Returns the fields that all requests share. Throws std::invalid_argument if they contradict
-/// every one of `types`.
-CollisionRequest sharedFields(const Arguments& arguments, const Config& config,
-                              const std::vector<CollisionType>& types) {
-  CollisionRequest asked;
+/// Returns `asked` with the fields of the command line, which all requests share. Throws
+/// std::invalid_argument if they contradict every one of `types`.
+CollisionRequest withSharedFields(CollisionRequest asked, const Arguments& arguments,
+                                  const Config& config, const std::vector<CollisionType>& types) {
   asked.crash = config.crash;
   arguments.controls.applyTo(asked);
   if (arguments.attackers != kEach) asked.choice = *attackerChoiceFromString(arguments.attackers);
@@ -137,9 +136,10 @@ std::string whyNoRequest(const RequestTally& tally, const RequestListOptions& op
          std::to_string(rest) + " without a vehicle or a history for the request";
 }
 
-/// Requests that differ in more than scene, time and attacker.
+/// The fields that the requests of a list share. A cell of a catalogue sets them, or the command
+/// line.
 struct RequestKind {
-  std::string name;  ///< of a cell in a catalogue; empty without one
+  std::string name;  ///< of the cell; empty without a catalogue
   CollisionRequest asked;
   RequestListOptions options;
 };
@@ -148,16 +148,14 @@ struct RequestKind {
 std::vector<RequestKind> kindsOf(const Arguments& arguments, const Config& config) {
   RequestListOptions options = listOptions(arguments, config);
   if (arguments.catalogue.name.empty()) {
-    return {{"", sharedFields(arguments, config, options.types), options}};
+    return {{"", withSharedFields({}, arguments, config, options.types), options}};
   }
   std::vector<RequestKind> kinds;
   for (const CatalogueEntry& entry : arguments.catalogue.entries(arguments.config)) {
     for (const CatalogueCell& cell : entry.cells) {
-      CollisionRequest asked = cell.request;
-      asked.crash = config.crash;
-      asked.choice = *attackerChoiceFromString(arguments.attackers);
-      options.types = {asked.type};
-      kinds.push_back({cell.name, asked, options});
+      options.types = {cell.request.type};
+      kinds.push_back(
+          {cell.name, withSharedFields(cell.request, arguments, config, options.types), options});
     }
   }
   if (kinds.empty()) {
@@ -218,17 +216,18 @@ void addRequests(CommandLine& line) {
   addSource(app, arguments->logs)->required();
   addScenes(app, arguments->scenes);
   addOut(app, arguments->out, "output request list for forge generate, one JSON object per line");
-  addCatalogue(app, arguments->catalogue);
   app.add_option("--stride", arguments->stride,
                  "time between two requests of a scene, s; default: requests.yaml")
       ->check(CLI::PositiveNumber)
       ->check(checkFinite);
-  app.add_option("--types", arguments->types,
-                 "requested collision types; any: each request is for the most plausible type; "
-                 "default: the "
-                 "first five of " +
-                     collisionTypeWords())
-      ->check(checkType);
+  CLI::Option* types =
+      app.add_option("--types", arguments->types,
+                     "requested collision types; any: each request is for the most plausible type; "
+                     "default: the "
+                     "first five of " +
+                         collisionTypeWords());
+  types->check(checkType);
+  addCatalogue(app, types, arguments->catalogue);
   app.add_option("--tta", arguments->ttas,
                  "times to attack, s: time from t0 to contact; default: requests.yaml")
       ->check(CLI::PositiveNumber)

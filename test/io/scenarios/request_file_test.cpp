@@ -96,6 +96,13 @@ TEST(RequestFile, ConditionsAreReadBack) {
   EXPECT_EQ(requestLine(readRequestLine("", line)), line);
 }
 
+TEST(RequestFile, TheNameInACatalogueIsReadBack) {
+  SceneRequest request{"scene-0001", 100.5, {}, "euro_ncap_2026/CCRb deceleration=2"};
+  EXPECT_EQ(readRequestLine("list", requestLine(request)).name, request.name);
+  request.name.clear();
+  EXPECT_EQ(requestLine(request).find("name"), std::string::npos);
+}
+
 TEST(RequestFile, ShortTypeNamesAndNullAreRead) {
   std::string line = kLine;
   replaceIn(line, "ltap", "JC");

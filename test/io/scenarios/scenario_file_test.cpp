@@ -179,6 +179,14 @@ TEST(ScenarioFile, HasMeasuredConditionsIfTheRequestHasOne) {
   EXPECT_NE(scenarioLine(scenario).find("conditions"), std::string::npos);
 }
 
+TEST(ScenarioFile, HasTheNameInACatalogue) {
+  Scenario scenario = attack();
+  EXPECT_EQ(readScenarioLine("file", scenarioLine(scenario), shippedLimits()).asked.name, "");
+  scenario.asked.name = "nhtsa/27_ltap_od_signalised turning=ego";
+  EXPECT_EQ(readScenarioLine("file", scenarioLine(scenario), shippedLimits()).asked.name,
+            scenario.asked.name);
+}
+
 TEST(ScenarioFile, EveryFieldOfAWholeAttackIsFilled) {
   const AttackFields filled = fieldsOf(wholeAttack(kNow));
   for (const auto& [name, value] : fieldsOf(Attack())) {

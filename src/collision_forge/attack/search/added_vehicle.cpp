@@ -16,6 +16,7 @@
 #include "collision_forge/attack/search/route_driver.h"
 #include "collision_forge/attack/verify/believability.h"
 #include "collision_forge/attack/verify/measured_conditions.h"
+#include "collision_forge/base/scene/find_track.h"
 
 namespace forge {
 namespace {
@@ -270,24 +271,9 @@ class VehicleInsertion {
   /// Sets name_ and variation_ of the vehicle after those in `found`.
   void nameNext(const std::vector<AddedVehicle>& found) {
     if (!name_.empty() && found.size() == named_after_) return;
-    name_ = newName(found);
+    name_ = newVehicleId(past_, found);
     variation_ = variationOf(name_, input_.request.seed);
     named_after_ = found.size();
-  }
-
-  std::string newName(const std::vector<AddedVehicle>& found) const {
-    std::string name;
-    const auto isNamed = [&](const Track& agent) { return agent.id == name; };
-    const auto isTaken = [&] {
-      return std::any_of(past_.agents.begin(), past_.agents.end(), isNamed) ||
-             std::any_of(found.begin(), found.end(),
-                         [&](const AddedVehicle& vehicle) { return isNamed(vehicle.track); });
-    };
-    std::size_t index = found.size();
-    do {
-      name = "added-" + std::to_string(++index);
-    } while (isTaken());
-    return name;
   }
 
   void addPatterns(const AddedMeeting& meeting, AddedVehicle& vehicle) const {
@@ -367,6 +353,20 @@ Attack realizeBy(const std::vector<AddedVehicle>& vehicles, const AddedVehicleIn
 }
 
 }  // namespace
+
+std::string newVehicleId(const Snapshot& past, const std::vector<AddedVehicle>& found) {
+  std::string id;
+  const auto isTaken = [&] {
+    return findTrack(past.agents, id) != nullptr ||
+           std::any_of(found.begin(), found.end(),
+                       [&](const AddedVehicle& vehicle) { return vehicle.track.id == id; });
+  };
+  std::size_t index = found.size();
+  do {
+    id = "added-" + std::to_string(++index);
+  } while (isTaken());
+  return id;
+}
 
 AddedVehicles addVehicles(const AddedVehicleInput& input, const AttackOptions& options) {
   return VehicleInsertion(input, options).run();

@@ -29,6 +29,10 @@ struct AddedVehicles {
   Status status;  ///< if `found` is empty: kNoCandidate or kRoadDoesNotAllow
 };
 
+/// Returns an id for a further added vehicle or pedestrian: "added-N", with the smallest N above
+/// found.size() that no agent of `past` and no vehicle in `found` has.
+std::string newVehicleId(const Snapshot& past, const std::vector<AddedVehicle>& found);
+
 /// Finds vehicles that could have been in the scene all along and then hit the ego with the
 /// requested type and time: along lanes that lead to it (fittingLanes()), at speeds of the
 /// surrounding traffic, together with or beside the ego, or from a standstill. Each keeps the

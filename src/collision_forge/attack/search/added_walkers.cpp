@@ -85,7 +85,7 @@ class WalkerInsertion {
     pattern.tolerance = options_.prediction.pattern_tolerance;
     const Pose2 meeting = compose(ego.pose, pattern.attacker_offset);
     const auto edge = roadEdge(meeting);
-    if (!edge) return void(++reasons_["find no roadside within 18 m"]);
+    if (!edge) return void(++reasons_["find no roadside"]);
     for (const double behind : kFromKerb) {
       const double away = *edge + behind;
       const Pose2 start = compose(meeting, {-away, 0.0, 0.0});
@@ -93,7 +93,7 @@ class WalkerInsertion {
         ++reasons_[reason];
         continue;
       }
-      Track track{newName(found), AgentClass::kPedestrian, size, {}};
+      Track track{newVehicleId(past_, found), AgentClass::kPedestrian, size, {}};
       for (const AgentState& frame : past_.ego.states) {
         track.states.push_back({frame.time, start, {0.0, 0.0}});
       }
@@ -132,16 +132,6 @@ class WalkerInsertion {
       return each.agent_class == AgentClass::kPedestrian;
     });
     return {kind->length + random_.bell(kind->length_deviation), kind->width};
-  }
-
-  std::string newName(const std::vector<AddedVehicle>& found) const {
-    std::size_t index = found.size();
-    std::string name;
-    do {
-      name = "added-" + std::to_string(++index);
-    } while (std::any_of(past_.agents.begin(), past_.agents.end(),
-                         [&](const Track& agent) { return agent.id == name; }));
-    return name;
   }
 
   Status refusal() const {

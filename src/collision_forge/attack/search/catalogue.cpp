@@ -1,6 +1,7 @@
 #include "collision_forge/attack/search/catalogue.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -8,6 +9,7 @@
 
 #include "collision_forge/attack/search/request_check.h"
 #include "collision_forge/base/config/config_file.h"
+#include "collision_forge/base/config/nearest_names.h"
 #include "collision_forge/base/scene/contact_conditions.h"
 #include "collision_forge/base/scene/number_words.h"
 #include "collision_forge/base/scene/request_words.h"
@@ -162,14 +164,13 @@ std::vector<std::string> catalogueNames(const ConfigFolder& folder) {
 
 std::vector<CatalogueEntry> readCatalogue(const ConfigFolder& folder,
                                           const std::string& catalogue) {
-  const std::vector<std::string> names = catalogueNames(folder);
   std::vector<CatalogueEntry> entries;
   std::string known = "all";
-  for (const std::string& name : names) {
+  for (const std::string& name : catalogueNames(folder)) {
     known += ", " + name;
     if (catalogue != "all" && catalogue != name) continue;
-    const std::vector<CatalogueEntry> read = Reader(folder, name).read();
-    entries.insert(entries.end(), read.begin(), read.end());
+    std::vector<CatalogueEntry> read = Reader(folder, name).read();
+    std::move(read.begin(), read.end(), std::back_inserter(entries));
   }
   if (entries.empty()) {
     throw std::invalid_argument("no catalogue \"" + catalogue + "\"; known catalogues: " + known);
@@ -180,21 +181,21 @@ std::vector<CatalogueEntry> readCatalogue(const ConfigFolder& folder,
 std::vector<CatalogueEntry> namedEntries(const std::vector<CatalogueEntry>& entries,
                                          const std::vector<std::string>& names) {
   if (names.empty()) return entries;
+  const auto shortName = [](const CatalogueEntry& entry) {
+    return entry.name.substr(entry.name.find('/') + 1);
+  };
   std::vector<CatalogueEntry> found;
   for (const std::string& name : names) {
-    bool is_known = false;
-    for (const CatalogueEntry& entry : entries) {
-      const std::string own = entry.name.substr(entry.name.find('/') + 1);
-      if (name != entry.name && name != own) continue;
-      is_known = true;
-      found.push_back(entry);
-    }
-    if (is_known) continue;
-    std::string known;
-    for (const CatalogueEntry& entry : entries) {
-      known += (known.empty() ? "" : ", ") + entry.name.substr(entry.name.find('/') + 1);
-    }
-    throw std::invalid_argument("no scenario \"" + name + "\" in the catalogue; known: " + known);
+    const std::size_t before = found.size();
+    std::copy_if(entries.begin(), entries.end(), std::back_inserter(found),
+                 [&](const CatalogueEntry& entry) {
+                   return name == entry.name || name == shortName(entry);
+                 });
+    if (found.size() > before) continue;
+    std::vector<std::string> known;
+    std::transform(entries.begin(), entries.end(), std::back_inserter(known), shortName);
+    throw std::invalid_argument("no scenario \"" + name + "\" in the catalogue" +
+                                nearestNameHint(name, known));
   }
   return found;
 }

@@ -32,7 +32,7 @@ std::vector<std::string> catalogueNames(const ConfigFolder& folder);
 std::vector<CatalogueEntry> readCatalogue(const ConfigFolder& folder, const std::string& catalogue);
 
 /// Returns the entries whose name, with or without its catalogue, is in `names`; all if `names` is
-/// empty. Throws std::invalid_argument for a name without entry, with the known ones.
+/// empty. Throws std::invalid_argument for a name without entry, with the nearest known one.
 std::vector<CatalogueEntry> namedEntries(const std::vector<CatalogueEntry>& entries,
                                          const std::vector<std::string>& names);
 

@@ -24,16 +24,7 @@ constexpr double kStandSpeed = 0.03;    // m/s
 constexpr double kStandYawRate = 0.02;  // rad/s
 
 bool rollsOnWheels(AgentClass agent_class) {
-  switch (agent_class) {
-    case AgentClass::kMotorcycle:
-    case AgentClass::kBicycle:
-    case AgentClass::kPedestrian:
-    case AgentClass::kAnimal:
-    case AgentClass::kStaticObject:
-      return false;
-    default:
-      return true;
-  }
+  return isCarLike(agent_class) || agent_class == AgentClass::kTrailer;
 }
 
 Vector2 turned(const Vector2& vector, double angle) {

@@ -56,11 +56,9 @@ ContactConditions measuredConditions(const AttackerTrajectory& trajectory,
         (speedAt(trajectory, begin) - measured.attacker_speed) / (contact - begin);
   }
   measured.lateral_speed = measured.attacker_speed * std::abs(std::sin(report.relative_heading));
-  const Vector2 middle = compose(report.attacker_at_contact,
-                                 {middleOf(report.attacker_side, trajectory.size).x(),
-                                  middleOf(report.attacker_side, trajectory.size).y(), 0.0})
-                             .position();
-  const Pose2 place = relativeTo(report.ego_at_contact, {middle.x(), middle.y(), 0.0});
+  const Vector2 side = middleOf(report.attacker_side, trajectory.size);
+  const Pose2 touched = compose(report.attacker_at_contact, {side.x(), side.y(), 0.0});
+  const Pose2 place = relativeTo(report.ego_at_contact, touched);
   measured.impact_location = 0.5 - place.y / ego.size.width;
   const Pose2 earlier =
       relativeTo(report.ego_at_contact, poseAt(trajectory, contact - kSideBefore));

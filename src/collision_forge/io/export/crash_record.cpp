@@ -158,13 +158,12 @@ class RecordBuilder {
   Track attackerTrack() const {
     const Track past = attackerPast(trajectory_, scene_.agents);
     const double now = scenario_.asked.now;
-    bool is_first = true;
     Track track = sampled(drive_, [&](double time) -> std::optional<AgentState> {
       if (isAfterContact(time)) {
         AgentState state = crash_->attackerAt(time);
         // Readers test the boxes at the steps, and grazing vehicles may part within a step.
-        if (is_first) state.pose = overlapping(crash_->egoAt(time).pose, state.pose);
-        is_first = false;
+        const bool is_first_step = time < *contact_ + step_ - kTimeEpsilon;
+        if (is_first_step) state.pose = overlapping(crash_->egoAt(time).pose, state.pose);
         return state;
       }
       const bool is_attacking = time >= now - kTimeEpsilon;

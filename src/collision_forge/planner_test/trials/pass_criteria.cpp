@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "collision_forge/attack/drivers/driver_models.h"
 #include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/base/scene/number_words.h"
 
@@ -23,9 +24,10 @@ bool isHit(const PlannerRow& row) {
 /// Returns true if the competent and careful driver of UN R157 avoids the attack on the planner's
 /// path.
 bool isCarefullyAvoided(const RolloutOutcome& outcome) {
-  return std::any_of(
-      outcome.careful_drivers.begin(), outcome.careful_drivers.end(),
-      [](const CarefulDrive& drive) { return drive.driver == "cc_driver" && drive.avoids; });
+  return std::any_of(outcome.careful_drivers.begin(), outcome.careful_drivers.end(),
+                     [](const CarefulDrive& drive) {
+                       return drive.driver == toString(DriverModel::kCcDriver) && drive.avoids;
+                     });
 }
 
 /// A measure counts the rows for which `value` is 1, or is the mean, maximum or minimum of `value`.
