@@ -35,7 +35,8 @@ TEST(MapFile, AMapExpansionTakesItsLocationAndDrivingSideFromItsName) {
   EXPECT_EQ(map.location, "town");
   EXPECT_EQ(map.driving_side, DrivingSide::kLeft);
   EXPECT_EQ(map.lanes.size(), 3U);
-  EXPECT_THROW(readText(tinyMap(), "nowhere.json"), ConfigError);
+  EXPECT_THAT([] { readText(tinyMap(), "nowhere.json"); },
+              ThrowsMessage<ConfigError>(HasSubstr("/nowhere.json: locations.yaml: no prefix")));
 }
 
 TEST(MapFile, AnotherJsonObjectIsRefusedAsAMapExpansion) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 
+#include "collision_forge/base/config/config_error.h"
 #include "collision_forge/base/scene/input_limits.h"
 #include "collision_forge/base/scene/map_limits.h"
 #include "collision_forge/io/logs/nuscenes_map.h"
@@ -16,10 +17,19 @@
 namespace forge {
 namespace {
 
+DrivingSide sideOf(const DataOptions& options, const std::string& location,
+                   const std::string& path) {
+  try {
+    return drivingSide(options, location);
+  } catch (const ConfigError& error) {
+    throw ConfigError(path + ": " + error.what());
+  }
+}
+
 LaneMap readMapExpansion(const std::string& path, const DataOptions& options,
                          std::vector<std::string>& warnings) {
   const std::string location = std::filesystem::path(path).stem().string();
-  return readNuScenesMapFile(path, drivingSide(options, location),
+  return readNuScenesMapFile(path, sideOf(options, location, path),
                              {options.conversion.centerline_resolution, options.input_limits},
                              &warnings);
 }
