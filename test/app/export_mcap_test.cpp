@@ -1,5 +1,6 @@
 #include "collision_forge/app/export_mcap.h"
 
+#include <collision_forge/AgentArray.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -39,10 +40,10 @@ class ExportMcapTest : public testing::Test {
   }
 
   /// Returns the exit code and the output.
-  std::string run(const std::vector<std::string>& bags) const {
+  std::string run(const std::vector<std::string>& bags, BagExport format = BagExport::kMcap) const {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
-    const int code = exportMcap(bags, out_, config_);
+    const int code = exportBags(bags, out_, format, config_);
     const std::string printed = testing::internal::GetCapturedStdout();
     return std::to_string(code) + ": " + printed + testing::internal::GetCapturedStderr();
   }
@@ -78,11 +79,45 @@ TEST_F(ExportMcapTest, ReportsFailedBagsAndContinues) {
   EXPECT_TRUE(fs::exists(made("b.mcap")));
 }
 
+TEST_F(ExportMcapTest, WritesARosbag2FolderForEachBag) {
+  EXPECT_THAT(run({bagOf("a"), bagOf("missing")}, BagExport::kRosbag2),
+              testing::StartsWith(std::to_string(kExitError) + ": 1 of 2 bags exported"));
+  EXPECT_TRUE(fs::exists(made("a/a.mcap")));
+  EXPECT_FALSE(fs::exists(made("missing")));
+  const std::string metadata = bytesOf(made("a/metadata.yaml"));
+  EXPECT_THAT(metadata, HasSubstr(R"("relative_file_paths":["a.mcap"])"));
+  EXPECT_THAT(metadata, HasSubstr(R"("name":"/number","type":"std_msgs/msg/Float64")"));
+  EXPECT_THAT(metadata, HasSubstr(R"("message_count":1)"));
+  EXPECT_THAT(run({bagOf("a")}, BagExport::kRosbag2), HasSubstr("1 exported before"));
+}
+
+TEST_F(ExportMcapTest, WritesThePackageOfOwnMessagesAndRejectsOtherDefinitions) {
+  {
+    NewBag bag(bagOf("own"));
+    bag.write("/agents", ros::Time(1.0), collision_forge::AgentArray());
+    bag.commit();
+  }
+  EXPECT_THAT(run({bagOf("own")}, BagExport::kRos2Mcap), testing::StartsWith("0: 1 of 1 bag"));
+  const fs::path message = made("collision_forge_msgs/msg/AgentArray.msg");
+  EXPECT_THAT(bytesOf(message), HasSubstr("\nAgent[] agents\n"));
+  EXPECT_THAT(bytesOf(made("collision_forge_msgs/package.xml")),
+              testing::AllOf(HasSubstr("<depend>geometry_msgs</depend>"),
+                             HasSubstr("<depend>std_msgs</depend>")));
+  EXPECT_THAT(bytesOf(made("collision_forge_msgs/CMakeLists.txt")),
+              HasSubstr("DEPENDENCIES geometry_msgs std_msgs)"));
+  fs::remove(made("own.mcap"));
+  std::ofstream(message, std::ios::app) << "int8 other\n";
+  EXPECT_THAT(run({bagOf("own")}, BagExport::kRos2Mcap),
+              HasSubstr("AgentArray.msg: has another definition than the bag's /agents"));
+  EXPECT_FALSE(fs::exists(made("own.mcap")));
+}
+
 TEST_F(ExportMcapTest, RejectsTwoBagsOfTheSameName) {
   fs::create_directories(folder_ / "others");
   const std::string other = folder_ / "others" / "a.bag";
   fs::copy(bagOf("a"), other);
-  EXPECT_THROW(exportMcap({bagOf("a"), other}, out_, config_), std::invalid_argument);
+  EXPECT_THROW(exportBags({bagOf("a"), other}, out_, BagExport::kMcap, config_),
+               std::invalid_argument);
   EXPECT_FALSE(fs::exists(out_));
 }
 

@@ -51,6 +51,8 @@ bool fuzzBags(const std::string& input) {
   const bool is_chained = isTakenBy(transforms);
   const bool is_copied =
       isTaken(path, [&] { exportToMcap(path, folder.path() + "/output.mcap", config); });
+  isTaken(path,
+          [&] { exportToMcap(path, folder.path() + "/ros2.mcap", config, McapProfile::kRos2); });
   return is_ours || is_source || is_attacked || is_foreign || is_chained || is_copied;
 }
 

@@ -26,6 +26,7 @@
 namespace forge {
 namespace {
 
+using testing::HasSubstr;
 using testing::StartsWith;
 using testing::UnorderedElementsAre;
 
@@ -99,8 +100,8 @@ class ExportToMcapTest : public testing::Test {
     bag.commit();
   }
 
-  McapContents exported() const {
-    exportToMcap(in_, out_, optionsOfTest());
+  McapContents exported(McapProfile profile = McapProfile::kRos1) const {
+    exportToMcap(in_, out_, optionsOfTest(), profile);
     return McapContents(bytesOf(out_));
   }
 
@@ -207,6 +208,51 @@ TEST_F(ExportToMcapTest, SpeedsOfEgoAndAttackerAreWritten) {
   }
 }
 
+TEST_F(ExportToMcapTest, InProfileRos2EveryMessageIsConverted) {
+  writeRecording();
+  const std::size_t count = exported().messages().size();
+  const McapContents contents = exported(McapProfile::kRos2);
+  EXPECT_EQ(contents.messages().size(), count);
+  for (const McapMessage& message : contents.messages()) {
+    EXPECT_EQ(message.encoding, "cdr");
+    EXPECT_EQ(message.schema_encoding, "ros2msg");
+    EXPECT_THAT(message.bytes, StartsWith(std::string("\0\1\0\0", 4)));
+    const bool is_latched = message.topic == "/lane_map" || message.topic == "/attack" ||
+                            message.topic == "/collision_forge/map";
+    EXPECT_THAT(message.metadata.at("offered_qos_profiles"),
+                HasSubstr(is_latched ? "durability: 1" : "durability: 2"))
+        << message.topic;
+  }
+  EXPECT_EQ(contents.of("/agents").front().schema, "collision_forge_msgs/msg/AgentArray");
+  EXPECT_EQ(contents.of("/tf").front().schema, "tf2_msgs/msg/TFMessage");
+}
+
+TEST_F(ExportToMcapTest, InProfileRos2TopicsThatCannotBeConvertedAreLeftOut) {
+  {
+    NewBag bag(in_);
+    const auto write = [&](const char* topic, const char* definition) {
+      const auto header = boost::make_shared<ros::M_string>();
+      *header = {{"type", "std_msgs/Float64"},
+                 {"md5sum", "fdb28210bfa9d7c91146260178d9a584"},
+                 {"message_definition", definition}};
+      bag.write(topic, ros::Time(1.0), std_msgs::Float64(), header);
+    };
+    write("/unknown", "Unknown data\n");
+    write("/short", "float64[2] data\n");
+    bag.write("/number", ros::Time(1.0), std_msgs::Float64());
+    bag.commit();
+  }
+  const McapExport made = exportToMcap(in_, out_, optionsOfTest(), McapProfile::kRos2);
+  EXPECT_THAT(made.warnings,
+              UnorderedElementsAre(
+                  "1 messages of /unknown left out: std_msgs/Float64: type Unknown of its field "
+                  "data is not defined",
+                  "1 messages of /short left out: a message is shorter than its type"));
+  const McapContents contents(bytesOf(out_));
+  ASSERT_EQ(contents.messages().size(), 1U);
+  EXPECT_EQ(contents.messages()[0].topic, "/number");
+}
+
 TEST_F(ExportToMcapTest, BagsWithoutASceneAreCopied) {
   {
     NewBag bag(in_);
@@ -243,7 +289,7 @@ TEST_F(ExportToMcapTest, MessagesBeyondTheLimitsAreCopiedButNotShownWithAWarning
   }
   const std::string entries = " beyond the input limits are not shown";
   EXPECT_THAT(
-      exportToMcap(in_, out_, optionsOfTest()),
+      exportToMcap(in_, out_, optionsOfTest()).warnings,
       UnorderedElementsAre("3 entries of /agents" + entries, "1 entries of /lane_map" + entries,
                            "1 entries of /attack" + entries, "1 entries of /tf" + entries));
   const McapContents contents(bytesOf(out_));

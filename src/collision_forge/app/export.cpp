@@ -20,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kMcap = "mcap";
+constexpr const char* kRosbag2 = "rosbag2";
 
 struct Arguments {
   std::string format;
@@ -27,10 +28,14 @@ struct Arguments {
   std::vector<std::string> bags;
   LogSource logs;
   bool ego_free = false;
+  bool is_ros2 = false;  // --profile
   std::string out;
   ConfigFolder config;
   int jobs = defaultJobs();
 };
+
+/// Returns true for the formats that are made from whole bags.
+bool isOfBags(const std::string& format) { return format == kMcap || format == kRosbag2; }
 
 /// A line of index.jsonl: one exported attack.
 struct IndexEntry {
@@ -158,7 +163,12 @@ class CrashExport {
 
 int exportAny(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
-  if (arguments.format == kMcap) return exportMcap(arguments.bags, arguments.out, config);
+  if (isOfBags(arguments.format)) {
+    const BagExport format = arguments.format == kRosbag2 ? BagExport::kRosbag2
+                             : arguments.is_ros2          ? BagExport::kRos2Mcap
+                                                          : BagExport::kMcap;
+    return exportBags(arguments.bags, arguments.out, format, config);
+  }
   const OutputLocks locks = lockFolders({arguments.out});
   const auto attacks =
       arguments.bags.empty()
@@ -170,6 +180,7 @@ int exportAny(const Arguments& arguments) {
 std::vector<std::string> formats() {
   std::vector<std::string> names = exportFormats();
   names.emplace_back(kMcap);
+  names.emplace_back(kRosbag2);
   return names;
 }
 
@@ -185,13 +196,14 @@ void addExport(CommandLine& line) {
       ->required()
       ->transform(oneOf(formats()));
   CLI::Option_group* source = app.add_option_group("input");
-  CLI::Option* scenarios = source
-                               ->add_option("--scenarios", arguments->scenarios,
-                                            "scenario file of forge generate; not for mcap")
-                               ->check(CLI::ExistingFile);
+  CLI::Option* scenarios =
+      source
+          ->add_option("--scenarios", arguments->scenarios,
+                       "scenario file of forge generate; not for mcap and rosbag2")
+          ->check(CLI::ExistingFile);
   source
       ->add_option("--bag", arguments->bags,
-                   "bags of forge inject; for mcap also bags of forge convert")
+                   "bags of forge inject; for mcap and rosbag2 also bags of forge convert")
       ->check(CLI::ExistingFile);
   source->require_option(1);
   scenarios->needs(addSource(app, arguments->logs, "recorded scenes of the scenario file"));
@@ -199,9 +211,16 @@ void addExport(CommandLine& line) {
       app, "--ego", arguments->ego_free, {{"recorded", false}, {"free", true}},
       "ego motion; recorded: replays the recording; free: the importing tool drives the ego from "
       "t0, where the file starts");
+  addChoice<bool>(app, "--profile", arguments->is_ros2, {{"ros1", false}, {"ros2", true}},
+                  "of mcap; ros1: messages unchanged; ros2: converted to ROS 2");
   app.parse_complete_callback([arguments] {
-    if (arguments->format != kMcap || arguments->scenarios.empty()) return;
-    throw CLI::ValidationError("--to", "mcap needs --bag; it cannot be made from --scenarios");
+    if (!isOfBags(arguments->format)) {
+      if (!arguments->is_ros2) return;
+      throw CLI::ValidationError("--profile", "ros2 is for mcap, not for " + arguments->format);
+    }
+    if (arguments->scenarios.empty()) return;
+    throw CLI::ValidationError(
+        "--to", arguments->format + " needs --bag; it cannot be made from --scenarios");
   });
   addOut(app, arguments->out, "output folder; see docs/export.md");
   addJobs(app, arguments->jobs, "attacks exported in parallel");

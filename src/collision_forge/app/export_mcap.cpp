@@ -14,18 +14,22 @@
 #include "collision_forge/planner_test/settings/config.h"
 #include "collision_forge/ros/bags/foxglove_layout.h"
 #include "collision_forge/ros/bags/mcap_export.h"
+#include "collision_forge/ros/bags/ros2_folder.h"
 
 namespace forge {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the output file of each bag, in the same order.
-std::vector<fs::path> filesOf(const std::vector<std::string>& bags, const fs::path& out) {
+/// Returns the MCAP file of each bag, in the same order.
+std::vector<fs::path> filesOf(const std::vector<std::string>& bags, const fs::path& out,
+                              BagExport format) {
   std::map<fs::path, std::string> bag_of;
   std::vector<fs::path> files;
   for (const std::string& bag : bags) {
-    files.push_back(out / (fs::path(bag).stem().string() + ".mcap"));
+    const fs::path name = fs::path(bag).stem();
+    const fs::path folder = format == BagExport::kRosbag2 ? out / name : out;
+    files.push_back(folder / (name.string() + ".mcap"));
     const auto [other, is_new] = bag_of.emplace(files.back(), bag);
     if (is_new) continue;
     throw std::invalid_argument("--bag " + other->second + " and " + bag +
@@ -35,32 +39,48 @@ std::vector<fs::path> filesOf(const std::vector<std::string>& bags, const fs::pa
   return files;
 }
 
+/// Returns the file that is written last.
+fs::path lastFileOf(const fs::path& mcap, BagExport format) {
+  return format == BagExport::kRosbag2 ? mcap.parent_path() / kRosbag2Metadata : mcap;
+}
+
 /// Returns "" on success, else the error message.
-std::string exportOne(const std::string& bag, const std::string& file, const Config& config) {
+std::string exportOne(const std::string& bag, const fs::path& file, const std::string& out,
+                      BagExport format, const Config& config) {
   ProgressLine progress(fs::path(bag).filename().string());
+  const McapProfile profile = format == BagExport::kMcap ? McapProfile::kRos1 : McapProfile::kRos2;
   try {
-    const std::vector<std::string> warnings =
-        exportToMcap(bag, file, config, [&](double share) { progress.show(share); });
-    printWarnings(file, warnings);
+    fs::create_directories(file.parent_path());
+    const McapExport made = exportToMcap(bag, file.string(), config, profile,
+                                         [&](double share) { progress.show(share); });
+    if (profile == McapProfile::kRos2) writeRos2Package(out, made.topics);
+    if (format == BagExport::kRosbag2) {
+      writeRosbag2Metadata(file.parent_path().string(), file.filename().string(), made);
+    }
+    printWarnings(file.string(), made.warnings);
     return "";
   } catch (const std::exception& error) {
+    std::error_code ignored;
+    fs::remove(file, ignored);
+    if (format == BagExport::kRosbag2) fs::remove(file.parent_path(), ignored);
     return error.what();
   }
 }
 
 }  // namespace
 
-int exportMcap(const std::vector<std::string>& bags, const std::string& out, const Config& config) {
-  const std::vector<fs::path> files = filesOf(bags, out);
+int exportBags(const std::vector<std::string>& bags, const std::string& out, BagExport format,
+               const Config& config) {
+  const std::vector<fs::path> files = filesOf(bags, out, format);
   const OutputLock lock = OutputLock::ofFolder(out);
   std::size_t written = 0;
   std::size_t before = 0;
   for (std::size_t i = 0; i < bags.size(); ++i) {
-    if (fs::exists(files[i])) {
+    if (fs::exists(lastFileOf(files[i], format))) {
       ++before;
       continue;
     }
-    const std::string failure = exportOne(bags[i], files[i].string(), config);
+    const std::string failure = exportOne(bags[i], files[i], out, format, config);
     if (failure.empty()) {
       ++written;
     } else {

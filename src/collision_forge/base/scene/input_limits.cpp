@@ -77,9 +77,12 @@ void checkTimes(double before, double time, const std::string& field) {
 void checkTrack(const Track& track, const InputLimits& limits, const std::string& name) {
   check(track.size, limits, name);
   for (std::size_t i = 0; i < track.states.size(); ++i) {
+    const AgentState& state = track.states[i];
+    const bool is_later = i == 0 || state.time > track.states[i - 1].time;
+    if (isWithin(state, limits) && is_later) continue;  // makes no words for thousands of states
     const std::string field = element(name + ": states", i);
-    check(track.states[i], limits, field);
-    if (i > 0) checkTimes(track.states[i - 1].time, track.states[i].time, field);
+    check(state, limits, field);
+    if (i > 0) checkTimes(track.states[i - 1].time, state.time, field);
   }
 }
 

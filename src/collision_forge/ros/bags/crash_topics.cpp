@@ -17,12 +17,12 @@
 namespace forge {
 namespace {
 
-McapSchema sceneSchema() { return {kSceneUpdateType, kRos1Definition, sceneUpdateDefinition()}; }
+MadeType sceneType() { return {kSceneUpdateType, sceneUpdateDefinition(), kSceneUpdateMd5}; }
 
-McapSchema numberSchema() {
+MadeType numberType() {
   namespace traits = ros::message_traits;
-  return {traits::datatype<std_msgs::Float64>(), kRos1Definition,
-          traits::definition<std_msgs::Float64>()};
+  return {traits::datatype<std_msgs::Float64>(), traits::definition<std_msgs::Float64>(),
+          traits::md5sum<std_msgs::Float64>()};
 }
 
 std::string numberBytes(double value) {
@@ -51,34 +51,28 @@ const collision_forge::Agent* agentIn(const collision_forge::AgentArray& agents,
 
 }  // namespace
 
-MadeTopic::MadeTopic(McapWriter& writer, const char* name, McapSchema schema, const char* md5,
-                     bool latched)
-    : writer_(writer), schema_(std::move(schema)) {
-  channel_.topic = bagTopic(name);
-  channel_.message_encoding = kRos1Encoding;
-  channel_.metadata = {{"callerid", "/collision_forge"}, {"md5sum", md5}};
-  if (latched) channel_.metadata["latching"] = "1";
-}
+MadeTopic::MadeTopic(McapMessages& file, const char* name, MadeType type, bool latched)
+    : file_(file), name_(name), type_(std::move(type)), is_latched_(latched) {}
 
 void MadeTopic::write(const ros::Time& time, const std::string& message) {
   if (!number_) {
-    channel_.schema = writer_.addSchema(schema_);
-    number_ = writer_.addChannel(channel_);
+    std::map<std::string, std::string> header = {{"callerid", "/collision_forge"},
+                                                 {"md5sum", type_.md5}};
+    if (is_latched_) header["latching"] = "1";
+    number_ = file_.addTopic(bagTopic(name_), type_.name, type_.definition, std::move(header));
   }
-  writer_.write(*number_, time.toNSec(), message);
+  file_.write(*number_, time, message);
 }
 
-CrashTopics::CrashTopics(McapWriter& writer, const EgoVehicle& ego, const InputLimits& limits,
+CrashTopics::CrashTopics(McapMessages& file, const EgoVehicle& ego, const InputLimits& limits,
                          std::string agents)
     : ego_(ego),
       limits_(limits),
       agents_(std::move(agents)),
-      scene_(writer, names::kCrashScene, sceneSchema(), kSceneUpdateMd5),
-      map_(writer, names::kCrashMap, sceneSchema(), kSceneUpdateMd5, true),
-      ego_speed_(writer, names::kEgoSpeed, numberSchema(),
-                 ros::message_traits::md5sum<std_msgs::Float64>()),
-      attacker_speed_(writer, names::kAttackerSpeed, numberSchema(),
-                      ros::message_traits::md5sum<std_msgs::Float64>()) {}
+      scene_(file, names::kCrashScene, sceneType()),
+      map_(file, names::kCrashMap, sceneType(), true),
+      ego_speed_(file, names::kEgoSpeed, numberType()),
+      attacker_speed_(file, names::kAttackerSpeed, numberType()) {}
 
 void CrashTopics::take(const rosbag::MessageInstance& instance) {
   const std::string& topic = instance.getTopic();

@@ -16,27 +16,33 @@
 
 #include "collision_forge/base/scene/input_limits.h"
 #include "collision_forge/base/scene/scene.h"
-#include "collision_forge/ros/bags/mcap_writer.h"
+#include "collision_forge/ros/bags/mcap_messages.h"
 #include "collision_forge/ros/messages/posed_frames.h"
 
 namespace forge {
 
-/// A generated topic of profile ros1; its channel is added with the first message.
+/// A message type of ROS 1.
+struct MadeType {
+  std::string name;        ///< package/Type
+  std::string definition;  ///< with nested types
+  std::string md5;
+};
+
+/// A generated topic, added to the file with its first message.
 class MadeTopic {
  public:
-  /// `name`: from topic_names.h. `md5`: md5sum of the message type. `writer` must outlive the
-  /// object.
-  MadeTopic(McapWriter& writer, const char* name, McapSchema schema, const char* md5,
-            bool latched = false);
+  /// `name`: from topic_names.h. `file` must outlive the object.
+  MadeTopic(McapMessages& file, const char* name, MadeType type, bool latched = false);
 
   /// Writes a message, serialised as in ROS 1, at `time` of the bag.
   void write(const ros::Time& time, const std::string& message);
 
  private:
-  McapWriter& writer_;
-  McapSchema schema_;
-  McapChannel channel_;
-  std::optional<std::uint16_t> number_;  ///< number of the channel
+  McapMessages& file_;
+  const char* name_;
+  MadeType type_;
+  bool is_latched_;
+  std::optional<std::size_t> number_;  ///< of the topic in the file
 };
 
 /// Generates the additional topics of an MCAP file from the messages of its bag: map and frames of
@@ -45,9 +51,9 @@ class MadeTopic {
 /// poses outside the input limits are skipped and counted.
 class CrashTopics {
  public:
-  /// `agents`: topic of the frames in the bag, with its leading slash. `writer` must outlive the
+  /// `agents`: topic of the frames in the bag, with its leading slash. `file` must outlive the
   /// object.
-  CrashTopics(McapWriter& writer, const EgoVehicle& ego, const InputLimits& limits,
+  CrashTopics(McapMessages& file, const EgoVehicle& ego, const InputLimits& limits,
               std::string agents);
 
   /// Processes a message of the bag; call in the order of time.

@@ -16,14 +16,10 @@
 #include "collision_forge/ros/bags/bag_file.h"
 #include "collision_forge/ros/bags/bag_index.h"
 #include "collision_forge/ros/bags/crash_topics.h"
-#include "collision_forge/ros/bags/mcap_writer.h"
 #include "collision_forge/ros/messages/topic_names.h"
 
 namespace forge {
 namespace {
-
-constexpr char kProfile[] = "ros1";
-constexpr char kLibrary[] = "collision_forge";
 
 using Connections = std::vector<const rosbag::ConnectionInfo*>;
 
@@ -47,12 +43,14 @@ std::map<std::string, std::string> metadataOf(const rosbag::ConnectionInfo& conn
 /// Converts one bag to an MCAP file.
 class BagConversion {
  public:
-  BagConversion(rosbag::View& bag, McapWriter& writer, const DataOptions& options)
+  BagConversion(rosbag::View& bag, McapMessages& file, const DataOptions& options)
       : bag_(bag),
-        writer_(writer),
-        crash_(writer, options.ego_vehicle, options.input_limits,
-               agentsTopic(bag.getConnections())) {
-    for (const rosbag::ConnectionInfo* connection : bag.getConnections()) addChannel(*connection);
+        file_(file),
+        crash_(file, options.ego_vehicle, options.input_limits, agentsTopic(bag.getConnections())) {
+    for (const rosbag::ConnectionInfo* info : bag.getConnections()) {
+      topics_[info->header] =
+          file_.addTopic(info->topic, info->datatype, info->msg_def, metadataOf(*info));
+    }
   }
 
   /// Returns warnings about messages that are not shown.
@@ -69,56 +67,49 @@ class BagConversion {
   }
 
  private:
-  void addChannel(const rosbag::ConnectionInfo& connection) {
-    McapChannel channel;
-    channel.schema = writer_.addSchema({connection.datatype, kRos1Definition, connection.msg_def});
-    channel.topic = connection.topic;
-    channel.message_encoding = kRos1Encoding;
-    channel.metadata = metadataOf(connection);
-    channels_[connection.header] = writer_.addChannel(std::move(channel));
-  }
-
   void copy(const rosbag::MessageInstance& instance) {
     message_.resize(instance.size());
     ros::serialization::OStream stream(reinterpret_cast<std::uint8_t*>(message_.data()),
                                        static_cast<std::uint32_t>(message_.size()));
     instance.write(stream);
-    writer_.write(channels_.at(instance.getConnectionHeader()), instance.getTime().toNSec(),
-                  message_);
+    file_.write(topics_.at(instance.getConnectionHeader()), instance.getTime(), message_);
   }
 
   rosbag::View& bag_;
-  McapWriter& writer_;
+  McapMessages& file_;
   CrashTopics crash_;
-  /// Numbers of channels by the header of their connection, which all its messages share.
-  std::map<boost::shared_ptr<ros::M_string>, std::uint16_t> channels_;
+  /// Numbers of topics by the header of their connection, which all its messages share.
+  std::map<boost::shared_ptr<ros::M_string>, std::size_t> topics_;
   std::string message_;  ///< buffer of the message being copied
 };
 
-std::vector<std::string> convert(const std::string& in, const std::string& out,
-                                 const DataOptions& options,
-                                 const std::function<void(double)>& on_progress) {
+McapExport convert(const std::string& in, const std::string& out, const DataOptions& options,
+                   McapProfile profile, const std::function<void(double)>& on_progress) {
   const rosbag::Bag bag(in, rosbag::bagmode::Read);
   if (hasMessageAtZero(in))
     throw BagError("has messages at time 0, which ROS reserves for \"no time\"");
   rosbag::View view(bag);
   if (view.size() == 0) throw BagError("has no messages");
   AsideFile file(out);
-  McapWriter writer(file.stream(), kProfile, kLibrary);
-  std::vector<std::string> warnings = BagConversion(view, writer, options).write(on_progress);
-  writer.finish();
+  McapMessages messages(file.stream(), profile);
+  McapExport made;
+  made.warnings = BagConversion(view, messages, options).write(on_progress);
+  messages.finish();
   file.commit();
-  return warnings;
+  for (std::string& line : messages.warnings()) made.warnings.push_back(std::move(line));
+  made.topics = messages.topics();
+  made.begin = view.getBeginTime();
+  made.end = view.getEndTime();
+  return made;
 }
 
 }  // namespace
 
-std::vector<std::string> exportToMcap(const std::string& in, const std::string& out,
-                                      const DataOptions& options,
-                                      const std::function<void(double)>& on_progress) {
+McapExport exportToMcap(const std::string& in, const std::string& out, const DataOptions& options,
+                        McapProfile profile, const std::function<void(double)>& on_progress) {
   checkBag(in);
   try {
-    return convert(in, out, options, on_progress);
+    return convert(in, out, options, profile, on_progress);
   } catch (const rosbag::BagUnindexedException&) {
     throw BagError(in + ": truncated (no index); `rosbag reindex` may recover the messages");
   } catch (const rosbag::BagIOException& error) {

@@ -14,6 +14,9 @@ namespace forge {
 /// Encoding names in MCAP's profile ros1: of messages and of their definitions.
 inline constexpr char kRos1Encoding[] = "ros1";
 inline constexpr char kRos1Definition[] = "ros1msg";
+/// The same in profile ros2.
+inline constexpr char kRos2Encoding[] = "cdr";
+inline constexpr char kRos2Definition[] = "ros2msg";
 
 /// Definition of a message type.
 struct McapSchema {

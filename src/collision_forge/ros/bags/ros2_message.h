@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "collision_forge/ros/bags/message_definition.h"
+
+namespace forge {
+
+/// Package of this package's message types in ROS 2.
+inline constexpr char kRos2Package[] = "collision_forge_msgs";
+
+/// Converts the messages of one ROS 1 type to ROS 2 (Humble and later): the definition to the
+/// format ros2msg (mcap.dev/spec/registry), the bytes to CDR, little-endian (OMG DDS-XTypes 1.3,
+/// 7.4.1, encoding version 1). Types of package collision_forge become types of kRos2Package,
+/// tf/tfMessage becomes tf2_msgs/TFMessage; all others keep their names. std_msgs/Header loses
+/// `seq`, visualization_msgs/Marker gets the fields that ROS 2 adds, with default values; names of
+/// fields become lower case. Constant after construction, so thread-safe.
+class Ros2Message {
+ public:
+  /// `type`: package/Type. `definition`: text in the bag's connection. Throws BagError like
+  /// MessageDefinition.
+  Ros2Message(const std::string& type, const std::string& definition);
+
+  /// Returns package/msg/Type.
+  const std::string& type() const { return type_; }
+  /// Returns the definition of the type and its nested types, as ros2msg.
+  const std::string& definition() const { return text_; }
+
+  /// Returns a serialised ROS 1 message as CDR. Throws ros::serialization::StreamOverrunException
+  /// if `bytes` ends within a field, and BagError if it continues after the last one.
+  std::string cdrOf(std::string_view bytes) const;
+
+ private:
+  struct Move;
+  using Plan = std::vector<Move>;
+  /// A field of the ROS 1 type, of the ROS 2 type, or both: dropped, added or converted.
+  struct Move {
+    const MessageField* from = nullptr;
+    const MessageField* to = nullptr;
+    const Plan* nested = nullptr;  ///< for fields of a message type
+  };
+  class Conversion;
+
+  const Plan& planOf(const MessageType& from, const MessageType& to);
+
+  std::string type_;
+  std::string text_;
+  MessageDefinition from_;
+  std::unique_ptr<const MessageDefinition> to_;
+  std::map<std::pair<const MessageType*, const MessageType*>, Plan> plans_;
+  const Plan* plan_ = nullptr;
+};
+
+/// Returns the types of kRos2Package in a definition as ros2msg, text by name without package.
+/// `type`: package/msg/Type, the type at the beginning of the text.
+std::map<std::string, std::string> ownRos2Types(const std::string& type,
+                                                const std::string& definition);
+
+}  // namespace forge
