@@ -7,7 +7,6 @@
 #include <fstream>
 #include <limits>
 #include <optional>
-#include <set>
 #include <sstream>
 #include <system_error>
 
@@ -215,6 +214,17 @@ void EpochTable::keep(const std::string& state) {
   for (const EpochSums& of_epoch : sums_) text += of_epoch.state + " " + of_epoch.rows + "\n";
   writeText(sumsPath(state_path_), text);
   writeText(state_path_, state);
+}
+
+std::set<std::string> leftOutScenes(const TrainingRun& run) {
+  if (run.fold == 0) return {};
+  const std::vector<std::string> names = sceneNames(run.sources);
+  if (static_cast<int>(names.size()) < run.fold) {
+    throw std::runtime_error("--fold: fold " + std::to_string(run.fold) +
+                             " is empty: there are only " + std::to_string(names.size()) +
+                             " scenes");
+  }
+  return scenesOfFold(names, run.fold, run.folds, run.seed);
 }
 
 }  // namespace forge

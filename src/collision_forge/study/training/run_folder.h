@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,10 @@
 /// Helpers of all trainings: the run folder, which can only be resumed with unchanged inputs, the
 /// validation split, and the table of metrics.
 namespace forge {
+
+/// Returns the names of the scenes that run.fold leaves out; empty for fold 0. Throws
+/// std::runtime_error for a fold without scenes.
+std::set<std::string> leftOutScenes(const TrainingRun& run);
 
 /// Returns the text of run.txt: program version, fingerprints of all inputs, options, and the
 /// content of the configuration file `config` (path relative to config/).

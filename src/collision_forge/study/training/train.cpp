@@ -74,17 +74,6 @@ void trainOn(const std::vector<TrainingSample>& samples, const std::set<std::str
 
 }  // namespace
 
-std::set<std::string> leftOutScenes(const TrainingRun& run) {
-  if (run.fold == 0) return {};
-  const std::vector<std::string> names = sceneNames(run.sources);
-  if (static_cast<int>(names.size()) < run.fold) {
-    throw std::runtime_error("--fold: fold " + std::to_string(run.fold) +
-                             " is empty: there are only " + std::to_string(names.size()) +
-                             " scenes");
-  }
-  return scenesOfFold(names, run.fold, run.folds, run.seed);
-}
-
 void trainPatternNetwork(const TrainingRun& run) {
   const LearningOptions& options = run.options;
   const std::set<std::string> left_out = leftOutScenes(run);

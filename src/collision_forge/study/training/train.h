@@ -1,15 +1,8 @@
 #pragma once
 
-#include <set>
-#include <string>
-
 #include "collision_forge/study/training/training_run.h"
 
 namespace forge {
-
-/// Returns the names of the scenes that run.fold leaves out; empty for fold 0. Throws
-/// std::runtime_error for a fold without scenes.
-std::set<std::string> leftOutScenes(const TrainingRun& run);
 
 /// Trains the collision-pattern network on logs and clips; resumes an interrupted
 /// run. Writes weights.bin of the best epoch, metrics and the training state.
