@@ -2,7 +2,7 @@
 
 Two environment variables select the test:
 
-- PLANNER: a planner of the suite, or the command that starts your node (docs/planners.md#an-external-planner).
+- PLANNER: a planner of the suite, or the command that starts your node (docs/planners.md#your-planner).
 - ATTACKER_POLICY: `fixed` attackers follow their trajectory, `adaptive` attackers replan against the planner.
 """
 import os

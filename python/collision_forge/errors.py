@@ -4,7 +4,7 @@ from typing import Sequence
 
 
 class Code(enum.IntEnum):
-    """Status codes of GenerateCollision.srv and TestPlanner.srv; explained in docs/messages.md."""
+    """Status codes of GenerateCollision.srv and TestPlanner.srv; explained in docs/rejections.md."""
 
     OK = 0
     UNKNOWN_TYPE = 1

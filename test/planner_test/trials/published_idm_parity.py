@@ -9,7 +9,7 @@ import json
 import sys
 from pathlib import Path
 
-FIXTURE = Path(__file__).resolve().parents[1] / 'parity' / 'fixtures' / 'idm_published.json'
+FIXTURE = Path(__file__).resolve().parents[2] / 'parity' / 'fixtures' / 'idm_published.json'
 
 
 def published_hits(path):

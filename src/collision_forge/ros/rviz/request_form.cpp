@@ -112,7 +112,7 @@ void RequestForm::createFields() {
     choice_->addItem(toString(choice));
   }
   choice_->setToolTip("existing: a recorded vehicle; new: an added vehicle");
-  believable_ = new QCheckBox("believable");
+  believable_ = new QCheckBox("plausible");
   believable_->setChecked(true);
   adaptive_ = new QCheckBox("adaptive");
   mode_ = new QComboBox;

@@ -161,7 +161,7 @@ function reportList(name, report, crash) {
     ['Limits', report.limits_kept ? 'all kept' : report.broken_limit, held(report.limits_kept)],
     ['Other agents touched', report.first_other || 'none', held(!report.first_other)],
     ['After the contact', secondaryContacts(crash, report.contact_t)],
-    ['Believable', report.unbelievable || 'yes', held(!report.unbelievable)],
+    ['Plausible', report.unbelievable || 'yes', held(!report.unbelievable)],
     ['Use of the road', `on a lane ${percent(report.on_lane)}, wrong way ${percent(report.wrong_way)}, `
       + `walkway ${percent(report.on_walkway)}, off the road ${percent(report.off_road_share)}`],
   ]);

@@ -7,7 +7,7 @@ const FACETS = [
   {key: 'tta', title: 'Time to attack', show: (word) => word + '\u202fs'},
   {key: 'planner', title: 'Planner, method', show: (word) => word || 'None'},
   {key: 'manoeuvre', title: 'Manoeuvre', show: (word) => title(word) || 'None'},
-  {key: 'believable', title: 'Believable', show: (word) => title(word) || 'Unknown'},
+  {key: 'believable', title: 'Plausible', show: (word) => title(word) || 'Unknown'},
   {key: 'mode', title: 'Mode', show: (word) => title(word) || 'Unknown'},
 ];
 
