@@ -25,7 +25,6 @@ INSTEAD = [
     # The test uses fewer times t0 than a reader.
     (r'^(forge requests (?!.*--stride).*)$', r'\1 --stride 8'),
     (r'--tries \d+', '--tries 8'),
-    (r'--until-hit (?!.*--tries)', '--until-hit --tries 8 '),
     # A reader ends it with Ctrl-C.
     (r'^(rostopic echo .*)$', r'timeout 60 \1 -n 1'),
     # Another collision type is feasible in the embedded scene of this name.

@@ -30,7 +30,7 @@ constexpr double kLongestTta = 9.0;
 
 // Keys in the .rviz file.
 constexpr char kTypeKey[] = "Collision Type";
-constexpr char kTtaKey[] = "Time To Accident";
+constexpr char kTtaKey[] = "Time To Attack";
 constexpr char kManoeuvreKey[] = "Manoeuvre";
 constexpr char kAttackerKey[] = "Attacker";
 constexpr char kChoiceKey[] = "Attacker Choice";
