@@ -23,6 +23,16 @@ Vector2 middleOf(Side side, const BoxSize& size) {
   return Vector2::Zero();
 }
 
+/// Returns ContactConditions::departure_time.
+double departureTime(const std::vector<TrajectoryPoint>& points, double contact) {
+  const auto moves = [](const TrajectoryPoint& point) { return point.speed > kDepartureSpeed; };
+  const auto first = std::find_if(points.begin(), points.end(), moves);
+  if (first == points.begin() || first == points.end() || first->time > contact) {
+    return kNoDeparture;
+  }
+  return std::prev(first)->time - points.front().time;
+}
+
 }  // namespace
 
 void measureStart(const AgentState& ego, const BoxSize& ego_size, const AgentState& attacker,
@@ -55,6 +65,7 @@ ContactConditions measuredConditions(const AttackerTrajectory& trajectory,
   const AgentState own = stateAt(ego, start.time).value_or(ego.states.front());
   measureStart(own, ego.size, {start.time, start.pose, start.speed * start.pose.heading()},
                trajectory.size, measured);
+  measured.departure_time = departureTime(trajectory.points, contact);
   return measured;
 }
 
