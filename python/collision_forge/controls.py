@@ -11,7 +11,7 @@ def control_fields(*, attacker: str = '', choice: str = '', mode: str = '', seed
                    ego_side: str = '', impact_speed: Band = None, overlap: Band = None,
                    turning: str = '', from_side: str = '', attacker_speed: Band = None, deceleration: Band = None,
                    gap: Band = None, headway: Band = None, lateral_speed: Band = None, impact_location: Band = None,
-                   alternatives: int = 1) -> Dict[str, Any]:
+                   departure_time: Band = None, alternatives: int = 1) -> Dict[str, Any]:
     """Return the message fields of a request; srv/GenerateCollision.srv lists the allowed words.
 
     attacker: id of an agent; by default any that `choice` allows
@@ -25,17 +25,18 @@ def control_fields(*, attacker: str = '', choice: str = '', mode: str = '', seed
     overlap: (least, greatest) share of the ego's touched side that the attacker covers, [0, 1]
     turning: vehicle that turns in type ltap, attacker (default) or ego
     from_side: side of the ego from which the attacker comes, left or right
-    attacker_speed: (least, greatest), m/s at contact; the next five are pairs, too
+    attacker_speed: (least, greatest), m/s at contact; the next six are pairs, too
     deceleration: m/s2, of the attacker, mean over the last 0.5 s before the contact
     gap, headway: between attacker and ego at t0, m and s
     lateral_speed: m/s, of the attacker across the ego's heading at contact
     impact_location: place on the ego's front, share of its width, 0 at the left edge
+    departure_time: s after t0 at which an attacker that stands at t0 starts to move
     alternatives: number of attacks, which differ in attacker or manoeuvre, at most 16
     """
     slowest, fastest = _pair('impact_speed', impact_speed)
     narrowest, widest = _pair('overlap', overlap)
     bands = {'attacker_speed': attacker_speed, 'deceleration': deceleration, 'gap': gap, 'headway': headway,
-             'lateral_speed': lateral_speed, 'impact_location': impact_location}
+             'lateral_speed': lateral_speed, 'impact_location': impact_location, 'departure_time': departure_time}
     limits_of = {name: _pair(name, band) for name, band in bands.items()}
     return {'turning': turning, 'from_side': from_side,
             **{'min_' + name: pair[0] for name, pair in limits_of.items()},

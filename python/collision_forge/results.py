@@ -105,6 +105,7 @@ class Conditions(Result):
     headway: float          # s at t0
     lateral_speed: float    # m/s, across the ego's heading at contact
     impact_location: float  # share of the ego's width, 0 at its left edge
+    departure_time: float   # s after t0; -1: it moves at t0 or stands at the contact
 
     @classmethod
     def of(cls, message: Any) -> 'Conditions':

@@ -13,6 +13,9 @@ sys.path += [str(Path(__file__).resolve().parent.parent / folder) for folder in 
 import collide_clips  # noqa: E402
 import published_idm_parity  # noqa: E402
 
+HERE = Path(__file__).resolve().parent
+LINE_IDM = 'rosrun collision_forge line_planner idm'
+LINE_NODE = HERE / 'line_planner_node.py'
 PNG = b'\x89PNG'
 ROOT = ('--dataroot', DATAROOT, '--version', VERSION)
 
@@ -63,7 +66,7 @@ class TestPlannersTest(road.RoadTest):
 
     def run_external(self, mode, *arguments):
         out = self.path('external_' + mode)
-        node = '/usr/bin/python3 {} {}'.format(Path(__file__).resolve().parent / 'odd_planner.py', mode)
+        node = '/usr/bin/python3 {} {}'.format(HERE / 'odd_planner.py', mode)
         result = self.run_on(self.scenarios, out, '--planners', 'external', '--planner-node', node, *arguments)
         self.assertEqual(result.returncode, 0, result.stderr)
         left = subprocess.run(['pgrep', '-f', 'odd_planner.py ' + mode], stdout=subprocess.PIPE, check=False)
@@ -79,6 +82,26 @@ class TestPlannersTest(road.RoadTest):
         rows = self.run_external('dies', '--jobs', 1)
         self.assertEqual({row['failure'] for row in rows}, {'timed_out'})
         self.assertEqual({row['contact'] for row in rows}, {None})
+
+    def run_idm(self, name, *arguments):
+        """Drive idm as an external planner and return its rows under the name idm."""
+        out = self.path('idm_' + name)
+        result = road.run('test', *ROOT, '--scenarios', self.scenarios, '--planners', 'external', '--out', out,
+                          *arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return [dict(row, planner='idm') for line in lines_of(out) for row in line.get('planners', [])]
+
+    def test_a_planner_drives_the_same_in_this_process_as_a_command_and_as_a_node(self):
+        expected = [line['planners'][0] for line in lines_of(self.expected) if line.get('planners')]
+        self.assertEqual(self.run_idm('command', '--planner-command', LINE_IDM), expected)
+        rows = self.run_idm('node', '--planner-node', '/usr/bin/python3 {} {}'.format(LINE_NODE, LINE_IDM))
+        self.assertEqual(len(rows), len(expected))
+        for row, known in zip(rows, expected):
+            self.assertEqual((row['failure'], row['plans']), (known['failure'], known['plans']))
+            self.assertAlmostEqual((row['contact'] or {}).get('t', 0), (known['contact'] or {}).get('t', 0), delta=1e-5)
+            for axis in 'xy':  # a quaternion rounds the yaw
+                for place, other in zip(row['drive']['ego'][axis], known['drive']['ego'][axis]):
+                    self.assertAlmostEqual(place, other, delta=1e-5)
 
     def test_a_line_for_each_planner_is_printed(self):
         lines = self.result.stdout.splitlines()

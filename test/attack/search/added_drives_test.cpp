@@ -123,6 +123,14 @@ TEST_F(AddedDrivesTest, AStartingVehicleStandsNow) {
   EXPECT_LT(drive_.at(-waited - 1), drive_.at(0)) << "came there";
 }
 
+TEST_F(AddedDrivesTest, AVehicleDepartsAtTheRequestedTime) {
+  const AddedMeeting meeting = meetingAt(Side::kRear);
+  ASSERT_TRUE(plan(meeting, {ApproachManner::kStart, 1.2, false, 0.0, false, 2.0}));
+  EXPECT_EQ(drive_.at(20), drive_.at(-120));
+  EXPECT_GT(drive_.at(21), drive_.at(20));
+  EXPECT_NEAR(drive_.on.back(), meeting.seen(kCarSize).along, 1e-6);
+}
+
 TEST_F(AddedDrivesTest, AStandingVehicleStandsAtTheMeeting) {
   const AddedMeeting meeting = meetingAt(Side::kFront);
   ASSERT_TRUE(plan(meeting, {ApproachManner::kStand}));

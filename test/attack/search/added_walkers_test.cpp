@@ -58,6 +58,16 @@ TEST(AddedWalkers, StepOutInFrontOfTheEgo) {
   for (const TrajectoryPoint& point : attack.trajectory.points) EXPECT_LT(point.speed, 4.0);
 }
 
+TEST(AddedWalkers, DepartAtTheRequestedTime) {
+  for (const double departure : {0.5, 1.0, 1.5, 2.0}) {
+    AddedScene scene = street();
+    scene.request.departure_time = Range{departure - 0.25, departure + 0.25};
+    const Attack attack = answerIn(scene);
+    ASSERT_EQ(attack.status.code, StatusCode::kOk) << departure << ": " << attack.status.message;
+    EXPECT_NEAR(attack.report.conditions.departure_time, departure, 0.25 + 1e-6);
+  }
+}
+
 TEST(AddedWalkers, NeedARoadside) {
   AddedScene scene = street();
   scene.map->drivable_area = {rectangle(-200.0, -60.0, 200.0, 60.0)};

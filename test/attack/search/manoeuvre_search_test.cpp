@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "attack/search/test_scenes.h"
@@ -28,6 +29,8 @@ class ManoeuvreSearchTest : public testing::Test {
   Attack ask(CollisionType type, double tta = 4.0) const {
     CollisionRequest request = believableRequestFor(type, tta);
     request.mode = Mode::kReplay;
+    request.choice = choice_;
+    request.departure_time = departure_time_;
     const Moment moment{snapshot_, recorded_, std::make_shared<const LaneIndex>(map_)};
     return generateCollision(searchMethod(options_), moment, request, options_.prediction);
   }
@@ -48,6 +51,8 @@ class ManoeuvreSearchTest : public testing::Test {
 
   const AttackOptions options_ = shippedOptions();
   std::shared_ptr<LaneMap> map_;
+  AttackerChoice choice_ = AttackerChoice::kAny;
+  std::optional<Range> departure_time_;
   Snapshot snapshot_;
   Future recorded_;
 };
@@ -98,6 +103,28 @@ TEST_F(ManoeuvreSearchTest, AParkedCarPullsOut) {
   EXPECT_EQ(answer.report.ego_side, Side::kRight);
   EXPECT_EQ(answer.trajectory.points.front().speed, 0.0);
   EXPECT_LT(answer.trajectory.points[5].speed, 0.2) << "waits until the ego is near";
+}
+
+TEST_F(ManoeuvreSearchTest, AParkedCarPullsOutAtTheRequestedTime) {
+  auto map = twoLaneRoad();
+  map->drivable_area.push_back(rectangle(-200.0, -5.25, 200.0, -1.0));
+  scene(map, {0.0, 0.0, 0.0}, 8.0, {pastTrack("parked", kCarSize, {30.0, -2.6, 0.0}, 0.0)});
+  choice_ = AttackerChoice::kExisting;
+  for (const double departure : {0.5, 1.0, 1.5}) {
+    departure_time_ = Range{departure - 0.25, departure + 0.25};
+    const Attack answer = expectAttack(CollisionType::kLaneChange);
+    EXPECT_NEAR(answer.report.conditions.departure_time, departure, 0.25 + 1e-6);
+  }
+}
+
+TEST_F(ManoeuvreSearchTest, AMovingCarHasNoDepartureTime) {
+  choice_ = AttackerChoice::kExisting;
+  departure_time_ = Range{0.5, 1.5};
+  scene(twoLaneRoad(), {0.0, 0.0, 0.0}, 7.0, {pastTrack("back", kCarSize, {-22.0, 0.0, 0.0}, 8.0)});
+  const Status status = ask(CollisionType::kRearEnd).status;
+  EXPECT_EQ(status.code, StatusCode::kNoCandidate);
+  EXPECT_NE(status.message.find("stands at t0 as departure_time requires"), std::string::npos)
+      << status.message;
 }
 
 TEST_F(ManoeuvreSearchTest, AnOncomingCarCrossesTheCentreLine) {

@@ -291,6 +291,20 @@ TEST(CheckRequest, NamesConditionsThatContradictEachOther) {
   request.attacker_speed.reset();
   request.deceleration = Range{2.0, 6.0};
   expect_contradiction(request, {"deceleration", "lead_stopped"});
+  request.deceleration.reset();
+  request.departure_time = Range{1.0, 2.0};
+  expect_contradiction(request, {"departure_time", "lead_stopped"});
+  request.manoeuvre.reset();
+  EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
+  request.departure_time = Range{5.0, 6.0};
+  expect_contradiction(request, {"departure_time = 5", "tta = 4"});
+}
+
+TEST(CheckRequest, AnAttackerThatMovesHasNoDepartureTime) {
+  CollisionRequest request = asking(4.0, "car");
+  request.departure_time = Range{0.5, 1.5};
+  expectRefusal(request, twoCars(), StatusCode::kInvalidInput,
+                {"\"car\" moves at t0", "departure_time"});
 }
 
 TEST(CheckRequest, RejectsZeroAndTooManyAlternatives) {

@@ -63,6 +63,17 @@ TEST_F(MeasuredConditionsTest, OfACrossingFromTheRight) {
   EXPECT_NEAR(measured.impact_location, 0.5, 1e-9) << "the middle of its flank is ahead of the ego";
 }
 
+TEST_F(MeasuredConditionsTest, TheDepartureIsTheLastSampleAtAStandstill) {
+  const auto departure = [&](double waits) {
+    return measure({30.0, 0.0, 0.0}, 0.0, -1.0, waits, Side::kRear).departure_time;
+  };
+  EXPECT_NEAR(departure(1.5), 1.5, 1e-9);
+  EXPECT_NEAR(departure(0.0), 0.0, 1e-9);
+  EXPECT_EQ(departure(9.0), kNoDeparture) << "stands at the contact";
+  EXPECT_EQ(measure({25.0, 0.0, 0.0}, 5.0, 2.0, 0.0, Side::kRear).departure_time, kNoDeparture)
+      << "moves at t0";
+}
+
 TEST_F(MeasuredConditionsTest, OverlappingBoxesHaveNoGap) {
   EXPECT_EQ(measure({0.0, 2.5, 0.0}, 10.0, 0.0, 9.0, Side::kRight).gap, 0.0);
 }

@@ -112,13 +112,14 @@ inline void addFields(const CollisionReport& report, AttackFields& fields) {
   fields["report.off_road_share"] = off_road_share;
   fields["report.confidence"] = confidence;
   const auto& [attacker_speed, deceleration, gap, headway, lateral_speed, impact_location,
-               from_side] = conditions;
+               departure_time, from_side] = conditions;
   fields["report.conditions.attacker_speed"] = attacker_speed;
   fields["report.conditions.deceleration"] = deceleration;
   fields["report.conditions.gap"] = gap;
   fields["report.conditions.headway"] = headway;
   fields["report.conditions.lateral_speed"] = lateral_speed;
   fields["report.conditions.impact_location"] = impact_location;
+  fields["report.conditions.departure_time"] = departure_time;
   fields["report.conditions.from_side"] = toString(from_side);
   fields["report.manoeuvre"] = toString(manoeuvre);
   fields["report.manoeuvre_begin"] = manoeuvre_begin;

@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "collision_forge/base/scene/gravity.h"
+
 namespace forge {
 
 /// Models of a careful driver or system that brakes and does not steer.
@@ -28,11 +30,11 @@ struct DriverOptions {
                                   ///< driver perceives the risk
   double cc_delay = 0.75;         ///< s from perceiving the risk until the driver brakes
   double release = 0.4;  ///< m/s2, deceleration during cc_delay, with the accelerator released
-  double full_braking = 0.774 * 9.81;  ///< m/s2, also of RSS; no model brakes harder
-  double jerk = 12.65;                 ///< m/s3 at which braking builds up, also of RSS and FSM
-  double critical_ttc = 2.0;           ///< s; a cut-in with a larger time to collision is no risk
-  double critical_headway = 2.0;       ///< s; hard braking ahead is a risk at smaller time headways
-  double hard_braking = 5.0;  ///< m/s2; deceleration of the vehicle ahead that counts as hard
+  double full_braking = 0.774 * kGravity;  ///< m/s2, also of RSS; no model brakes harder
+  double jerk = 12.65;                     ///< m/s3 at which braking builds up, also of RSS and FSM
+  double critical_ttc = 2.0;      ///< s; a cut-in with a larger time to collision is no risk
+  double critical_headway = 2.0;  ///< s; hard braking ahead is a risk at smaller time headways
+  double hard_braking = 5.0;      ///< m/s2; deceleration of the vehicle ahead that counts as hard
   // System
   double system_lateral_gap = 0.5;  ///< m beside the ego's box; a nearer agent has cut in
   double system_delay = 0.35;       ///< s from the cut-in to the start of braking

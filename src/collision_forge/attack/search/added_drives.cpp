@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "collision_forge/attack/search/placement.h"
+#include "collision_forge/attack/search/request_constraints.h"
 #include "collision_forge/attack/search/route_driver.h"
 
 namespace forge {
@@ -93,6 +94,7 @@ AddedDrives::AddedDrives(const AddedVehicleInput& input, const AttackOptions& op
     : input_(input), added_(options.added), past_(input.known()), steps_back_(stepsBack(past_)) {}
 
 std::vector<ApproachManner> AddedDrives::mannersFor(const AddedMeeting& meeting) const {
+  if (input_.request.departure_time) return mannersFromStandstill(meeting);
   switch (input_.request.type) {
     case CollisionType::kRearEnd:
       return mannersInLane(meeting);
@@ -111,6 +113,30 @@ std::vector<ApproachManner> AddedDrives::mannersFor(const AddedMeeting& meeting)
       break;
   }
   return mannersCrossing(meeting);
+}
+
+/// Returns the manners of a vehicle that stands at t0 and departs at the requested time.
+std::vector<ApproachManner> AddedDrives::mannersFromStandstill(const AddedMeeting& meeting) const {
+  const CollisionType type = input_.request.type;
+  const bool is_beside =
+      type == CollisionType::kLaneChange || type == CollisionType::kSideswipeSameDirection;
+  const std::optional<Manoeuvre>& asked = input_.request.manoeuvre;
+  const bool pulls_out = asked == Manoeuvre::kPullOut;
+  std::vector<ApproachManner> manners;
+  for (const double departure : valuesTriedIn(*input_.request.departure_time)) {
+    const double moving = meeting.contact - departure - kGettingGoing;
+    if (moving <= 0.0) continue;
+    for (const double start : kStarts) {
+      if (is_beside && (pulls_out || !asked)) {
+        manners.push_back({ApproachManner::kPark, 0.5 * start * moving * moving});
+      }
+      if (pulls_out) continue;
+      for (const bool waits : {false, true}) {
+        manners.push_back({ApproachManner::kStart, start, waits, 0.0, false, departure});
+      }
+    }
+  }
+  return manners;
 }
 
 std::vector<ApproachManner> AddedDrives::mannersInLane(const AddedMeeting& meeting) const {
@@ -185,9 +211,7 @@ std::vector<ApproachManner> AddedDrives::mannersCrossing(const AddedMeeting& mee
 std::vector<double> AddedDrives::speedsOf(const AddedMeeting& meeting) const {
   std::vector<double> speeds;
   if (const std::optional<Range>& asked = input_.request.attacker_speed) {
-    for (const double share : {0.5, 0.2, 0.8}) {
-      addSpeed(asked->min + share * (asked->max - asked->min), speeds);
-    }
+    for (const double speed : valuesTriedIn(*asked)) addSpeed(speed, speeds);
   }
   if (input_.request.attacker_class == AgentClass::kBicycle) {
     for (const double speed : kCyclingSpeeds) addSpeed(speed, speeds);
@@ -222,8 +246,7 @@ std::vector<double> AddedDrives::closingsFor(const AddedMeeting& meeting) const 
     const double lengths = 0.5 * (past_.ego.size.length + car.length);
     const double along = meeting.seen({car.length, car.width}).along;
     const double ahead = along > way.path.project(meeting.ego.center.position()) ? 1.0 : -1.0;
-    for (const double share : {0.5, 0.2, 0.8}) {
-      double gap = asked->min + share * (asked->max - asked->min);
+    for (double gap : valuesTriedIn(*asked)) {
       if (!input_.request.gap) gap *= speed;
       const double start = way.ego[0] + ahead * (gap + lengths);
       closings.push_back(2.0 * (along - start - speed * meeting.contact) /
@@ -354,10 +377,14 @@ bool AddedDrives::followFlow(const AddedMeeting& meeting, double along, const Ad
 
 bool AddedDrives::start(const AddedMeeting& meeting, double along, const ApproachManner& manner,
                         AddedDrive& drive) const {
-  const double moving = std::max(0.0, meeting.contact - kGettingGoing);
+  const double since = meeting.contact - manner.departure;
+  const double moving = std::max(0.0, since - kGettingGoing);
   const double place = along - 0.5 * manner.value * moving * moving;
-  const double mean = 2.0 * (along - place) / (meeting.contact * meeting.contact);
-  if (!extrapolate(meeting, place, 0.0, mean, drive)) return false;
+  const double mean = 2.0 * (along - place) / (since * since);
+  for (std::size_t i = 0; i < drive.on.size(); ++i) {
+    const double time = std::max(0.0, drive.step() * static_cast<double>(i + 1) - manner.departure);
+    drive.on[i] = place + 0.5 * mean * time * time;
+  }
   const auto waited = static_cast<std::size_t>(std::ceil(AddedDrive::kWait / kStep));
   drive.back.assign(std::min(steps_back_, manner.waits ? waited : steps_back_) + 1, place);
   cruiseBack(*meeting.way, added_.speeds.front(), 0.0, drive.back);

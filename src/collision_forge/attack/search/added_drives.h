@@ -35,17 +35,18 @@ struct ApproachManner {
     kCruise,  ///< constant speed, lower in bends
     kTrain,   ///< as the ego drove until t0, then constant acceleration
     kFollow,  ///< as a recorded vehicle on the path, shifted in time
-    kStart,   ///< stands at t0, then constant acceleration
+    kStart,   ///< stands at t0 and up to `departure`, then constant acceleration
     kStand,   ///< stands in its lane before and after t0
     kPark,    ///< parked beside its lane before and after t0
   };
   Kind kind = kCruise;
-  /// By kind: kCruise: speed, m/s; kTrain and kStart: acceleration after t0, m/s2; kFollow: index
-  /// of the flow; kPark: m before the meeting; kStand: unused.
+  /// By kind: kCruise: speed, m/s; kTrain: acceleration after t0, m/s2; kStart: acceleration after
+  /// `departure`, m/s2; kFollow: index of the flow; kPark: m before the meeting; kStand: unused.
   double value = 0.0;
-  bool waits = false;  ///< kStart: drove up and stopped before t0
-  double aside = 0.0;  ///< m, left offset from the path
-  bool rides = false;  ///< motorcycle beside the ego in its lane; replaces `aside`
+  bool waits = false;      ///< kStart: drove up and stopped before t0
+  double aside = 0.0;      ///< m, left offset from the path
+  bool rides = false;      ///< motorcycle beside the ego in its lane; replaces `aside`
+  double departure = 0.0;  ///< kStart: s after t0 for which it stands
 };
 
 /// Longitudinal motion of an added vehicle along its path.
@@ -84,6 +85,7 @@ class AddedDrives {
             AddedDrive& drive, const SpeedVariation& variation = {}) const;
 
  private:
+  std::vector<ApproachManner> mannersFromStandstill(const AddedMeeting& meeting) const;
   std::vector<ApproachManner> mannersInLane(const AddedMeeting& meeting) const;
   std::vector<ApproachManner> mannersBeside(const AddedMeeting& meeting) const;
   std::vector<ApproachManner> mannersOncoming(const AddedMeeting& meeting) const;

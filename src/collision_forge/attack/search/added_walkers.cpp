@@ -115,7 +115,9 @@ class WalkerInsertion {
 
   const char* whyNotFrom(const Pose2& start, const BoxSize& size, double away,
                          double contact) const {
-    if (away > kFastest * contact) return "would have to run too fast";
+    const std::optional<Range>& departure = input_.request.departure_time;
+    if (away > kFastest * (contact - (departure ? departure->min : 0.0)))
+      return "would have to run too fast";
     if (!isWherePeopleWalk(start.position(), input_.lanes)) return "would wait where nobody walks";
     if (input_.lanes.drivable().contains(start.position())) return "would wait in the road";
     for (int instant = traffic_.firstInstant(); instant <= 0; ++instant) {

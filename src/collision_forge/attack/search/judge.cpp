@@ -38,6 +38,9 @@ std::string wrongAttacker(const AttackerTrajectory& attacker, const CollisionReq
 /// Returns which of kRangeControls or `from_side` the attack misses, worded to follow the attack;
 /// empty if none.
 std::string conditionMissed(const CollisionReport& report, const CollisionRequest& request) {
+  if (request.departure_time && report.conditions.departure_time == kNoDeparture) {
+    return "does not start from a standstill after t0";
+  }
   for (const RangeControl& control : kRangeControls) {
     const std::optional<Range>& range = request.*control.asked;
     if (!range) continue;

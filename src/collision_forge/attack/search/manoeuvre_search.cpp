@@ -41,8 +41,7 @@ constexpr double kDepartureWeight = 0.2;  // per second off the lane before befo
 constexpr double kOffRoadWeight = 1.0;    // of a wholly off-road drive
 constexpr double kContactPositions[] = {-0.7, 0.0, 0.7};
 constexpr std::size_t kFirstPosition = 1;  // index of the contact position that is drafted first
-constexpr double kWithin[] = {0.2, 0.5, 0.8};  // places in a requested range that are drafted
-constexpr double kShrink = 0.7;                // factor on perturbations per round
+constexpr double kShrink = 0.7;            // factor on perturbations per round
 
 struct Candidate {
   const Contender* contender = nullptr;
@@ -94,27 +93,29 @@ class ManoeuvreSearch {
   }
 
  private:
-  /// Sets the drafted contact positions and late braking, from the requested ranges if there are
-  /// any.
+  /// Sets the drafted contact positions, late braking and waits, from the requested ranges if there
+  /// are any.
   void setRanges() {
     const CollisionRequest& request = input_.request;
     contact_positions_.assign(std::begin(kContactPositions), std::end(kContactPositions));
     brakings_.assign(std::begin(kLateBraking), std::end(kLateBraking));
     if (const std::optional<Range>& location = request.impact_location) {
       position_range_ = {contactPositionOf(location->max), contactPositionOf(location->min)};
-      contact_positions_.clear();
-      for (const double place : kWithin) {
-        contact_positions_.push_back(within(position_range_, place));
-      }
+      contact_positions_ = ascendingIn(position_range_);
     }
-    if (request.deceleration) {
-      brakings_.clear();
-      for (const double place : kWithin) brakings_.push_back(within(*request.deceleration, place));
+    if (request.deceleration) brakings_ = ascendingIn(*request.deceleration);
+    if (request.departure_time) {
+      const double since =
+          input_.underway != nullptr ? input_.snapshot.now - input_.underway->start.now : 0.0;
+      wait_range_ = Range{std::max(0.0, request.departure_time->min - since),
+                          std::max(0.0, request.departure_time->max - since)};
     }
   }
 
-  static double within(const Range& range, double place) {
-    return range.min + place * (range.max - range.min);
+  static std::vector<double> ascendingIn(const Range& range) {
+    auto values = valuesTriedIn(range);
+    std::sort(values.begin(), values.end());
+    return {values.begin(), values.end()};
   }
 
   /// Scores the current plan, and the same draft at each of the ego's positions.
@@ -235,12 +236,14 @@ class ManoeuvreSearch {
     const bool may_brake =
         input_.request.deceleration ||
         (input_.request.type == CollisionType::kRearEnd && draft.side == Side::kFront);
-    for (const double start : startsOf(*candidate.contender, distance)) {
+    const bool is_standing = candidate.contender->drive_start.speed <= 0.0;
+    for (const double start : startsOf(candidate, distance)) {
       draft.wait = draft.contact - start;
-      if (candidate.contender->drive_start.speed > 0.0 || draft.wait <= 0.0) break;
+      if (!is_standing || draft.wait <= 0.0) break;
       draft.departure = start;
       drafts.push_back(draft);
     }
+    if (wait_range_ && wait_range_->max > 0.0 && is_standing) return drafts;
     draft.wait = 0.0;
     for (const double departure : kDepartures) {
       draft.departure = departure;
@@ -263,9 +266,15 @@ class ManoeuvreSearch {
   }
 
   /// Returns how long (s) before the contact a standing attacker moves off.
-  static std::vector<double> startsOf(const Contender& contender, double distance) {
-    if (!isWalker(contender)) return {std::begin(kStarts), std::end(kStarts)};
+  std::vector<double> startsOf(const Candidate& candidate, double distance) const {
     std::vector<double> starts;
+    if (wait_range_) {
+      for (const double wait : valuesTriedIn(*wait_range_)) {
+        if (wait < candidate.draft.contact) starts.push_back(candidate.draft.contact - wait);
+      }
+      return starts;
+    }
+    if (!isWalker(*candidate.contender)) return {std::begin(kStarts), std::end(kStarts)};
     for (const double speed : kWalkingSpeeds) {
       starts.push_back(std::max(0.0, distance) / speed + 0.5 * speed / kWalkingAcceleration);
     }
@@ -463,7 +472,10 @@ class ManoeuvreSearch {
     draft.heading = wrapAngle(draft.heading + random_.bell(0.05 * scale));
     draft.departure = std::max(search_.step, draft.departure + random_.bell(0.4 * scale));
     draft.lead = std::max(0.0, draft.lead + random_.bell(0.2 * scale));
-    if (draft.wait > 0.0) draft.wait = std::max(0.0, draft.wait + random_.bell(0.3 * scale));
+    if (draft.wait > 0.0) {
+      draft.wait = std::max(0.0, draft.wait + random_.bell(0.3 * scale));
+      if (wait_range_) draft.wait = std::clamp(draft.wait, wait_range_->min, wait_range_->max);
+    }
     if (draft.late > 0.0) {
       draft.late = std::max(search_.step, draft.late + random_.bell(0.3 * scale));
       draft.late_acceleration = std::min(0.0, draft.late_acceleration + random_.bell(1.0 * scale));
@@ -506,7 +518,8 @@ class ManoeuvreSearch {
   ArrivalSampler sampler_;
   std::vector<double> contact_positions_;  // drafted contact positions
   Range position_range_{-kMaxContactPosition, kMaxContactPosition};
-  std::vector<double> brakings_;  // m/s2, drafted late braking
+  std::vector<double> brakings_;     // m/s2, drafted late braking
+  std::optional<Range> wait_range_;  // s, for which a standing attacker waits
   std::size_t all_points_ = 0;
   bool sketches_ = false;                  // this pass: one draft per contender
   bool has_sketches_ = false;              // that pass was done

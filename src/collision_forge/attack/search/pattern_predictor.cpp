@@ -126,6 +126,7 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
     // A requested attacker was checked before and may be anywhere.
     if (!request.attacker && !isCandidate(agent, snapshot, options_, request.attacker_class))
       continue;
+    if (request.departure_time && !stands(agent)) continue;
     if (!approachFitsType(agent, snapshot, request)) continue;
     for (const Placement& placement :
          placementsOf(request.type, lanes.map().driving_side, request.turning)) {
@@ -142,8 +143,9 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
     prediction.status = {
         StatusCode::kNoCandidate,
         "no vehicle within candidate_radius = " + numberText(options_.candidate_radius) +
-            " m, observed at t0 and in the frame before, approaches from the direction of type = " +
-            toString(request.type)};
+            " m, observed at t0 and in the frame before, " +
+            (request.departure_time ? "stands at t0 as departure_time requires and " : "") +
+            "approaches from the direction of type = " + toString(request.type)};
   }
   return prediction;
 }

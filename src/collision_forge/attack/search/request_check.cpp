@@ -141,6 +141,14 @@ Status checkConditions(const CollisionRequest& request) {
     return contradicts("attacker_speed = ", request.attacker_speed->min,
                        " m/s at least contradicts manoeuvre = lead_stopped");
   }
+  if (request.departure_time && manoeuvre == Manoeuvre::kLeadStopped) {
+    return contradicts("departure_time contradicts manoeuvre = lead_stopped");
+  }
+  if (request.departure_time &&
+      request.departure_time->min > request.tta + request.crash.time_tolerance) {
+    return contradicts("departure_time = ", request.departure_time->min,
+                       " s at least is after the contact, tta = ", request.tta, " s");
+  }
   const bool keeps_speed =
       manoeuvre == Manoeuvre::kLeadStopped || manoeuvre == Manoeuvre::kLeadSlow;
   if (keeps_speed && request.deceleration && request.deceleration->min > kBrakingLead) {
@@ -162,6 +170,8 @@ bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionO
   return (agent.states.back().pose.position() - ego).norm() <= options.candidate_radius &&
          hitchedTo(agent, snapshot.agents) == nullptr;
 }
+
+bool stands(const Track& agent) { return estimateMotion(agent).speed < kStandstillSpeed; }
 
 bool asksForPedestrian(const CollisionRequest& request, const Snapshot& snapshot) {
   if (request.attacker_class) return *request.attacker_class == AgentClass::kPedestrian;
@@ -253,8 +263,12 @@ Status checkRequest(const CollisionRequest& request, const Snapshot& snapshot,
   }
   const Status ego = checkEgo(snapshot);
   if (ego.code != StatusCode::kOk) return ego;
-  if (request.attacker) return checkAttacker(*request.attacker, request.attacker_class, snapshot);
-  return {};
+  if (!request.attacker) return {};
+  const Status attacker = checkAttacker(*request.attacker, request.attacker_class, snapshot);
+  if (attacker.code != StatusCode::kOk || !request.departure_time) return attacker;
+  if (stands(*findTrack(snapshot.agents, *request.attacker))) return {};
+  return refuse(StatusCode::kInvalidInput, "attacker \"", *request.attacker,
+                "\" moves at t0 and contradicts departure_time");
 }
 
 }  // namespace forge

@@ -14,6 +14,9 @@ namespace forge {
 bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionOptions& options,
                  const std::optional<AgentClass>& wanted = std::nullopt);
 
+/// Returns true if the agent stands at the newest state of its track, which must have one.
+bool stands(const Track& agent);
+
 /// Returns true if the request names the class pedestrian, or a pedestrian as attacker.
 bool asksForPedestrian(const CollisionRequest& request, const Snapshot& snapshot);
 
@@ -27,14 +30,14 @@ CollisionRequest withFullId(CollisionRequest request, const Snapshot& snapshot);
 /// Returns kInvalidInput, naming the field, if the request contradicts itself: an attacker id with
 /// choice = new, a class that cannot attack, a manoeuvre of another type, an impossible range of
 /// impact speed, overlap or one of kRangeControls, a turning ego in another type than ltap, fields
-/// that exclude each other (`from_side`, `ego_side`, `impact_location`, speeds), a number of
+/// that exclude each other (`from_side`, `ego_side`, `impact_location`, speeds, times), a number of
 /// attacks outside 1 to kMaxAlternatives, plausible or adaptive attackers with strict limits, or
 /// several adaptive attacks. Returns kOk otherwise.
 Status checkControls(const CollisionRequest& request);
 
 /// Returns the first reason to reject a request before any search, else kOk: TTA out of range or
 /// NaN, checkControls(), too short or NaN history, an ego without size, an unknown, absent, unfit
-/// or hitched attacker.
+/// or hitched attacker, one that moves at t0 with a `departure_time`.
 Status checkRequest(const CollisionRequest& request, const Snapshot& snapshot,
                     const PredictionOptions& options);
 

@@ -1,9 +1,19 @@
 #include "collision_forge/attack/search/request_constraints.h"
 
+#include <algorithm>
+
 #include "collision_forge/attack/search/judge.h"
 #include "collision_forge/attack/verify/verification.h"
 
 namespace forge {
+
+std::array<double, 3> valuesTriedIn(const Range& range) {
+  constexpr std::array<double, 3> kShares = {0.5, 0.2, 0.8};
+  std::array<double, 3> values{};
+  std::transform(kShares.begin(), kShares.end(), values.begin(),
+                 [&](double share) { return range.min + share * (range.max - range.min); });
+  return values;
+}
 
 RequestConstraints::RequestConstraints(const SearchInput& input, const AttackOptions& options)
     : input_(input), options_(options.verification), is_named_(hasConstraints(input.request)) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -13,6 +14,10 @@ namespace forge {
 /// Penalty in the search objective for an attack that violates the request's constraints, in units
 /// of the share of futures: larger than all other terms.
 inline constexpr double kConstraintPenalty = 2.0;
+
+/// Returns the values of a requested range that a search tries: the middle first, then one near
+/// each end, so that the attack as driven may deviate a little.
+std::array<double, 3> valuesTriedIn(const Range& range);
 
 /// Tests attacks against the request's optional constraints: manoeuvre, side, impact speed,
 /// overlap, conditions (hasConstraints()). Not thread-safe.

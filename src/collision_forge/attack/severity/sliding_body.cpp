@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_forge/base/scene/gravity.h"
+
 namespace forge {
 namespace {
-
-constexpr double kGravity = 9.81;  // m/s2
 
 // Wheels by the box: a wheelbase of 0.58 lengths, as in config/severity.yaml, and a track of 0.8
 // widths.

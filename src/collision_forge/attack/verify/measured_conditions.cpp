@@ -8,18 +8,6 @@ namespace {
 
 constexpr double kStandstill = 1e-6;  // m/s
 
-/// Returns the attacker's speed (m/s), interpolated linearly.
-double speedAt(const AttackerTrajectory& trajectory, double time) {
-  const auto& points = trajectory.points;
-  const auto after = std::find_if(points.begin(), points.end(),
-                                  [=](const TrajectoryPoint& point) { return point.time >= time; });
-  if (after == points.end()) return points.back().speed;
-  if (after == points.begin()) return points.front().speed;
-  const TrajectoryPoint& before = *std::prev(after);
-  const double ratio = (time - before.time) / (after->time - before.time);
-  return before.speed + ratio * (after->speed - before.speed);
-}
-
 /// Returns the middle of a side of a box, in the frame of the box centre.
 Vector2 middleOf(Side side, const BoxSize& size) {
   switch (side) {
@@ -33,6 +21,16 @@ Vector2 middleOf(Side side, const BoxSize& size) {
       return {0.0, -0.5 * size.width};
   }
   return Vector2::Zero();
+}
+
+/// Returns ContactConditions::departure_time.
+double departureTime(const std::vector<TrajectoryPoint>& points, double contact) {
+  const auto moves = [](const TrajectoryPoint& point) { return point.speed > kDepartureSpeed; };
+  const auto first = std::find_if(points.begin(), points.end(), moves);
+  if (first == points.begin() || first == points.end() || first->time > contact) {
+    return kNoDeparture;
+  }
+  return std::prev(first)->time - points.front().time;
 }
 
 }  // namespace
@@ -49,11 +47,11 @@ ContactConditions measuredConditions(const AttackerTrajectory& trajectory,
                                      const CollisionReport& report, const Track& ego) {
   ContactConditions measured;
   const double contact = report.contact_time;
-  measured.attacker_speed = speedAt(trajectory, contact);
+  measured.attacker_speed = pointAt(trajectory.points, contact).speed;
   const double begin = std::max(contact - kBrakedFor, trajectory.points.front().time);
   if (contact > begin) {
     measured.deceleration =
-        (speedAt(trajectory, begin) - measured.attacker_speed) / (contact - begin);
+        (pointAt(trajectory.points, begin).speed - measured.attacker_speed) / (contact - begin);
   }
   measured.lateral_speed = measured.attacker_speed * std::abs(std::sin(report.relative_heading));
   const Vector2 side = middleOf(report.attacker_side, trajectory.size);
@@ -67,6 +65,7 @@ ContactConditions measuredConditions(const AttackerTrajectory& trajectory,
   const AgentState own = stateAt(ego, start.time).value_or(ego.states.front());
   measureStart(own, ego.size, {start.time, start.pose, start.speed * start.pose.heading()},
                trajectory.size, measured);
+  measured.departure_time = departureTime(trajectory.points, contact);
   return measured;
 }
 

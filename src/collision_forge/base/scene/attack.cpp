@@ -16,6 +16,21 @@ double cornerMiss(const PatternMiss& miss, const BoxSize& attacker) {
   return miss.distance + circumradius(attacker) * miss.heading;
 }
 
+TrajectoryPoint pointAt(const std::vector<TrajectoryPoint>& points, double time) {
+  const auto after = std::lower_bound(
+      points.begin(), points.end(), time,
+      [](const TrajectoryPoint& point, double value) { return point.time < value; });
+  if (after == points.begin()) return points.front();
+  if (after == points.end()) return points.back();
+  const TrajectoryPoint& before = *std::prev(after);
+  const double ratio = (time - before.time) / (after->time - before.time);
+  TrajectoryPoint point = before;
+  point.time = time;
+  point.pose = interpolate(before.pose, after->pose, ratio);
+  point.speed += ratio * (after->speed - before.speed);
+  return point;
+}
+
 std::vector<AgentState> toStates(const std::vector<TrajectoryPoint>& points) {
   std::vector<AgentState> states;
   for (const TrajectoryPoint& point : points) {
@@ -25,14 +40,7 @@ std::vector<AgentState> toStates(const std::vector<TrajectoryPoint>& points) {
 }
 
 Pose2 poseAt(const AttackerTrajectory& trajectory, double time) {
-  const auto& points = trajectory.points;
-  const auto after = std::lower_bound(
-      points.begin(), points.end(), time,
-      [](const TrajectoryPoint& point, double value) { return point.time < value; });
-  if (after == points.begin()) return points.front().pose;
-  if (after == points.end()) return points.back().pose;
-  const TrajectoryPoint& before = *std::prev(after);
-  return interpolate(before.pose, after->pose, (time - before.time) / (after->time - before.time));
+  return pointAt(trajectory.points, time).pose;
 }
 
 Attack rejection(Status status) {

@@ -46,6 +46,11 @@ struct TrajectoryPoint {
   double curvature = 0.0;     ///< 1/m, positive to the left
 };
 
+/// Returns the point at `time`, with pose and speed interpolated linearly and acceleration and
+/// curvature of the point before. Returns the first point up to its time and the last one from its
+/// time on. `points` must not be empty and have ascending times.
+TrajectoryPoint pointAt(const std::vector<TrajectoryPoint>& points, double time);
+
 /// Converts points to states; the velocity is the speed along the heading.
 std::vector<AgentState> toStates(const std::vector<TrajectoryPoint>& points);
 

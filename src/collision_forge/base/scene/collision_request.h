@@ -49,12 +49,13 @@ struct CollisionRequest {
   std::optional<Range> overlap;          ///< share 0..1, of CollisionReport::overlap
   Turning turning = Turning::kAttacker;  ///< of type kLtap
   std::optional<Side> from_side;         ///< kLeft or kRight: side from which the attacker comes
-  std::optional<Range> attacker_speed;   ///< m/s; this and the next five are ranges of the
+  std::optional<Range> attacker_speed;   ///< m/s; this and the next six are ranges of the
   std::optional<Range> deceleration;     ///< m/s2; fields of the same names of ContactConditions
   std::optional<Range> gap;              ///< m
   std::optional<Range> headway;          ///< s
   std::optional<Range> lateral_speed;    ///< m/s
   std::optional<Range> impact_location;  ///< share of the ego's front, 0 at its left edge
+  std::optional<Range> departure_time;   ///< s after t0; the attacker stands until then
   CrashDefinition crash;                 ///< set by the code that handles the request, not by users
 
   /// Returns the bands of the requested type. Throws std::out_of_range if `crash` is not set or

@@ -7,6 +7,9 @@
 
 namespace forge {
 
+inline constexpr double kNoDeparture = -1.0;
+inline constexpr double kDepartureSpeed = 0.02;  ///< m/s; a slower attacker stands
+
 /// Quantities of an attack that a request can constrain with CollisionRequest's fields of the same
 /// names. Poses are box centres.
 struct ContactConditions {
@@ -20,6 +23,9 @@ struct ContactConditions {
   /// at the left edge of the front, 1 at its right edge. Only a contact with the ego's front has a
   /// location that a request accepts.
   double impact_location = 0.0;
+  /// s after t0 at which an attacker that stands at t0 starts to move; kNoDeparture if it moves at
+  /// t0 or stands at the contact.
+  double departure_time = kNoDeparture;
   /// kLeft or kRight: the side of the ego's pose at contact on which the attacker's box centre was
   /// kSideBefore seconds earlier.
   Side from_side = Side::kLeft;
@@ -56,6 +62,8 @@ inline constexpr RangeControl kRangeControls[] = {
      &ContactConditions::impact_location, -kMaxLocation, 1.0 + kMaxLocation,
      "place on the ego's front that the middle of the attacker's touched side meets: share of the "
      "ego's width, 0 at the left edge"},
+    {"departure_time", "s", &CollisionRequest::departure_time, &ContactConditions::departure_time,
+     0.0, 100.0, "time after t0 at which the standing attacker starts to move"},
 };
 
 /// Returns the name of a control's option on the command line: '-' for '_'.

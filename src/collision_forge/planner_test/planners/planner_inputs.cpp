@@ -32,7 +32,8 @@ void write(float* numbers, std::initializer_list<double> values) {
 }
 
 /// Interpolates linearly between the points; empty before the first.
-std::optional<TrajectoryPoint> pointAt(const std::vector<TrajectoryPoint>& history, double time) {
+std::optional<TrajectoryPoint> pastPointAt(const std::vector<TrajectoryPoint>& history,
+                                           double time) {
   time = within(time, history.front().time, history.back().time);
   if (time < history.front().time) return std::nullopt;
   const auto after = std::find_if(history.begin(), history.end(),
@@ -50,7 +51,7 @@ std::optional<TrajectoryPoint> pointAt(const std::vector<TrajectoryPoint>& histo
 void writeEgo(const std::vector<TrajectoryPoint>& history, float* numbers) {
   const TrajectoryPoint& now = history.back();
   for (std::size_t frame = 0; frame < kContractFrames; ++frame, numbers += kContractEgoNumbers) {
-    const auto point = pointAt(history, timeOfFrame(now.time, frame));
+    const auto point = pastPointAt(history, timeOfFrame(now.time, frame));
     if (!point) continue;
     const Pose2 local = relativeTo(now.pose, point->pose);
     write(numbers, {local.x, local.y, local.yaw, point->speed, point->acceleration, 1.0});

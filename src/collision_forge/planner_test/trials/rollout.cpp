@@ -61,22 +61,6 @@ Failure failureOf(const std::vector<TrajectoryPoint>& plan, double now, double n
   return {};
 }
 
-/// Interpolates linearly between the points; the last point after them.
-TrajectoryPoint pointAt(const std::vector<TrajectoryPoint>& plan, double time) {
-  const auto after = std::lower_bound(
-      plan.begin(), plan.end(), time,
-      [](const TrajectoryPoint& point, double value) { return point.time < value; });
-  if (after == plan.begin()) return plan.front();
-  if (after == plan.end()) return plan.back();
-  const TrajectoryPoint& before = *std::prev(after);
-  const double ratio = (time - before.time) / (after->time - before.time);
-  TrajectoryPoint point = before;
-  point.time = time;
-  point.pose = interpolate(before.pose, after->pose, ratio);
-  point.speed += ratio * (after->speed - before.speed);
-  return point;
-}
-
 /// Moves the ego along its plans.
 class EgoDriver {
  public:

@@ -10,21 +10,6 @@
 namespace forge {
 namespace {
 
-/// Returns the interpolated point of the trajectory at a time within it.
-TrajectoryPoint pointAt(const AttackerTrajectory& trajectory, double time) {
-  const auto after = std::find_if(trajectory.points.begin(), trajectory.points.end(),
-                                  [=](const TrajectoryPoint& point) { return point.time >= time; });
-  if (after == trajectory.points.begin()) return trajectory.points.front();
-  if (after == trajectory.points.end()) return trajectory.points.back();
-  const TrajectoryPoint& before = *std::prev(after);
-  const double ratio = (time - before.time) / (after->time - before.time);
-  TrajectoryPoint point = *after;
-  point.time = time;
-  point.pose = interpolate(before.pose, after->pose, ratio);
-  point.speed = before.speed + ratio * (after->speed - before.speed);
-  return point;
-}
-
 /// Returns the state of an added attacker at a time in its past; empty outside of it.
 std::optional<AgentState> pastAt(const collision_forge::AttackerTrajectory& trajectory,
                                  double time) {
@@ -104,7 +89,7 @@ void AttackerInjector::put(const AgentState& state, collision_forge::AgentArray&
 AgentState AttackerInjector::stateAfterNow(double time) const {
   if (crash_ && time > crash_->contactTime()) return crash_->attackerAt(time);
   const AttackerTrajectory trajectory = fromMessage(trajectory_);
-  const TrajectoryPoint point = pointAt(trajectory, time);
+  const TrajectoryPoint point = pointAt(trajectory.points, time);
   const StraightBraking braking = brakingFromEnd(trajectory, options_);
   if (time > braking.begin) return braking.stateFrom(point.pose, time);
   return {time, point.pose, point.speed * point.pose.heading()};

@@ -152,6 +152,8 @@ constexpr RangeFields kRangeFields[] = {
      &collision_forge::CollisionRequest::max_lateral_speed, &CollisionRequest::lateral_speed},
     {&collision_forge::CollisionRequest::min_impact_location,
      &collision_forge::CollisionRequest::max_impact_location, &CollisionRequest::impact_location},
+    {&collision_forge::CollisionRequest::min_departure_time,
+     &collision_forge::CollisionRequest::max_departure_time, &CollisionRequest::departure_time},
 };
 
 /// Reads the constraints besides type, time and attacker; returns the problem, or "".
@@ -575,6 +577,8 @@ collision_forge::CollisionRequest requestIn(
   request.max_lateral_speed = message.max_lateral_speed;
   request.min_impact_location = message.min_impact_location;
   request.max_impact_location = message.max_impact_location;
+  request.min_departure_time = message.min_departure_time;
+  request.max_departure_time = message.max_departure_time;
   request.alternatives = message.alternatives;
   return request;
 }
@@ -752,6 +756,7 @@ static ContactConditions fromMessage(const collision_forge::ContactConditions& m
   measured.headway = message.headway;
   measured.lateral_speed = message.lateral_speed;
   measured.impact_location = message.impact_location;
+  measured.departure_time = message.departure_time;
   return measured;
 }
 
@@ -764,6 +769,7 @@ static collision_forge::ContactConditions toMessage(const ContactConditions& mea
   message.headway = measured.headway;
   message.lateral_speed = measured.lateral_speed;
   message.impact_location = measured.impact_location;
+  message.departure_time = measured.departure_time;
   return message;
 }
 

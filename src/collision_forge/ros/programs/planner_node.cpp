@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -95,19 +96,23 @@ void setParameters(const std::vector<std::string>& parameters) {
   }
 }
 
-/// Answers the requests on stdin until it ends.
+/// Answers the requests on stdin until it ends. Topics arrive in any order: a map has the time of
+/// the first state of its case as its stamp, so that the node does not use the map of another case.
 void serve(ExternalPlanner& planner, ExternalOptions options, ros::Publisher& maps) {
+  std::shared_ptr<const LaneIndex> lanes;  // not published yet
   std::cout << readyLine() << std::endl;
   for (std::string line; std::getline(std::cin, line);) {
     try {
       const PlanRequest request = readPlanRequest(line);
       if (request.is_begin) {
-        maps.publish(toMessage(request.task.lanes->map(), ros::Time()));
+        lanes = request.task.lanes;
         options.interval = request.interval;
         planner.setOptions(options);
         planner.initialize(request.task);
         std::cout << begunLine() << std::endl;
       } else {
+        if (lanes) maps.publish(toMessage(lanes->map(), stampOf(request.observation.ego.time)));
+        lanes.reset();
         std::cout << pointsLine(planner.plan(request.observation)) << std::endl;
       }
     } catch (const std::exception& error) {

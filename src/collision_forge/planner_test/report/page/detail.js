@@ -142,6 +142,8 @@ function conditionEntries(conditions) {
     ['Attacker', `from the ${conditions.from_side}, ${amount(conditions.attacker_speed, 1, 'm/s')}, `
       + `across ${amount(conditions.lateral_speed, 1, 'm/s')}, braking ${amount(conditions.deceleration, 1, 'm/s²')}`],
     ['At t0', `gap ${amount(conditions.gap, 1, 'm')}, headway ${amount(conditions.headway, 1, 's')}`],
+    ...(conditions.departure_time >= 0
+      ? [['Starts to move', `${amount(conditions.departure_time, 1, 's')} after t0`]] : []),
     ['Place on the front', percent(conditions.impact_location) + ' from its left edge'],
   ];
 }

@@ -1,0 +1,7 @@
+#pragma once
+
+namespace forge {
+
+inline constexpr double kGravity = 9.81;  ///< m/s2, standard gravity
+
+}  // namespace forge
