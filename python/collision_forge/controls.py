@@ -11,6 +11,7 @@ def control_fields(*, attacker: str = '', choice: str = '', mode: str = '', seed
                    ego_side: str = '', impact_speed: Band = None, overlap: Band = None,
                    turning: str = '', from_side: str = '', attacker_speed: Band = None, deceleration: Band = None,
                    gap: Band = None, headway: Band = None, lateral_speed: Band = None, impact_location: Band = None,
+                   hidden_by: str = '', visible_for: Band = None,
                    alternatives: int = 1) -> Dict[str, Any]:
     """Return the message fields of a request; srv/GenerateCollision.srv lists the allowed words.
 
@@ -25,19 +26,21 @@ def control_fields(*, attacker: str = '', choice: str = '', mode: str = '', seed
     overlap: (least, greatest) share of the ego's touched side that the attacker covers, [0, 1]
     turning: vehicle that turns in type ltap, attacker (default) or ego
     from_side: side of the ego from which the attacker comes, left or right
-    attacker_speed: (least, greatest), m/s at contact; the next five are pairs, too
+    attacker_speed: (least, greatest), m/s at contact; the next six are pairs, too
     deceleration: m/s2, of the attacker, mean over the last 0.5 s before the contact
     gap, headway: between attacker and ego at t0, m and s
     lateral_speed: m/s, of the attacker across the ego's heading at contact
     impact_location: place on the ego's front, share of its width, 0 at the left edge
+    visible_for: s before contact from which on the ego sees the attacker; at most the time since t0
+    hidden_by: what hides the attacker until then, parked_vehicle or leader
     alternatives: number of attacks, which differ in attacker or manoeuvre, at most 16
     """
     slowest, fastest = _pair('impact_speed', impact_speed)
     narrowest, widest = _pair('overlap', overlap)
     bands = {'attacker_speed': attacker_speed, 'deceleration': deceleration, 'gap': gap, 'headway': headway,
-             'lateral_speed': lateral_speed, 'impact_location': impact_location}
+             'lateral_speed': lateral_speed, 'impact_location': impact_location, 'visible_for': visible_for}
     limits_of = {name: _pair(name, band) for name, band in bands.items()}
-    return {'turning': turning, 'from_side': from_side,
+    return {'turning': turning, 'from_side': from_side, 'hidden_by': hidden_by,
             **{'min_' + name: pair[0] for name, pair in limits_of.items()},
             **{'max_' + name: pair[1] for name, pair in limits_of.items()},
             'attacker_id': attacker, 'choice': choice, 'mode': mode, 'seed': seed,

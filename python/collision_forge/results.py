@@ -105,6 +105,9 @@ class Conditions(Result):
     headway: float          # s at t0
     lateral_speed: float    # m/s, across the ego's heading at contact
     impact_location: float  # share of the ego's width, 0 at its left edge
+    visible_for: float      # s before contact from which on the ego sees the attacker; at most the time since t0
+    hidden_by: str          # parked_vehicle or leader: what hid it until then; empty: neither
+    hidden_by_id: str       # agent that hid it; empty: visible since t0
 
     @classmethod
     def of(cls, message: Any) -> 'Conditions':

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_forge/attack/verify/visibility.h"
+
 namespace forge {
 namespace {
 
@@ -46,7 +48,8 @@ void measureStart(const AgentState& ego, const BoxSize& ego_size, const AgentSta
 }
 
 ContactConditions measuredConditions(const AttackerTrajectory& trajectory,
-                                     const CollisionReport& report, const Track& ego) {
+                                     const CollisionReport& report, const Future& future) {
+  const Track& ego = future.ego;
   ContactConditions measured;
   const double contact = report.contact_time;
   measured.attacker_speed = speedAt(trajectory, contact);
@@ -67,6 +70,10 @@ ContactConditions measuredConditions(const AttackerTrajectory& trajectory,
   const AgentState own = stateAt(ego, start.time).value_or(ego.states.front());
   measureStart(own, ego.size, {start.time, start.pose, start.speed * start.pose.heading()},
                trajectory.size, measured);
+  const Sight sight = sightOf(trajectory, future, contact);
+  measured.visible_for = contact - sight.seen_from;
+  measured.hidden_by = sight.hidden_by;
+  measured.hidden_by_id = sight.hidden_by_id;
   return measured;
 }
 
