@@ -11,7 +11,8 @@ def control_fields(*, attacker: str = '', choice: str = '', mode: str = '', seed
                    ego_side: str = '', impact_speed: Band = None, overlap: Band = None,
                    turning: str = '', from_side: str = '', attacker_speed: Band = None, deceleration: Band = None,
                    gap: Band = None, headway: Band = None, lateral_speed: Band = None, impact_location: Band = None,
-                   departure_time: Band = None, alternatives: int = 1) -> Dict[str, Any]:
+                   departure_time: Band = None, hidden_by: str = '', visible_for: Band = None,
+                   alternatives: int = 1) -> Dict[str, Any]:
     """Return the message fields of a request; srv/GenerateCollision.srv lists the allowed words.
 
     attacker: id of an agent; by default any that `choice` allows
@@ -31,14 +32,17 @@ def control_fields(*, attacker: str = '', choice: str = '', mode: str = '', seed
     lateral_speed: m/s, of the attacker across the ego's heading at contact
     impact_location: place on the ego's front, share of its width, 0 at the left edge
     departure_time: s after t0 at which an attacker that stands at t0 starts to move
+    visible_for: s before contact from which on the ego sees the attacker; at most the time since t0
+    hidden_by: what hides the attacker until then, parked_vehicle or leader
     alternatives: number of attacks, which differ in attacker or manoeuvre, at most 16
     """
     slowest, fastest = _pair('impact_speed', impact_speed)
     narrowest, widest = _pair('overlap', overlap)
     bands = {'attacker_speed': attacker_speed, 'deceleration': deceleration, 'gap': gap, 'headway': headway,
-             'lateral_speed': lateral_speed, 'impact_location': impact_location, 'departure_time': departure_time}
+             'lateral_speed': lateral_speed, 'impact_location': impact_location, 'departure_time': departure_time,
+             'visible_for': visible_for}
     limits_of = {name: _pair(name, band) for name, band in bands.items()}
-    return {'turning': turning, 'from_side': from_side,
+    return {'turning': turning, 'from_side': from_side, 'hidden_by': hidden_by,
             **{'min_' + name: pair[0] for name, pair in limits_of.items()},
             **{'max_' + name: pair[1] for name, pair in limits_of.items()},
             'attacker_id': attacker, 'choice': choice, 'mode': mode, 'seed': seed,

@@ -106,6 +106,9 @@ class Conditions(Result):
     lateral_speed: float    # m/s, across the ego's heading at contact
     impact_location: float  # share of the ego's width, 0 at its left edge
     departure_time: float   # s after t0; -1: it moves at t0 or stands at the contact
+    visible_for: float      # s before contact from which on the ego sees the attacker; at most the time since t0
+    hidden_by: str          # parked_vehicle or leader: what hid it until then; empty: neither
+    hidden_by_id: str       # agent that hid it; empty: visible since t0
 
     @classmethod
     def of(cls, message: Any) -> 'Conditions':

@@ -115,6 +115,7 @@ CollisionRequest demandingRequest() {
   request.impact_speed = Range{1.0, 9.5};
   request.overlap = Range{0.25, 1.0};
   request.from_side = Side::kLeft;
+  request.hidden_by = Hider::kParkedVehicle;
   for (const RangeControl& control : kRangeControls) request.*control.asked = Range{0.25, 1.0};
   request.alternatives = 3;
   request.seed = 7;

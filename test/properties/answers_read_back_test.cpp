@@ -126,6 +126,7 @@ TEST(AnswersReadBack, RequestLinesRoundTrip) {
     if (isLikely(random, 0.5)) request.overlap = Range{anyNumber(random), anyNumber(random)};
     if (isLikely(random, 0.5)) request.turning = Turning::kEgo;
     if (isLikely(random, 0.5)) request.from_side = Side::kRight;
+    if (isLikely(random, 0.5)) request.hidden_by = Hider::kParkedVehicle;
     for (const RangeControl& control : kRangeControls) {
       if (isLikely(random, 0.3)) {
         request.*control.asked = Range{anyNumber(random), anyNumber(random)};

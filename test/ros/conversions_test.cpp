@@ -216,6 +216,7 @@ TEST(CollisionRequestMessage, RoundTripsConditions) {
   EXPECT_FALSE(asksForConditions(request)) << "fields that are not set";
   request.turning = Turning::kEgo;
   request.from_side = Side::kRight;
+  request.hidden_by = Hider::kLeader;
   double value = 0.25;
   for (const RangeControl& control : kRangeControls) {
     request.*control.asked = Range{value, value + 0.125};
@@ -225,6 +226,7 @@ TEST(CollisionRequestMessage, RoundTripsConditions) {
   const auto read = std::get<CollisionRequest>(fromMessage(message, CrashDefinition()));
   EXPECT_EQ(read.turning, Turning::kEgo);
   EXPECT_EQ(read.from_side, Side::kRight);
+  EXPECT_EQ(read.hidden_by, Hider::kLeader);
   for (const RangeControl& control : kRangeControls) {
     ASSERT_TRUE(read.*control.asked) << control.name;
     EXPECT_EQ((read.*control.asked)->min, (request.*control.asked)->min) << control.name;

@@ -237,6 +237,27 @@ TEST_F(InjectIntoBagTest, AgentsMoveLinearlyAndTheAttackerAlongItsTrajectory) {
   }
 }
 
+TEST_F(InjectIntoBagTest, SupportsAreAgentsFromTheirFirstFrameToTheEndOfTheBag) {
+  attack_.attack.supports.emplace_back();
+  attack_.attack.supports.back().role = "parked_vehicle";
+  auto& parked = attack_.attack.supports.back().motion;
+  parked = trajectoryUntil(12.0, true);
+  parked.attacker_id = "parked-1";
+  for (auto& point : parked.points) {
+    point.pose.position.y = -6.0;
+    point.speed = 0.0;
+  }
+  for (auto& state : parked.past) state.pose.y = -6.0;
+  inject();
+  for (const auto& frame : frames()) {
+    const auto found = std::find_if(frame.agents.begin(), frame.agents.end(),
+                                    [](const auto& agent) { return agent.id == "parked-1"; });
+    const bool is_there = frame.header.stamp >= parked.past.front().stamp;
+    ASSERT_EQ(found != frame.agents.end(), is_there) << frame.header.stamp;
+    if (is_there) EXPECT_NEAR(found->pose.position.y, -6.0, 1e-9);
+  }
+}
+
 TEST_F(InjectIntoBagTest, EgoAndAttackerMoveByTheImpactAfterTheContact) {
   inject();
   const auto crash = motionAfterContact(kContact, fromMessage(attack_.attack.trajectory), ego_,

@@ -19,6 +19,7 @@
 #include "collision_forge/base/files/output_lock.h"
 #include "collision_forge/base/scene/find_track.h"
 #include "collision_forge/base/scene/formatted.h"
+#include "collision_forge/base/scene/support_vehicles.h"
 #include "collision_forge/io/batch/printable.h"
 #include "collision_forge/io/batch/progress_line.h"
 #include "collision_forge/io/drawing/draw_scenario.h"
@@ -221,12 +222,14 @@ int inject(const Arguments& arguments) {
   requireNoAttack(arguments.bag);
 
   const double now = frameTimeOf(scene, arguments.now);
-  const Moment moment =
+  Moment moment =
       std::get<Moment>(momentAt(recording, now, config.attack.prediction.history_frames));
   const MethodMaker maker = loadMethod(arguments.method, config, config.attack);
   const auto [attack, plans, _] = answerOf(maker, moment, scene, request, arguments, config);
   if (attack.status.code != StatusCode::kOk) return refuse(attack.status);
   request = withTypeOf(request, attack);
+  addSupports(attack.supports, moment.snapshot);
+  addSupports(attack.supports, *moment.recorded);
   CollisionReport tested =
       verify(attack.trajectory, {moment.snapshot, *moment.recorded, request, *moment.lanes},
              config.attack.verification);
@@ -255,6 +258,9 @@ int inject(const Arguments& arguments) {
     ScenarioView view{scene.name,       request.tta,    request.mode,      moment.snapshot,
                       *moment.recorded, attack.pattern, attack.trajectory, tested};
     view.crash = crash;
+    for (const SupportVehicle& support : attack.supports) {
+      view.supports.push_back(support.motion.attacker_id);
+    }
     view.seconds_after_stand = seconds_after_stand;
     view.lights = scene.lights;
     drawScenarioPng(arguments.draw + ".png", view, config.drawing);

@@ -83,6 +83,7 @@ void RequestControls::applyTo(CollisionRequest& request) const {
   if (overlap) request.overlap = overlap;
   if (turning) request.turning = *turning;
   if (from_side) request.from_side = from_side;
+  if (hidden_by) request.hidden_by = hidden_by;
   for (const auto& [control, range] : ranges) request.*control->asked = range;
   if (alternatives) request.alternatives = *alternatives;
 }
@@ -126,6 +127,10 @@ void addControls(CLI::App& app, RequestControls& controls) {
   addChoice<std::optional<Side>>(app, "--from-side", controls.from_side,
                                  wordsOf<Side>(std::vector<Side>{Side::kLeft, Side::kRight}),
                                  "side of the ego from which the attacker comes; default: any");
+  addChoice<std::optional<Hider>>(
+      app, "--hidden-by", controls.hidden_by,
+      wordsOf<Hider>(std::vector<Hider>{Hider::kParkedVehicle, Hider::kLeader}),
+      "vehicle that hides the attacker until it comes into view, added if need be; default: any");
   for (const RangeControl& control : kRangeControls) {
     app.add_option_function<std::pair<double, double>>(
            "--" + optionName(control.name),

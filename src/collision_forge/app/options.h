@@ -61,6 +61,7 @@ struct RequestControls {
   std::optional<Range> overlap;        ///< share 0..1 of the ego's hit side that is covered
   std::optional<Turning> turning;      ///< vehicle that turns, of type ltap
   std::optional<Side> from_side;       ///< side from which the attacker comes
+  std::optional<Hider> hidden_by;      ///< what hides the attacker
   std::vector<std::pair<const RangeControl*, Range>> ranges;  ///< given ones of kRangeControls
   std::optional<int> alternatives;                            ///< number of attacks per request
 

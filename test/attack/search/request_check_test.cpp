@@ -254,6 +254,14 @@ TEST(CheckRequest, RejectsConditionsOutOfRange) {
   }
 }
 
+TEST(CheckRequest, AdaptiveAttackersAreNotHidden) {
+  CollisionRequest request = asking(4.0);
+  request.hidden_by = Hider::kParkedVehicle;
+  EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
+  request.mode = Mode::kAdaptive;
+  expectRefusal(request, twoCars(), StatusCode::kInvalidInput, {"hidden_by", "adaptive"});
+}
+
 TEST(CheckRequest, NamesConditionsThatContradictEachOther) {
   const auto expect_contradiction = [](const CollisionRequest& request,
                                        const std::vector<std::string>& fields) {

@@ -34,7 +34,7 @@ class MeasuredConditionsTest : public testing::Test {
     report.relative_heading =
         angleBetween(report.ego_at_contact.yaw, report.attacker_at_contact.yaw);
     report.attacker_side = attacker_side;
-    return measuredConditions(trajectory, report, ego);
+    return measuredConditions(trajectory, report, {ego, {}, {}});
   }
 };
 

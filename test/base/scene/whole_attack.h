@@ -40,13 +40,14 @@ inline void addFields(const CollisionPattern& pattern, AttackFields& fields) {
   fields["aim.tolerance"] = tolerance;
 }
 
-inline void addFields(const AttackerTrajectory& trajectory, AttackFields& fields) {
+inline void addFields(const std::string& vehicle, const AttackerTrajectory& trajectory,
+                      AttackFields& fields) {
   const auto& [attacker_id, agent_class, size, points, past] = trajectory;
-  fields["trajectory.attacker_id"] = attacker_id;
-  fields["trajectory.agent_class"] = toString(agent_class);
-  addFields("trajectory", size, fields);
+  fields[vehicle + ".attacker_id"] = attacker_id;
+  fields[vehicle + ".agent_class"] = toString(agent_class);
+  addFields(vehicle, size, fields);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::string name = "points[" + std::to_string(i) + "]";
+    const std::string name = vehicle + ".points[" + std::to_string(i) + "]";
     const auto& [time, pose, speed, acceleration, curvature] = points[i];
     fields[name + ".time"] = time;
     addFields(name, pose, fields);
@@ -55,7 +56,7 @@ inline void addFields(const AttackerTrajectory& trajectory, AttackFields& fields
     fields[name + ".curvature"] = curvature;
   }
   for (std::size_t i = 0; i < past.size(); ++i) {
-    const std::string name = "past[" + std::to_string(i) + "]";
+    const std::string name = vehicle + ".past[" + std::to_string(i) + "]";
     const auto& [time, pose, velocity] = past[i];
     fields[name + ".time"] = time;
     addFields(name, pose, fields);
@@ -112,7 +113,7 @@ inline void addFields(const CollisionReport& report, AttackFields& fields) {
   fields["report.off_road_share"] = off_road_share;
   fields["report.confidence"] = confidence;
   const auto& [attacker_speed, deceleration, gap, headway, lateral_speed, impact_location,
-               departure_time, from_side] = conditions;
+               departure_time, from_side, visible_for, hidden_by, hidden_by_id] = conditions;
   fields["report.conditions.attacker_speed"] = attacker_speed;
   fields["report.conditions.deceleration"] = deceleration;
   fields["report.conditions.gap"] = gap;
@@ -121,6 +122,9 @@ inline void addFields(const CollisionReport& report, AttackFields& fields) {
   fields["report.conditions.impact_location"] = impact_location;
   fields["report.conditions.departure_time"] = departure_time;
   fields["report.conditions.from_side"] = toString(from_side);
+  fields["report.conditions.visible_for"] = visible_for;
+  fields["report.conditions.hidden_by"] = hidden_by ? toString(*hidden_by) : "";
+  fields["report.conditions.hidden_by_id"] = hidden_by_id;
   fields["report.manoeuvre"] = toString(manoeuvre);
   fields["report.manoeuvre_begin"] = manoeuvre_begin;
   fields["report.road.on_lane"] = on_lane;
@@ -133,7 +137,7 @@ inline void addFields(const CollisionReport& report, AttackFields& fields) {
 
 /// Compares all fields except the alternatives.
 inline AttackFields fieldsOf(const Attack& attack) {
-  const auto& [status, aim, miss, trajectory, report, effort, alternatives] = attack;
+  const auto& [status, aim, miss, trajectory, report, effort, supports, alternatives] = attack;
   const auto& [code, message] = status;
   const auto& [distance, heading] = miss;
   AttackFields fields;
@@ -142,7 +146,13 @@ inline AttackFields fieldsOf(const Attack& attack) {
   addFields(aim, fields);
   fields["miss.distance"] = distance;
   fields["miss.heading"] = heading;
-  addFields(trajectory, fields);
+  addFields("trajectory", trajectory, fields);
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    const std::string name = "supports[" + std::to_string(i) + "]";
+    const auto& [role, motion] = supports[i];
+    fields[name + ".role"] = toString(role);
+    addFields(name, motion, fields);
+  }
   addFields(report, fields);
   fields["effort"] = effort;
   return fields;
@@ -183,12 +193,21 @@ inline Attack wholeAttack(double now) {
   report.first_other_time = now + 3.25;
   report.off_road_share = 0.75;
   report.confidence = 0.65;
-  report.conditions = {11.5, 2.25, 17.5, 1.625, 0.875, 0.3125, Side::kRight};
+  report.conditions = {11.5,   2.25,         17.5,  1.625,          0.875,
+                       0.3125, Side::kRight, 1.375, Hider::kLeader, "b9"};
   report.manoeuvre = Manoeuvre::kCutIn;
   report.manoeuvre_begin = now + 1.5;
   report.road = {0.52, 0.24, 0.15, 0.12, 0.05};
   report.unbelievable = "is on a walkway for 12 %";
   attack.effort = 0.03;
+  const Pose2 kerb{22.0, -4.5, 0.04};
+  attack.supports = {
+      {Hider::kLeader,
+       {"parked-1",
+        AgentClass::kBus,
+        {11.5, 2.75},
+        {{now, kerb, 0.7, 0.35, 0.03}, {now + 5.0, {23.0, -4.6, 0.06}, 0.8, 0.45, 0.05}},
+        {{now - 0.5, kerb, 0.9 * kerb.heading()}, {now, kerb, 0.95 * kerb.heading()}}}}};
   return attack;
 }
 

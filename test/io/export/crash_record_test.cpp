@@ -93,6 +93,20 @@ TEST(CrashRecord, AddedAttackerComesWithItsPast) {
             56u);  // the recorded car is one of the other agents
 }
 
+TEST(CrashRecord, SupportsAreOtherAgents) {
+  Scenario scenario = slowCar();
+  SupportVehicle parked;
+  parked.motion = {"parked-1", AgentClass::kCar, {4.6, 1.9}, {}};
+  parked.motion.points = {{kNow, {30.0, -6.0, 0.0}}, {kNow + 4.0, {30.0, -6.0, 0.0}}};
+  parked.motion.past = {{kNow - 0.5, {30.0, -6.0, 0.0}}, {kNow, {30.0, -6.0, 0.0}}};
+  scenario.answer.supports = {parked};
+  const CrashRecord record = slowCarRecord(2.0, scenario);
+  const Track& other = otherOf(record, "parked-1");
+  EXPECT_NEAR(other.states.front().time, 1.5, 1e-9);
+  EXPECT_NEAR(other.states.back().time, record.end(), 1e-9);
+  EXPECT_NEAR(other.states.back().pose.y, -6.0, 1e-9);
+}
+
 TEST(CrashRecord, RejectsUnsafeNamesAndAMissingEgo) {
   for (const char* name : {"../evil", "/abs", "", ".hidden", "a b"}) {
     Scenario scenario = slowCar();

@@ -179,6 +179,20 @@ TEST(ScenarioFile, HasMeasuredConditionsIfTheRequestHasOne) {
   EXPECT_NE(scenarioLine(scenario).find("conditions"), std::string::npos);
 }
 
+TEST(ScenarioFile, HasSupportsOnlyIfThereAreAny) {
+  EXPECT_EQ(scenarioLine(attack()).find("supports"), std::string::npos);
+  Scenario scenario = attack();
+  scenario.answer = wholeAttack(kNow);
+  std::string line = scenarioLine(scenario);
+  replaceIn(line, "\"role\":\"leader\"", "\"role\":\"hedge\"");
+  try {
+    static_cast<void>(readScenarioLine("file", line, shippedLimits()));
+    FAIL();
+  } catch (const JsonLineError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("role"), HasSubstr("parked_vehicle")));
+  }
+}
+
 TEST(ScenarioFile, HasTheNameInACatalogue) {
   Scenario scenario = attack();
   EXPECT_EQ(readScenarioLine("file", scenarioLine(scenario), shippedLimits()).asked.name, "");

@@ -33,6 +33,7 @@ bool setWord(const std::string& field, const std::string& word, CollisionRequest
   if (field == "manoeuvre") return set(manoeuvreFromString(word), request.manoeuvre);
   if (field == "ego_side") return set(sideFromString(word), request.ego_side);
   if (field == "from_side") return set(sideFromString(word), request.from_side);
+  if (field == "hidden_by") return set(hiderFromString(word), request.hidden_by);
   if (field == "attacker_class") return set(agentClassFromString(word), request.attacker_class);
   return false;
 }

@@ -10,13 +10,15 @@
 #include "collision_forge/attack/search/alternatives.h"
 #include "collision_forge/attack/search/judge.h"
 #include "collision_forge/attack/search/request_check.h"
+#include "collision_forge/base/scene/support_vehicles.h"
 
 namespace forge {
 namespace {
 
 constexpr double kGreatestScore = 1.0;  // full confidence without effort
 
-void addCarefulDrives(const Future& recorded, Attack& attack) {
+void addCarefulDrives(Future recorded, Attack& attack) {
+  addSupports(attack.supports, recorded);
   attack.report.careful_drivers = driveCarefully(recorded, attack.trajectory);
 }
 

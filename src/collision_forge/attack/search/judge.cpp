@@ -35,8 +35,12 @@ std::string wrongAttacker(const AttackerTrajectory& attacker, const CollisionReq
   return "";
 }
 
-/// Returns which of kRangeControls or `from_side` the attack misses, worded to follow the attack;
-/// empty if none.
+bool isUsualSight(double seconds) {
+  return seconds >= kUsualSight.min && seconds <= kUsualSight.max;
+}
+
+/// Returns which of kRangeControls, `from_side` or `hidden_by` the attack misses, worded to follow
+/// the attack; empty if none.
 std::string conditionMissed(const CollisionReport& report, const CollisionRequest& request) {
   if (request.departure_time && report.conditions.departure_time == kNoDeparture) {
     return "does not start from a standstill after t0";
@@ -53,6 +57,12 @@ std::string conditionMissed(const CollisionReport& report, const CollisionReques
   }
   if (request.from_side && report.conditions.from_side != *request.from_side) {
     return std::string("came from the ") + toString(report.conditions.from_side);
+  }
+  if (request.hidden_by && report.conditions.hidden_by != request.hidden_by) {
+    return std::string("was not hidden by a ") + toString(*request.hidden_by);
+  }
+  if (request.hidden_by && !request.visible_for && !isUsualSight(report.conditions.visible_for)) {
+    return "came into view too early or too late";
   }
   return "";
 }

@@ -14,12 +14,16 @@
 /// The only place that decides whether an attack meets its request.
 namespace forge {
 
+/// s, `visible_for` of a request with `hidden_by` that has none of its own: long enough to be seen,
+/// too short for most drivers to react and stop.
+inline constexpr Range kUsualSight{0.3, 2.0};
+
 /// Returns why an attack with this report violates the request, worded to follow the attack
 /// ("missed the ego"); empty if it meets the request.
 std::string shortcomingOf(const CollisionReport& report, const CollisionRequest& request);
 
 /// Returns true if the attack is verified, plausible (if required), and has the requested
-/// manoeuvre, side of the ego, impact speed, overlap and conditions (kRangeControls, from_side).
+/// manoeuvre, side of the ego, impact speed, overlap and conditions (asksForConditions()).
 bool meetsRequest(const CollisionReport& report, const CollisionRequest& request);
 
 /// Returns kOk if an attack with status kOk meets the request and its attacker is of the requested

@@ -237,6 +237,10 @@ Status checkControls(const CollisionRequest& request) {
                   "limits = strict is not supported with mode = adaptive, whose attackers keep the "
                   "limits of their vehicle class");
   }
+  if (request.mode == Mode::kAdaptive && request.hidden_by) {
+    return refuse(StatusCode::kInvalidInput, "hidden_by = ", toString(*request.hidden_by),
+                  " is not supported with mode = adaptive");
+  }
   if (request.mode == Mode::kAdaptive && request.alternatives > 1) {
     return refuse(StatusCode::kInvalidInput, "alternatives = ", request.alternatives,
                   " is not supported with mode = adaptive, which drives one attacker");

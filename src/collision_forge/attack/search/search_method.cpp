@@ -5,8 +5,12 @@
 
 #include "collision_forge/attack/search/added_vehicle.h"
 #include "collision_forge/attack/search/added_walkers.h"
+#include "collision_forge/attack/search/cut_out_leader.h"
 #include "collision_forge/attack/search/judge.h"
+#include "collision_forge/attack/search/parked_vehicle.h"
 #include "collision_forge/attack/search/request_check.h"
+#include "collision_forge/attack/verify/verification.h"
+#include "collision_forge/base/scene/support_vehicles.h"
 
 namespace forge {
 namespace {
@@ -29,6 +33,43 @@ bool mayBeAdded(const Attack& existing, const Moment& moment, const CollisionReq
     default:
       return false;
   }
+}
+
+constexpr std::uint64_t kHiddenTries = 4;  // attacks for which a support vehicle is sought
+
+/// Returns the requests whose attacks are tried one after the other for a request with hidden_by:
+/// from both sides if none is requested, with different seeds; behind a leader, a standing vehicle.
+CollisionRequest openRequest(CollisionRequest request, std::uint64_t attempt) {
+  const Hider hidden_by = *request.hidden_by;
+  request.hidden_by.reset();
+  request.visible_for.reset();
+  request.seed += attempt / 2;
+  if (hidden_by == Hider::kLeader && !request.manoeuvre) {
+    request.manoeuvre = Manoeuvre::kLeadStopped;
+  }
+  if (request.from_side || request.type == CollisionType::kRearEnd) return request;
+  request.from_side = attempt % 2 == 0 ? Side::kRight : Side::kLeft;
+  return request;
+}
+
+/// Returns `future` with an ego that the attack hits as requested as its ego; empty if there is
+/// none.
+std::optional<Future> futureHit(const Attack& attack, const Future& future, const Moment& moment,
+                                const CollisionRequest& request,
+                                const VerificationOptions& options) {
+  Future tried = future;
+  tried.ego_samples.clear();
+  const auto isHit = [&] {
+    return meetsRequest(
+        verify(attack.trajectory, {moment.snapshot, tried, request, *moment.lanes}, options),
+        request);
+  };
+  if (isHit()) return tried;
+  for (const Track& ego : future.ego_samples) {
+    tried.ego = ego;
+    if (isHit()) return tried;
+  }
+  return std::nullopt;
 }
 
 bool isPreferred(const Attack& added, const Attack& existing, bool may_exist,
@@ -54,9 +95,69 @@ SearchMethod::SearchMethod(const AttackOptions& options,
     : options_(options), predictor_(std::move(predictor)), realizer_(std::move(realizer)) {}
 
 Attack SearchMethod::answer(const Moment& moment, const CollisionRequest& request) const {
-  const PatternPrediction prediction = predictor_->predict(
-      moment.snapshot, *moment.lanes, request, moment.recorded ? &*moment.recorded : nullptr);
-  if (prediction.future.ego.states.empty()) return rejection(prediction.status);
+  if (!request.hidden_by) return search(moment, request).attack;
+  std::optional<Status> first;
+  for (std::uint64_t attempt = 0; attempt < kHiddenTries; ++attempt) {
+    const Found found = search(moment, openRequest(request, attempt));
+    Attack answer = found.attack.status.code == StatusCode::kOk ? hiddenBy(found, moment, request)
+                                                                : found.attack;
+    if (answer.status.code == StatusCode::kOk) return answer;
+    // The first attack that nothing hides says more than a side without an attack.
+    if (!first || found.attack.status.code == StatusCode::kOk) first = answer.status;
+  }
+  return rejection(*first);
+}
+
+Attack SearchMethod::hiddenBy(const Found& found, const Moment& moment,
+                              const CollisionRequest& request) const {
+  const auto refuse = [](const std::string& why) {
+    return rejection({StatusCode::kNoAttackWithinLimits, why});
+  };
+  CollisionRequest open = request;
+  open.hidden_by.reset();
+  open.visible_for.reset();
+  const VerificationOptions& options = options_.verification;
+  auto future = futureHit(found.attack, found.future, moment, open, options);
+  if (!future) return refuse("the attack hits none of the ego's futures as requested");
+  Attack answer = found.attack;
+  const auto judge = [&] {
+    const double confidence = answer.report.confidence;
+    answer.report =
+        verify(answer.trajectory, {moment.snapshot, *future, request, *moment.lanes}, options);
+    answer.report.confidence = confidence;
+    return shortcomingOf(answer.report, request);
+  };
+  if (judge().empty()) return answer;  // recorded vehicles hide it
+  const std::string hider = toString(*request.hidden_by);
+  if (!moment.past) {
+    return refuse("no " + hider + " can be added live: the ego has seen where it would have been");
+  }
+  std::string reason;
+  const HidingInput input{answer.trajectory, answer.report.contact_time,
+                          *future,           *moment.past,
+                          *moment.lanes,     request.visible_for.value_or(kUsualSight)};
+  if (request.hidden_by == Hider::kParkedVehicle) {
+    answer.supports = findParkedVehicles(input, options_, reason);
+  } else if (answer.report.manoeuvre != Manoeuvre::kLeadStopped) {
+    reason = "the attacker does not stand in the ego's lane";
+  } else if (auto leader = findCutOutLeader(input, options_, reason)) {
+    answer.supports = {std::move(*leader)};
+  }
+  if (answer.supports.empty()) return refuse("no " + hider + " can be added: " + reason);
+  addSupports(answer.supports, *future);
+  const std::string shortcoming = judge();
+  if (!shortcoming.empty()) return refuse("behind a " + hider + ", the attack " + shortcoming);
+  return answer;
+}
+
+SearchMethod::Found SearchMethod::search(const Moment& moment,
+                                         const CollisionRequest& request) const {
+  PatternPrediction prediction = predictor_->predict(moment.snapshot, *moment.lanes, request,
+                                                     moment.recorded ? &*moment.recorded : nullptr);
+  if (prediction.future.ego.states.empty()) return {rejection(prediction.status), {}};
+  const auto withFuture = [&](Attack attack) {
+    return Found{std::move(attack), std::move(prediction.future)};
+  };
   const VerificationInput input{moment.snapshot, prediction.future, request, *moment.lanes};
   const AddedVehicleInput added_input{moment.snapshot, moment.past.get(), prediction.future,
                                       request, *moment.lanes};
@@ -77,18 +178,20 @@ Attack SearchMethod::answer(const Moment& moment, const CollisionRequest& reques
   };
 
   if (!may_exist && (!request.crash.believable || moment.lanes->map().lanes.empty())) {
-    return rejection(
-        {StatusCode::kNoCandidate, "choice = new requires believable = true and a map with lanes"});
+    return withFuture(rejection({StatusCode::kNoCandidate,
+                                 "choice = new requires believable = true and a map with lanes"}));
   }
   const Attack answer = answerBy(SearchedMotion::kByRoutes);
   // Pedestrians are searched on paths alone.
-  if (answer.status.code == StatusCode::kOk || !request.crash.believable || walks) return answer;
+  if (answer.status.code == StatusCode::kOk || !request.crash.believable || walks) {
+    return withFuture(answer);
+  }
   const Attack other = answerBy(SearchedMotion::kAny);
   const StatusCode code = other.status.code;
   const bool tells_more =
       answer.status.code == StatusCode::kNoAttackWithinLimits &&
       (code == StatusCode::kNotBelievable || code == StatusCode::kLowConfidence);
-  return code == StatusCode::kOk || tells_more ? other : answer;
+  return withFuture(code == StatusCode::kOk || tells_more ? other : answer);
 }
 
 }  // namespace forge

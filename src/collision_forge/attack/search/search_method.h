@@ -11,7 +11,8 @@ namespace forge {
 
 /// The default method: predicts patterns, then a realiser drives a recorded or added attacker into
 /// one of them. Both stages may run in other nodes; AttackJudge checks every attack in the same
-/// way. If the predictor fails without a future, its status is returned.
+/// way. If the predictor fails without a future, its status is returned. For a request with
+/// `hidden_by`, searches attacks without it and adds the support vehicles that hide one.
 class SearchMethod : public AttackMethod {
  public:
   /// Uses SearchRealizer.
@@ -23,6 +24,14 @@ class SearchMethod : public AttackMethod {
   Attack answer(const Moment& moment, const CollisionRequest& request) const override;
 
  private:
+  /// An attack and the future that it was searched in.
+  struct Found {
+    Attack attack;
+    Future future;
+  };
+  Found search(const Moment& moment, const CollisionRequest& request) const;
+  Attack hiddenBy(const Found& found, const Moment& moment, const CollisionRequest& request) const;
+
   AttackOptions options_;
   std::shared_ptr<const PatternPredictor> predictor_;
   std::shared_ptr<const TrajectoryRealizer> realizer_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision_forge/attack/verify/visibility.h"
+
 namespace forge {
 namespace {
 
@@ -44,7 +46,8 @@ void measureStart(const AgentState& ego, const BoxSize& ego_size, const AgentSta
 }
 
 ContactConditions measuredConditions(const AttackerTrajectory& trajectory,
-                                     const CollisionReport& report, const Track& ego) {
+                                     const CollisionReport& report, const Future& future) {
+  const Track& ego = future.ego;
   ContactConditions measured;
   const double contact = report.contact_time;
   measured.attacker_speed = pointAt(trajectory.points, contact).speed;
@@ -66,6 +69,10 @@ ContactConditions measuredConditions(const AttackerTrajectory& trajectory,
   measureStart(own, ego.size, {start.time, start.pose, start.speed * start.pose.heading()},
                trajectory.size, measured);
   measured.departure_time = departureTime(trajectory.points, contact);
+  const Sight sight = sightOf(trajectory, future, contact);
+  measured.visible_for = contact - sight.seen_from;
+  measured.hidden_by = sight.hidden_by;
+  measured.hidden_by_id = sight.hidden_by_id;
   return measured;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "collision_forge/base/scene/attack.h"
-#include "collision_forge/base/scene/track.h"
+#include "collision_forge/base/scene/scene.h"
 
 namespace forge {
 
@@ -11,9 +11,9 @@ void measureStart(const AgentState& ego, const BoxSize& ego_size, const AgentSta
 
 /// Returns the quantities of ContactConditions for a trajectory that touches the ego, from
 /// `report.contact_time`, the poses at contact and `report.attacker_side`, which must be set. t0 is
-/// the time of the trajectory's first point; `ego` has the ego's states from then on. Neither may
-/// be empty.
+/// the time of the trajectory's first point; `future` has the ego and other agents from then on.
+/// Neither the trajectory nor the ego's track may be empty.
 ContactConditions measuredConditions(const AttackerTrajectory& trajectory,
-                                     const CollisionReport& report, const Track& ego);
+                                     const CollisionReport& report, const Future& future);
 
 }  // namespace forge

@@ -92,7 +92,7 @@ void describeContact(const AttackerTrajectory& trajectory, const VerificationInp
   report.attacker_side = touchedSide(attacker_box, ego_box);
   report.overlap = sideOverlap(ego_box, report.ego_side, attacker_box);
   report.impact_speed = (velocityAt(trajectory, report.contact_time) - ego->velocity).norm();
-  report.conditions = measuredConditions(trajectory, report, input.future.ego);
+  report.conditions = measuredConditions(trajectory, report, input.future);
 }
 
 CrashSeverity severityOfContact(const AttackerTrajectory& trajectory, const Track& ego, double time,

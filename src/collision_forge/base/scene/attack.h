@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -123,6 +124,16 @@ struct CollisionReport {
   }
 };
 
+/// A vehicle without contact that hides the attacker.
+struct SupportVehicle {
+  Hider role = Hider::kParkedVehicle;
+  /// As of an attacker. After the last point it stands if its speed there is 0, else it is out of
+  /// sight.
+  AttackerTrajectory motion;
+};
+
+inline constexpr std::size_t kMaxSupports = 16;  ///< of an attack
+
 /// The result of a request: a verified attack, or the reason why there is none.
 struct Attack {
   Status status;
@@ -134,6 +145,7 @@ struct Attack {
   /// Penalty for unusual driving, in units of confidence: 0 for the most common behaviour. Set only
   /// if the request asks for plausible attackers.
   double effort = 0.0;
+  std::vector<SupportVehicle> supports = {};  ///< agents of the scene besides the recorded ones
   /// Further attacks if the request asks for them (findAlternatives()); they have no alternatives
   /// of their own.
   std::vector<Attack> alternatives = {};

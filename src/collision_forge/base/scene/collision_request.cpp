@@ -18,6 +18,11 @@ constexpr EnumWord<AttackerChoice> kAttackerWords[] = {
     {AttackerChoice::kNew, "new"},
 };
 
+constexpr EnumWord<Hider> kHiderWords[] = {
+    {Hider::kParkedVehicle, "parked_vehicle"},
+    {Hider::kLeader, "leader"},
+};
+
 constexpr EnumWord<StatusCode> kStatusWords[] = {
     {StatusCode::kOk, "OK"},
     {StatusCode::kUnknownType, "UNKNOWN_TYPE"},
@@ -51,6 +56,12 @@ const char* toString(AttackerChoice choice) { return wordOf(kAttackerWords, choi
 
 std::optional<AttackerChoice> attackerChoiceFromString(const std::string& name) {
   return valueOf(kAttackerWords, lowered(name));
+}
+
+const char* toString(Hider hider) { return wordOf(kHiderWords, hider); }
+
+std::optional<Hider> hiderFromString(const std::string& name) {
+  return valueOf(kHiderWords, lowered(name));
 }
 
 const char* toString(StatusCode code) { return wordOf(kStatusWords, code, "UNKNOWN"); }

@@ -26,6 +26,14 @@ const char* toString(AttackerChoice choice);
 /// Returns the choice of a name as toString() spells it; nullopt for another name.
 std::optional<AttackerChoice> attackerChoiceFromString(const std::string& name);
 
+/// Vehicle that hides the attacker from the ego: kParkedVehicle stands from t0 to the contact,
+/// kLeader drives in the ego's direction.
+enum class Hider { kParkedVehicle, kLeader };
+/// Returns "parked_vehicle" or "leader".
+const char* toString(Hider hider);
+/// Returns the value of a name as toString() spells it; nullopt for another name.
+std::optional<Hider> hiderFromString(const std::string& name);
+
 /// A closed interval.
 struct Range {
   double min = 0.0;
@@ -49,13 +57,15 @@ struct CollisionRequest {
   std::optional<Range> overlap;          ///< share 0..1, of CollisionReport::overlap
   Turning turning = Turning::kAttacker;  ///< of type kLtap
   std::optional<Side> from_side;         ///< kLeft or kRight: side from which the attacker comes
-  std::optional<Range> attacker_speed;   ///< m/s; this and the next six are ranges of the
+  std::optional<Hider> hidden_by;        ///< of ContactConditions::hidden_by
+  std::optional<Range> attacker_speed;   ///< m/s; this and the next seven are ranges of
   std::optional<Range> deceleration;     ///< m/s2; fields of the same names of ContactConditions
   std::optional<Range> gap;              ///< m
   std::optional<Range> headway;          ///< s
   std::optional<Range> lateral_speed;    ///< m/s
   std::optional<Range> impact_location;  ///< share of the ego's front, 0 at its left edge
   std::optional<Range> departure_time;   ///< s after t0; the attacker stands until then
+  std::optional<Range> visible_for;      ///< s
   CrashDefinition crash;                 ///< set by the code that handles the request, not by users
 
   /// Returns the bands of the requested type. Throws std::out_of_range if `crash` is not set or

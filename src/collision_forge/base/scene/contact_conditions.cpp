@@ -12,7 +12,7 @@ std::string optionName(const std::string& control) {
 }
 
 bool asksForConditions(const CollisionRequest& request) {
-  return request.from_side.has_value() ||
+  return request.from_side.has_value() || request.hidden_by.has_value() ||
          std::any_of(
              std::begin(kRangeControls), std::end(kRangeControls),
              [&](const RangeControl& control) { return (request.*control.asked).has_value(); });

@@ -29,6 +29,13 @@ struct ContactConditions {
   /// kLeft or kRight: the side of the ego's pose at contact on which the attacker's box centre was
   /// kSideBefore seconds earlier.
   Side from_side = Side::kLeft;
+  /// s before the contact from which on the ego sees the attacker without a break; at most the time
+  /// since t0. See sightOf().
+  double visible_for = 0.0;
+  /// Vehicle that hid the attacker until then; empty if it was visible since t0, or if another
+  /// agent hid it.
+  std::optional<Hider> hidden_by = {};
+  std::string hidden_by_id = {};  ///< agent that hid it; empty if it was visible since t0
 };
 
 inline constexpr double kBrakedFor = 0.5;     ///< s
@@ -64,12 +71,14 @@ inline constexpr RangeControl kRangeControls[] = {
      "ego's width, 0 at the left edge"},
     {"departure_time", "s", &CollisionRequest::departure_time, &ContactConditions::departure_time,
      0.0, 100.0, "time after t0 at which the standing attacker starts to move"},
+    {"visible_for", "s", &CollisionRequest::visible_for, &ContactConditions::visible_for, 0.0,
+     100.0, "time before the contact from which on the ego sees the attacker, since t0 at most"},
 };
 
 /// Returns the name of a control's option on the command line: '-' for '_'.
 std::string optionName(const std::string& control);
 
-/// Returns true if the request has one of kRangeControls or `from_side`.
+/// Returns true if the request has one of kRangeControls, `from_side` or `hidden_by`.
 bool asksForConditions(const CollisionRequest& request);
 
 }  // namespace forge

@@ -4,6 +4,7 @@
 #include "collision_forge/base/scene/clock.h"
 #include "collision_forge/base/scene/find_track.h"
 #include "collision_forge/base/scene/number_words.h"
+#include "collision_forge/base/scene/support_vehicles.h"
 #include "collision_forge/io/collide/collide_frames.h"
 
 #include <algorithm>
@@ -215,7 +216,10 @@ std::variant<CollideClip, ClipObstacle> toCollideClip(const Scenario& scenario, 
   if (scenario.answer.status.code != StatusCode::kOk) {
     throw std::invalid_argument("a scenario without an attack has no clip");
   }
-  return ClipBuilder(scenario, scene).build(variant);
+  if (scenario.answer.supports.empty()) return ClipBuilder(scenario, scene).build(variant);
+  Scene supported = scene;
+  addSupports(scenario.answer.supports, supported);
+  return ClipBuilder(scenario, supported).build(variant);
 }
 
 std::string CollideExporter::folderIn(const std::string& directory, const std::string& split) {

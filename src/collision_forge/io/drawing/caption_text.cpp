@@ -98,6 +98,12 @@ std::vector<CaptionRow> drivingRows(const ScenarioView& view) {
                         signedSeconds(report.manoeuvre_begin - now, 1),
                     std::nullopt});
   }
+  if (report.contact && !report.conditions.hidden_by_id.empty()) {
+    rows.push_back({"Seen for",
+                    decimalText(report.conditions.visible_for, 1) + " s, before hidden by " +
+                        shortId(report.conditions.hidden_by_id),
+                    std::nullopt});
+  }
   rows.push_back({"Plausible", report.believable() ? "yes" : "no: it " + report.unbelievable,
                   report.believable()});
   rows.push_back({"Limits kept", report.limits_kept ? "yes" : "no", report.limits_kept});

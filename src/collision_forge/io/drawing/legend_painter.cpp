@@ -73,6 +73,9 @@ std::vector<LegendRow> legendRows(Canvas& canvas, double font, const ScenarioVie
     rows.insert(rows.begin() + 4,
                 {body(options.agent_color, options.ghost_opacity), "Agents when passed"});
   }
+  if (!view.supports.empty()) {
+    rows.insert(rows.begin() + 2, {body(options.support_color, 1.0), "Hides the attacker"});
+  }
   if (is_still && hasRest(view)) {
     rows.push_back({body(options.muted_text_color, kRestGhosts * options.ghost_opacity),
                     "At rest after the contact"});

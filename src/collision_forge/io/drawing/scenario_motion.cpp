@@ -90,12 +90,16 @@ std::optional<OrientedBox> ScenarioMotion::attackerAt(double time) const {
   return past == nullptr ? std::nullopt : boxOf(*past, time);
 }
 
+bool ScenarioMotion::isSupport(const std::string& id) const {
+  return std::find(view_.supports.begin(), view_.supports.end(), id) != view_.supports.end();
+}
+
 std::vector<AgentBox> ScenarioMotion::otherAgentsAt(double time) const {
   std::vector<AgentBox> boxes;
   for (const Track& track : time <= now() ? view_.snapshot.agents : view_.future.agents) {
     if (track.id == view_.trajectory.attacker_id) continue;
     const std::optional<OrientedBox> box = boxOf(track, time);
-    if (box) boxes.push_back({track.agent_class, *box});
+    if (box) boxes.push_back({track.agent_class, *box, isSupport(track.id)});
   }
   return boxes;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "collision_forge/io/drawing/scenario_view.h"
@@ -11,6 +12,7 @@ namespace forge {
 struct AgentBox {
   AgentClass agent_class = AgentClass::kCar;
   OrientedBox box;
+  bool is_support = false;  ///< one of ScenarioView::supports
 };
 
 /// Poses of all vehicles of a view over time, past and future joined at t0. Times: s on the scene's
@@ -65,6 +67,7 @@ class ScenarioMotion {
   Vector2 closeUpCenter(double time) const;
 
  private:
+  bool isSupport(const std::string& id) const;
   bool isAfterContact(double time) const;
   double lastKnownTime() const;
   /// Returns the last time before keyTime() at which the ego or the attacker overlaps `box`.

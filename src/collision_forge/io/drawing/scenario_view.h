@@ -25,9 +25,10 @@ struct ScenarioView {
   /// recorded motion.
   Future future;
 
-  CollisionPattern pattern;       ///< predicted boxes, drawn as outlines
-  AttackerTrajectory trajectory;  ///< the attacker's motion
-  CollisionReport report;         ///< report on `trajectory` against `future`
+  CollisionPattern pattern;                ///< predicted boxes, drawn as outlines
+  AttackerTrajectory trajectory;           ///< the attacker's motion
+  CollisionReport report;                  ///< report on `trajectory` against `future`
+  std::vector<std::string> supports = {};  ///< ids of agents that are support vehicles
   /// Motion of ego and attacker after the contact; without it the picture shows nothing later than
   /// the contact.
   std::optional<PostCrashMotion> crash = {};

@@ -184,7 +184,8 @@ void ScenePainter::paintRest(Canvas& canvas, const Viewport& viewport) const {
 void ScenePainter::paintVehicles(Canvas& canvas, const Viewport& viewport, double time) const {
   const double width = 0.09 * mark_size_;
   for (const AgentBox& agent : motion_.otherAgentsAt(time)) {
-    paintAgent(canvas, viewport, agent, options_.agent_color, width);
+    paintAgent(canvas, viewport, agent,
+               agent.is_support ? options_.support_color : options_.agent_color, width);
   }
   const auto ego = motion_.egoAt(time);
   const auto attacker = motion_.attackerAt(time);

@@ -11,6 +11,7 @@
 #include "collision_forge/base/scene/clock.h"
 #include "collision_forge/base/scene/find_track.h"
 #include "collision_forge/base/scene/number_words.h"
+#include "collision_forge/base/scene/support_vehicles.h"
 #include "collision_forge/io/logs/nuscenes_map.h"
 
 namespace forge {
@@ -256,7 +257,14 @@ CrashRecord crashRecord(const Scenario& scenario, std::size_t line, double histo
                              "\" cannot be part of a file name: use letters, digits, '-', '_' and "
                              "'.'");
   }
-  return RecordBuilder(scenario, history, context).build(scene + "_" + std::to_string(line));
+  const std::string name = scene + "_" + std::to_string(line);
+  if (scenario.answer.supports.empty()) {
+    return RecordBuilder(scenario, history, context).build(name);
+  }
+  IndexedScene supported = context.indexed;
+  addSupports(scenario.answer.supports, supported.scene);
+  const RecordContext whole{supported, context.arcs, context.options, context.verification};
+  return RecordBuilder(scenario, history, whole).build(name);
 }
 
 }  // namespace forge

@@ -61,6 +61,7 @@ void writeRange(JsonLineWriter& writer, const char* key, const std::optional<Ran
 void writeConditions(JsonLineWriter& writer, const CollisionRequest& request) {
   if (request.turning != Turning::kAttacker) writer.text("turning", toString(request.turning));
   writeWord(writer, "from_side", request.from_side, true);
+  writeWord(writer, "hidden_by", request.hidden_by, true);
   for (const RangeControl& control : kRangeControls) {
     writeRange(writer, control.name, request.*control.asked, true);
   }
@@ -73,6 +74,10 @@ void readConditions(JsonObject& object, CollisionRequest& request) {
   if (object.has("from_side")) {
     request.from_side =
         readWordOrNull(object, "from_side", sideFromString, "is neither left nor right");
+  }
+  if (object.has("hidden_by")) {
+    request.hidden_by = readWordOrNull(object, "hidden_by", hiderFromString,
+                                       "is neither parked_vehicle nor leader");
   }
   for (const RangeControl& control : kRangeControls) {
     if (object.has(control.name)) request.*control.asked = readRange(object, control.name);

@@ -93,8 +93,7 @@ void writePoints(JsonLineWriter& writer, const std::vector<TrajectoryPoint>& poi
   writer.endArray();
 }
 
-void writeAttacker(JsonLineWriter& writer, const AttackerTrajectory& trajectory, double now) {
-  writer.beginObject("attacker");
+void writeVehicle(JsonLineWriter& writer, const AttackerTrajectory& trajectory, double now) {
   writer.text("id", trajectory.attacker_id);
   writer.text("class", toString(trajectory.agent_class));
   writer.text("origin", trajectory.isAdded() ? kAdded : kRecorded);
@@ -102,7 +101,20 @@ void writeAttacker(JsonLineWriter& writer, const AttackerTrajectory& trajectory,
   writer.number("width", trajectory.size.width);
   writePast(writer, trajectory.past, now);
   writePoints(writer, trajectory.points, now);
-  writer.endObject();
+}
+
+/// Writes nothing if there are none.
+void writeSupports(JsonLineWriter& writer, const std::vector<SupportVehicle>& supports,
+                   double now) {
+  if (supports.empty()) return;
+  writer.beginArray("supports");
+  for (const SupportVehicle& support : supports) {
+    writer.beginObject();
+    writer.text("role", toString(support.role));
+    writeVehicle(writer, support.motion, now);
+    writer.endObject();
+  }
+  writer.endArray();
 }
 
 void writePattern(JsonLineWriter& writer, const CollisionPattern& pattern, const PatternMiss& miss,
@@ -119,7 +131,10 @@ void writePattern(JsonLineWriter& writer, const CollisionPattern& pattern, const
 }
 
 void writeAttack(JsonLineWriter& writer, const Attack& answer, double now, bool has_conditions) {
-  writeAttacker(writer, answer.trajectory, now);
+  writer.beginObject("attacker");
+  writeVehicle(writer, answer.trajectory, now);
+  writer.endObject();
+  writeSupports(writer, answer.supports, now);
   writePattern(writer, answer.pattern, answer.miss, now);
   writer.number("confidence", answer.report.confidence);
   writer.number("effort", answer.effort);
@@ -256,7 +271,8 @@ std::vector<TrajectoryPoint> readPoints(JsonObject& object, const LineContext& l
   return points;
 }
 
-AttackerTrajectory readAttacker(JsonObject object, const LineContext& line) {
+/// Leaves fields of other structures that hold a vehicle unread.
+AttackerTrajectory readVehicle(JsonObject& object, const LineContext& line) {
   AttackerTrajectory trajectory;
   trajectory.attacker_id = object.text("id");
   const auto agent_class = agentClassFromString(object.text("class"));
@@ -266,8 +282,19 @@ AttackerTrajectory readAttacker(JsonObject object, const LineContext& line) {
   trajectory.size = readBox(object, line.limits);
   trajectory.points = readPoints(object, line);
   if (trajectory.points.empty()) object.fail("trajectory", "is empty");
-  object.finish();
   return trajectory;
+}
+
+std::vector<SupportVehicle> readSupports(JsonObject& object, const LineContext& line) {
+  std::vector<SupportVehicle> supports;
+  if (!object.has("supports")) return supports;
+  for (JsonObject& entry : object.objects("supports", kMaxSupports)) {
+    const auto role = hiderFromString(entry.text("role"));
+    if (!role) entry.fail("role", "is neither parked_vehicle nor leader");
+    supports.push_back({*role, readVehicle(entry, line)});
+    entry.finish();
+  }
+  return supports;
 }
 
 std::vector<AttackerPlan> readPlans(JsonObject& object, const Scenario& scenario,
@@ -329,8 +356,15 @@ ContactConditions readMeasured(JsonObject object) {
   ContactConditions measured;
   measured.from_side = readSide(object, "from_side");
   for (const RangeControl& control : kRangeControls) {
-    measured.*control.measured = object.number(control.name);
+    // Older files lack the newest conditions.
+    if (object.has(control.name)) measured.*control.measured = object.number(control.name);
   }
+  if (object.has("hidden_by")) {
+    const auto hider = hiderFromString(object.text("hidden_by"));
+    if (!hider) object.fail("hidden_by", "is neither parked_vehicle nor leader");
+    measured.hidden_by = *hider;
+  }
+  if (object.has("hidden_by_id")) measured.hidden_by_id = object.text("hidden_by_id");
   object.finish();
   return measured;
 }
@@ -406,7 +440,10 @@ int readFormat(JsonObject& object) {
 
 void readAttack(JsonObject& object, const Scenario& scenario, const LineContext& line,
                 Attack& answer) {
-  answer.trajectory = readAttacker(object.object("attacker"), line);
+  JsonObject attacker = object.object("attacker");
+  answer.trajectory = readVehicle(attacker, line);
+  attacker.finish();
+  answer.supports = readSupports(object, line);
   answer.pattern = readPattern(object.object("pattern"), line, answer.miss);
   answer.pattern.type = scenario.asked.request.type;
   answer.pattern.attacker_id = answer.trajectory.attacker_id;
@@ -454,6 +491,8 @@ static void writeMeasured(JsonLineWriter& writer, const ContactConditions& measu
   for (const RangeControl& control : kRangeControls) {
     writer.number(control.name, measured.*control.measured);
   }
+  if (measured.hidden_by) writer.text("hidden_by", toString(*measured.hidden_by));
+  if (!measured.hidden_by_id.empty()) writer.text("hidden_by_id", measured.hidden_by_id);
   writer.endObject();
 }
 

@@ -5,6 +5,7 @@
 
 #include "collision_forge/attack/policy/attacker_policy.h"
 #include "collision_forge/base/scene/clock.h"
+#include "collision_forge/base/scene/support_vehicles.h"
 #include "collision_forge/io/scenarios/request_fields.h"
 #include "collision_forge/planner_test/report/compact_motion.h"
 #include "collision_forge/planner_test/trials/planner_result_file.h"
@@ -45,6 +46,25 @@ void writeAttacker(JsonLineWriter& writer, const AttackerTrajectory& attacker, d
   writeStates(writer, "past", attacker.past, now);
   writeTrajectory(writer, "trajectory", attacker.points, now);
   writer.endObject();
+}
+
+/// Supports that stand are shown until `kShownFor` after t0.
+void writeSupports(JsonLineWriter& writer, const std::vector<SupportVehicle>& supports,
+                   double now) {
+  constexpr double kShownFor = 30.0;  // s
+  writer.beginArray("supports");
+  for (const SupportVehicle& support : supports) {
+    const Track track = trackOf(support, nullptr, now + kShownFor);
+    writer.beginObject();
+    writer.text("id", track.id);
+    writer.text("class", toString(track.agent_class));
+    writer.text("role", toString(support.role));
+    writer.number("length", track.size.length);
+    writer.number("width", track.size.width);
+    writeStates(writer, "motion", track.states, now);
+    writer.endObject();
+  }
+  writer.endArray();
 }
 
 void writeAim(JsonLineWriter& writer, const Attack& attack, double now) {
@@ -143,11 +163,12 @@ std::string attackRecord(const Scenario& scenario, const Attack& attack,
   writeControls(writer, scenario.asked.request);
   writer.endObject();
   writeAttacker(writer, attack.trajectory, now);
+  writeSupports(writer, attack.supports, now);
   writeAim(writer, attack, now);
   const bool has_conditions = asksForConditions(scenario.asked.request);
   writeCollisionReport(writer, "report", attack.report, now, has_conditions);
   if (recorded) {
-    writeCollisionReport(writer, "recorded", recorded->report, now, has_conditions);
+    writeCollisionReport(writer, "recorded", recorded->report, now, true);
   }
   if (recorded && recorded->crash) writeCrash(writer, *recorded->crash, now);
   writeLimits(writer, scenario.asked.request.crash.limits, attack.trajectory, options);

@@ -339,6 +339,7 @@ class ReportBuilder {
     writeColor(writer, "lane", drawing.lane_color);
     writeColor(writer, "connector", drawing.connector_color);
     writeColor(writer, "agent", drawing.agent_color);
+    writeColor(writer, "support", drawing.support_color);
     writeColor(writer, "ego", drawing.ego_color);
     writeColor(writer, "attacker", drawing.attacker_color);
     writeColor(writer, "aim-ego", drawing.pattern_ego_color);

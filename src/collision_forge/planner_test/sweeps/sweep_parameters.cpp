@@ -47,6 +47,7 @@ std::vector<SweepParameter> makeParameters() {
   using Request = CollisionRequest;
   const std::vector<Side> sides = {Side::kFront, Side::kRear, Side::kLeft, Side::kRight};
   const std::vector<Side> from_sides = {Side::kLeft, Side::kRight};
+  const std::vector<Hider> hiders = {Hider::kParkedVehicle, Hider::kLeader};
   const std::vector<AttackerChoice> choices = {AttackerChoice::kAny, AttackerChoice::kExisting,
                                                AttackerChoice::kNew};
   std::vector<SweepParameter> parameters = {
@@ -70,6 +71,7 @@ std::vector<SweepParameter> makeParameters() {
       choice("choice", "origin of the attacker", &Request::choice, choices),
       choice("type", "collision type", &Request::type, kAllCollisionTypes),
       choice("from_side", "side of the attacker", &Request::from_side, from_sides),
+      choice("hidden_by", "what hides the attacker", &Request::hidden_by, hiders),
   };
   for (const RangeControl& control : kRangeControls) {
     std::string heading = control.name;

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "collision_forge/base/scene/support_vehicles.h"
+
 namespace forge {
 
 PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed,
@@ -22,6 +24,8 @@ PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed
     return one;
   }
   Moment& moment = std::get<Moment>(found);
+  addSupports(scenario.answer.supports, moment.snapshot);
+  addSupports(scenario.answer.supports, *moment.recorded);
   one.scenario = {std::move(moment.snapshot),
                   std::move(*moment.recorded),
                   scenario.answer.trajectory,

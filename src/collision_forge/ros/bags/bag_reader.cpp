@@ -277,6 +277,9 @@ Scenario readAttack(const std::string& path, const DataOptions& options,
     return 0;
   });
   checkTrajectory(scenario.answer.trajectory, options.input_limits, path);
+  for (const SupportVehicle& support : scenario.answer.supports) {
+    checkTrajectory(support.motion, options.input_limits, path);
+  }
   checkPattern(scenario.answer.pattern, options.input_limits, path);
   scenario.asked.scene = std::filesystem::path(path).stem().string();
   return scenario;

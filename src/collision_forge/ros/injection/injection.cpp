@@ -150,8 +150,11 @@ class Injection {
   }
 
   void makeFrames() {
-    AttackerInjector injector(attack_.attack.trajectory, recording_.verification.drivable);
-    injector.setCrash(crash_);
+    const DriveLimitOptions& limits = recording_.verification.drivable;
+    for (const collision_forge::SupportVehicle& support : attack_.attack.supports) {
+      injectors_.emplace_back(support.motion, limits);
+    }
+    injectors_.emplace_back(attack_.attack.trajectory, limits).setCrash(crash_);
     collision_forge::AgentArray::Ptr before;
     const rosbag::TopicQuery topic(bagTopic(names::kAgents));
     for (const rosbag::MessageInstance& instance : rosbag::View(source_, topic)) {
@@ -161,8 +164,8 @@ class Injection {
       if (left_out > 0) left_out_[instance.getTopic()] += left_out;
       agents_header_ = instance.getConnectionHeader();
       clock_.add(agents->header.stamp, instance.getTime());
-      addFrame({instance.getTime(), injector.inject(*agents), true, left_out > 0});
-      if (before && before->header.stamp >= now_) addFramesBetween(*before, *agents, injector);
+      addFrame({instance.getTime(), injected(*agents), true, left_out > 0});
+      if (before && before->header.stamp >= now_) addFramesBetween(*before, *agents);
       before = agents;
     }
     frames_.erase(frames_.upper_bound({end_, ros::TIME_MAX}), frames_.end());
@@ -185,16 +188,22 @@ class Injection {
     frames_[{frame.agents.header.stamp, frame.recorded}] = frame;
   }
 
+  /// Returns the frame with the supports and the attacker.
+  collision_forge::AgentArray injected(collision_forge::AgentArray agents) {
+    for (AttackerInjector& injector : injectors_) agents = injector.inject(std::move(agents));
+    return agents;
+  }
+
   /// Adds no frames in a gap without known motion of the other agents.
   void addFramesBetween(const collision_forge::AgentArray& before,
-                        const collision_forge::AgentArray& after, AttackerInjector& injector) {
+                        const collision_forge::AgentArray& after) {
     const double gap = (after.header.stamp - before.header.stamp).toSec();
     if (gap <= 0.0 || gap > kMaxGap) return;
     const auto& report = attack_.tested_report;
     const double contact =
         report.contact ? (report.contact_time - before.header.stamp).toSec() / gap : -1.0;
     for (const double share : sharesBetween(gap, recording_.options.frame_rate, contact)) {
-      const auto frame = injector.inject(frameBetween(before, after, share));
+      const auto frame = injected(frameBetween(before, after, share));
       addFrame({clock_.recordedAt(frame.header.stamp), frame, false, false});
     }
   }
@@ -276,8 +285,13 @@ class Injection {
 
   /// Returns true if the attack changes messages with this stamp.
   bool isChangedAt(const ros::Time& stamp) const {
-    const auto& past = attack_.attack.trajectory.past;
-    return past.empty() ? stamp > now_ : stamp >= past.front().stamp;
+    const auto isChangedBy = [&](const collision_forge::AttackerTrajectory& vehicle) {
+      return !vehicle.past.empty() && stamp >= vehicle.past.front().stamp;
+    };
+    const auto& supports = attack_.attack.supports;
+    return stamp > now_ || isChangedBy(attack_.attack.trajectory) ||
+           std::any_of(supports.begin(), supports.end(),
+                       [&](const auto& support) { return isChangedBy(support.motion); });
   }
 
   static std::optional<ros::Time> headerStamp(const collision_forge::AgentArray& message) {
@@ -418,6 +432,7 @@ class Injection {
   std::optional<PostCrashMotion> crash_;        ///< with AfterContact::kStop and a contact
   std::optional<PostCrashEgo> ego_;             ///< the same
   std::map<std::string, ros::Time> ego_times_;  ///< by topic: record time of its last message
+  std::vector<AttackerInjector> injectors_;     ///< of the supports and of the attacker
   AttackedFrames frames_;
   AttackedFrames::const_iterator next_frame_;  ///< first frame not yet written
   std::vector<OrientedBox> words_obstacles_;   ///< of all frames

@@ -154,6 +154,8 @@ constexpr RangeFields kRangeFields[] = {
      &collision_forge::CollisionRequest::max_impact_location, &CollisionRequest::impact_location},
     {&collision_forge::CollisionRequest::min_departure_time,
      &collision_forge::CollisionRequest::max_departure_time, &CollisionRequest::departure_time},
+    {&collision_forge::CollisionRequest::min_visible_for,
+     &collision_forge::CollisionRequest::max_visible_for, &CollisionRequest::visible_for},
 };
 
 /// Reads the constraints besides type, time and attacker; returns the problem, or "".
@@ -191,6 +193,9 @@ std::string readControls(const collision_forge::CollisionRequest& message,
   }
   if (!readWord(message.from_side, sideFromString, request.from_side)) {
     return unknown("from_side", message.from_side, "neither left nor right");
+  }
+  if (!readWord(message.hidden_by, hiderFromString, request.hidden_by)) {
+    return unknown("hidden_by", message.hidden_by, "neither parked_vehicle nor leader");
   }
   for (const RangeFields& fields : kRangeFields) {
     const Range range{message.*fields.least, message.*fields.most};
@@ -534,6 +539,7 @@ collision_forge::CollisionRequest toMessage(const CollisionRequest& request) {
   message.max_overlap = request.overlap.value_or(Range{}).max;
   if (request.turning != Turning::kAttacker) message.turning = toString(request.turning);
   if (request.from_side) message.from_side = toString(*request.from_side);
+  if (request.hidden_by) message.hidden_by = toString(*request.hidden_by);
   for (const RangeFields& fields : kRangeFields) {
     const Range range = (request.*fields.asked).value_or(Range{});
     message.*fields.least = range.min;
@@ -579,6 +585,9 @@ collision_forge::CollisionRequest requestIn(
   request.max_impact_location = message.max_impact_location;
   request.min_departure_time = message.min_departure_time;
   request.max_departure_time = message.max_departure_time;
+  request.hidden_by = message.hidden_by;
+  request.min_visible_for = message.min_visible_for;
+  request.max_visible_for = message.max_visible_for;
   request.alternatives = message.alternatives;
   return request;
 }
@@ -683,6 +692,10 @@ Attack fromMessage(const collision_forge::Attack& message) {
   answer.pattern = fromMessage(message.pattern);
   answer.miss = {message.miss_distance, message.miss_heading};
   answer.trajectory = fromMessage(message.trajectory);
+  for (const collision_forge::SupportVehicle& support : message.supports) {
+    answer.supports.push_back(
+        {wordIn(support.role, "role", hiderFromString), fromMessage(support.motion)});
+  }
   answer.effort = message.effort;
   answer.report = fromMessage(message.report);
   return answer;
@@ -697,6 +710,11 @@ collision_forge::Attack toMessage(const Attack& answer, const std::string& metho
   message.miss_distance = answer.miss.distance;
   message.miss_heading = answer.miss.heading;
   message.trajectory = toMessage(answer.trajectory);
+  for (const SupportVehicle& support : answer.supports) {
+    collision_forge::SupportVehicle& added = message.supports.emplace_back();
+    added.role = toString(support.role);
+    added.motion = toMessage(support.motion);
+  }
   message.effort = answer.effort;
   message.report = toMessage(answer.report, answer.trajectory.attacker_id, now);
   return message;
@@ -757,6 +775,11 @@ static ContactConditions fromMessage(const collision_forge::ContactConditions& m
   measured.lateral_speed = message.lateral_speed;
   measured.impact_location = message.impact_location;
   measured.departure_time = message.departure_time;
+  measured.visible_for = message.visible_for;
+  if (!message.hidden_by.empty()) {
+    measured.hidden_by = wordIn(message.hidden_by, "hidden_by", hiderFromString);
+  }
+  measured.hidden_by_id = message.hidden_by_id;
   return measured;
 }
 
@@ -770,6 +793,9 @@ static collision_forge::ContactConditions toMessage(const ContactConditions& mea
   message.lateral_speed = measured.lateral_speed;
   message.impact_location = measured.impact_location;
   message.departure_time = measured.departure_time;
+  message.visible_for = measured.visible_for;
+  if (measured.hidden_by) message.hidden_by = toString(*measured.hidden_by);
+  message.hidden_by_id = measured.hidden_by_id;
   return message;
 }
 

@@ -25,6 +25,16 @@ std::string avoidanceText(const std::vector<collision_forge::CarefulDrive>& driv
   return "avoided by " + (names.empty() ? "no careful driver" : names);
 }
 
+/// Worded to follow "seen".
+std::string sightText(const collision_forge::ContactConditions& conditions) {
+  if (conditions.hidden_by_id.empty()) return "since t0";
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << "for " << conditions.visible_for << " s, before "
+       << "hidden by " << (conditions.hidden_by.empty() ? "" : conditions.hidden_by + " ")
+       << conditions.hidden_by_id;
+  return text.str();
+}
+
 }  // namespace
 
 std::string lineOf(const collision_forge::CollisionReport& report) {
@@ -43,6 +53,7 @@ std::string lineOf(const collision_forge::CollisionReport& report) {
        << ", " << 100.0 * report.off_road_share << " % off road, " << report.manoeuvre << " from "
        << (report.manoeuvre_begin - now).toSec() << " s on, "
        << (report.believable ? "plausible" : "not plausible: it " + report.unbelievable);
+  line << ", seen " << sightText(report.conditions);
   if (!report.careful_drivers.empty()) line << ", " << avoidanceText(report.careful_drivers);
   return line.str();
 }

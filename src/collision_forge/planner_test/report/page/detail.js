@@ -28,7 +28,12 @@ export function worldOf({now, tta, scene, attack, test}) {
   const touchedId = drive && test.contact ? test.contact.other : attackerId;
   const touched = (id, motion) => withCrash(motion, crash && id === touchedId && crash.other);
   const size = attack ? {length: attack.ego_length, width: attack.ego_width} : scene;
+  const supports = attack ? attack.supports : [];
+  for (const support of supports) {
+    world.others.push({...support, color: 'support', motion: touched(support.id, motionOf(support.motion))});
+  }
   for (const agent of scene ? scene.agents : []) {
+    if (supports.some((support) => support.id === agent.id)) continue;
     const role = {...agent, motion: motionOf(agent.motion, offset)};
     if (agent.id !== attackerId) world.others.push({...role, motion: touched(agent.id, role.motion)});
     else world.roles.push({...role, color: 'attacker', isPale: true, name: 'Attacker as recorded'});
@@ -135,7 +140,7 @@ function secondaryContacts(crash, contactT) {
     `${isEgo ? 'ego' : 'other'} touches ${agent} ${amount(t - contactT, 1, 's')} after the contact`).join('; ');
 }
 
-/** Returns the measured conditions; none unless the request asks for one. */
+/** Returns the measured conditions; none in a file unless the request asks for one. */
 function conditionEntries(conditions) {
   if (!conditions) return [];
   return [
@@ -145,6 +150,8 @@ function conditionEntries(conditions) {
     ...(conditions.departure_time >= 0
       ? [['Starts to move', `${amount(conditions.departure_time, 1, 's')} after t0`]] : []),
     ['Place on the front', percent(conditions.impact_location) + ' from its left edge'],
+    ['Seen by the ego', conditions.hidden_by_id
+      ? `for ${amount(conditions.visible_for, 1, 's')}, before hidden by ${conditions.hidden_by_id}` : 'since t0'],
   ];
 }
 
@@ -302,6 +309,7 @@ export class Detail {
   legendEntries() {
     const entry = (name, kind) => element('span', {}, element('i', {className: 'swatch ' + kind}), name);
     const entries = this.world.roles.map((role) => entry(role.name, 'of-' + role.color + (role.isPale ? ' pale' : '')));
+    if (this.world.others.some(({role}) => role)) entries.push(entry('Hides the attacker', 'of-support'));
     if (this.world.aim) entries.push(entry('Pattern: ego', 'of-aim-ego'), entry('attacker', 'of-aim-attacker'));
     if (this.world.contact) entries.push(entry('Contact', 'of-contact'));
     return entries;

@@ -217,7 +217,7 @@ export class TopView {
     for (const other of this.world.others) {
       const state = stateAt(other.motion, this.time);
       if (!state) continue;
-      this.drawBox(state, other, this.colors('agent'), SMALL.includes(other.class) ? 0.9 : 0.75);
+      this.drawBox(state, other, this.colors(other.color || 'agent'), SMALL.includes(other.class) ? 0.9 : 0.75);
     }
   }
 

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "collision_forge/attack/search/hiding.h"
+#include "collision_forge/attack/search/options.h"
+#include "collision_forge/base/scene/attack.h"
+
+namespace forge {
+
+/// Finds a vehicle that drives ahead of the ego, hides the attacker, which stands in the ego's
+/// lane, and leaves into a neighbouring lane of the same direction shortly before it (the cut-out
+/// of UN R157). The vehicle drives as the ego does, a time gap earlier, from the first frame on; it
+/// keeps the limits of its class, stays on the road, and is clear of the ego and of all agents at
+/// all times. Late and quick lane changes come first. Returns an empty result if there is none;
+/// `reason` then explains it, worded to follow "no leader can be added: ".
+std::optional<SupportVehicle> findCutOutLeader(const HidingInput& input,
+                                               const AttackOptions& options, std::string& reason);
+
+}  // namespace forge

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "collision_forge/attack/search/recorded_traffic.h"
+#include "collision_forge/base/map/lane_queries.h"
+#include "collision_forge/base/scene/attack.h"
+#include "collision_forge/base/scene/scene.h"
+
+namespace forge {
+
+/// An attack for which vehicles are sought that hide its attacker. Holds references: the referenced
+/// objects must outlive it.
+struct HidingInput {
+  const AttackerTrajectory& attacker;
+  double contact = 0.0;    ///< s, scene clock
+  const Future& future;    ///< with the ego that the attacker hits
+  const Snapshot& past;    ///< frames in which the vehicles are, up to t0
+  const LaneIndex& lanes;  ///< map
+  Range visible_for;       ///< s
+};
+
+/// How long the attacker is hidden before it comes into view for the rest.
+struct Hiding {
+  double visible_for = 0.0;  ///< s
+  int hidden = 0;            ///< steps of kSightStep before, without a break
+};
+
+/// m between support vehicles and all agents but the ego.
+inline constexpr double kSupportClearance = 0.3;
+
+/// Tests whether support vehicles hide an attacker; shared by all searches for them.
+class HidingSearch {
+ public:
+  /// Adds the boxes of support vehicles at a time (s, scene clock) to a list.
+  using AddBoxes = std::function<void(double, std::vector<OrientedBox>&)>;
+
+  /// `input` must outlive this object.
+  explicit HidingSearch(const HidingInput& input);
+
+  /// Returns how the recorded agents and the added boxes hide the attacker.
+  Hiding hidingBy(const AddBoxes& add) const;
+
+  /// Returns true if the attacker is hidden for at least 0.3 s and comes into view within the
+  /// input's range.
+  bool isInRange(const Hiding& hiding) const;
+
+  /// Returns true if the box alone hides the attacker at a time at which it may come into view, or
+  /// shortly before.
+  bool mayHide(const OrientedBox& box) const;
+
+  /// Returns the motion of all agents with the attacker, and of the ego up to t0, every 0.2 s from
+  /// the first frame to the end of the ego's future or of the attack.
+  const RecordedTraffic& traffic() const { return traffic_; }
+
+  /// Returns true if the whole box is on the drivable area, and no part on a walkway.
+  bool isOnRoad(const OrientedBox& box) const;
+
+  /// Returns an id "PREFIX-N" that no agent has; N is greater than `number`.
+  std::string newId(const std::string& prefix, std::size_t number) const;
+
+ private:
+  /// The boxes at one time.
+  struct Look {
+    double time;
+    Vector2 from;
+    OrientedBox target;
+    std::vector<OrientedBox> others;
+  };
+  void observe();
+
+  const HidingInput& input_;
+  RecordedTraffic traffic_;
+  std::vector<Look> looks_;  // every kSightStep from t0 to before the contact
+};
+
+}  // namespace forge

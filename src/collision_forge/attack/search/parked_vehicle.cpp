@@ -1,0 +1,205 @@
+#include "collision_forge/attack/search/parked_vehicle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace forge {
+namespace {
+
+constexpr double kReach = 40.0;          // m from the contact within which places are tried
+constexpr double kAlong = 0.5;           // m between places along a lane
+constexpr double kAcross = 0.25;         // m between the points at which the kerb is searched
+constexpr double kWidestLane = 8.0;      // m from the middle of a lane to the kerb beside it
+constexpr double kKerbGap = 0.25;        // m between vehicle and kerb
+constexpr double kEgoClearance = 0.5;    // m beside the ego; Euro NCAP's CPNCO has 1 m
+constexpr double kBetween = 0.7;         // m between two parked vehicles
+constexpr double kEgoStep = 0.1;         // s between the times at which the ego is tested
+constexpr double kInLane = 1.2;          // m from the middle of a lane: stands in it
+constexpr double kBesideJunction = 4.0;  // m from a path through a junction
+constexpr double kLaneHeading = 0.6;     // rad
+constexpr int kLongHidden = 20;          // steps beyond which longer is not better
+constexpr std::size_t kMost = 2;         // parked vehicles
+
+/// A place where a parked vehicle fits.
+struct Place {
+  OrientedBox box;
+  bool is_in_lane = false;
+};
+
+class ParkingSearch {
+ public:
+  ParkingSearch(const HidingInput& input, const AttackOptions& options)
+      : input_(input), options_(options), search_(input) {
+    const Track& ego = input.future.ego;
+    for (const AgentState& state : ego.states) ego_boxes_.push_back(boxAt(ego, state.pose));
+    for (double time = input.past.now; time < input.contact; time += kEgoStep) {
+      if (const auto state = stateAt(ego, time)) ego_boxes_.push_back(boxAt(ego, state->pose));
+    }
+  }
+
+  std::vector<SupportVehicle> run(std::string& reason) {
+    const std::vector<Place> places = fittingPlaces();
+    std::vector<OrientedBox> chosen;
+    const Place* best = nullptr;
+    for (std::size_t count = 0; count < kMost; ++count) {
+      const Place* added = bestOf(places, chosen, best);
+      if (!added) break;
+      chosen.push_back(added->box);
+      best = added;
+    }
+    if (chosen.empty()) reason = refusal(places.size());
+    std::vector<SupportVehicle> supports;
+    for (const OrientedBox& box : chosen) supports.push_back(parked(box, supports.size()));
+    return supports;
+  }
+
+ private:
+  std::vector<Place> fittingPlaces() {
+    std::vector<Place> places;
+    const Vector2 contact = poseAt(input_.attacker, input_.contact).position();
+    for (const std::size_t lane : input_.lanes.lanesWithin(contact, kReach)) {
+      if (input_.lanes.map().lanes[lane].is_connector) continue;
+      const Polyline& line = *input_.lanes.centerline(lane);
+      for (double along = 0.0; along < line.length(); along += kAlong) {
+        const Pose2 middle = line.poseAt(along);
+        if ((middle.position() - contact).norm() > kReach) continue;
+        addPlaces(middle, places);
+      }
+    }
+    return places;
+  }
+
+  void addPlaces(const Pose2& middle, std::vector<Place>& places) {
+    const double side = input_.lanes.map().driving_side == DrivingSide::kRight ? -1.0 : 1.0;
+    const std::optional<double> kerb = kerbBeside(middle, side);
+    if (!kerb) return;
+    for (const AddedKind& kind : options_.added.kinds) {
+      if (kind.agent_class != AgentClass::kCar) continue;
+      const double across = *kerb - kKerbGap - 0.5 * kind.width;
+      const OrientedBox box{compose(middle, {0.0, side * across, 0.0}), {kind.length, kind.width}};
+      if (!search_.mayHide(box)) continue;
+      if (const char* reason = whyNotAt(box)) {
+        ++reasons_[reason];
+        continue;
+      }
+      const bool is_in_lane = !input_.lanes.lanesNear(box.center, kInLane, kLaneHeading).empty();
+      places.push_back({box, is_in_lane});
+    }
+  }
+
+  std::optional<double> kerbBeside(const Pose2& middle, double side) const {
+    for (double across = 0.0; across <= kWidestLane; across += kAcross) {
+      const Vector2 point = compose(middle, {0.0, side * across, 0.0}).position();
+      if (!input_.lanes.drivable().contains(point)) return across - kAcross;
+    }
+    return std::nullopt;
+  }
+
+  const char* whyNotAt(const OrientedBox& box) const {
+    if (!search_.isOnRoad(box)) return "stand on no road";
+    const LaneMap& map = input_.lanes.map();
+    for (const LaneMatch& match : input_.lanes.lanesNear(box.center, kBesideJunction, M_PI)) {
+      if (map.lanes[match.lane].is_connector) return "stand in a junction";
+    }
+    if (isOnCrosswalk(box)) return "stand on a crosswalk";
+    const OrientedBox wide = shrunk(box, -kEgoClearance);
+    if (std::any_of(ego_boxes_.begin(), ego_boxes_.end(),
+                    [&](const OrientedBox& ego) { return overlaps(ego, wide); })) {
+      return "stand in the ego's way";
+    }
+    const RecordedTraffic& traffic = search_.traffic();
+    for (int instant = traffic.firstInstant(); instant <= traffic.lastInstant(); ++instant) {
+      if (traffic.touches(box.center, box.size, instant, kSupportClearance)) {
+        return "stand in the way of another agent";
+      }
+    }
+    return nullptr;
+  }
+
+  bool isOnCrosswalk(const OrientedBox& box) const {
+    const auto places = placesOf(box);
+    const auto& features = input_.lanes.map().features;
+    return std::any_of(features.begin(), features.end(), [&](const MapFeature& feature) {
+      if (feature.kind != FeatureKind::kCrosswalk) return false;
+      const Polygon outline{feature.points, {}};
+      return std::any_of(places.begin(), places.end(),
+                         [&](const Vector2& place) { return contains(outline, place); });
+    });
+  }
+
+  Hiding hidingBy(const std::vector<OrientedBox>& parked) const {
+    return search_.hidingBy([&](double, std::vector<OrientedBox>& boxes) {
+      boxes.insert(boxes.end(), parked.begin(), parked.end());
+    });
+  }
+
+  /// Returns the place that hides the attacker best together with the chosen ones; null if none
+  /// improves on them. A second vehicle stands as the first one, in a lane or beside.
+  const Place* bestOf(const std::vector<Place>& places, const std::vector<OrientedBox>& chosen,
+                      const Place* before) const {
+    const Place* best = nullptr;
+    int most = chosen.empty() ? 0 : std::min(hidingBy(chosen).hidden, kLongHidden);
+    bool is_in_lane = true;
+    for (const Place& place : places) {
+      if (before && place.is_in_lane != before->is_in_lane) continue;
+      const bool is_apart = std::all_of(
+          chosen.begin(), chosen.end(),
+          [&](const OrientedBox& other) { return !overlaps(shrunk(other, -kBetween), place.box); });
+      if (!is_apart) continue;
+      std::vector<OrientedBox> all = chosen;
+      all.push_back(place.box);
+      const Hiding hiding = hidingBy(all);
+      if (!search_.isInRange(hiding)) continue;
+      const int hidden = std::min(hiding.hidden, kLongHidden);
+      const bool is_better = is_in_lane != place.is_in_lane && !before ? is_in_lane : hidden > most;
+      if (!is_better) continue;
+      best = &place;
+      most = hidden;
+      is_in_lane = place.is_in_lane;
+    }
+    return best;
+  }
+
+  SupportVehicle parked(const OrientedBox& box, std::size_t number) const {
+    AttackerTrajectory motion;
+    motion.attacker_id = search_.newId("parked", number);
+    motion.size = box.size;
+    for (const AgentState& frame : input_.past.ego.states) {
+      motion.past.push_back({frame.time, box.center, Vector2::Zero()});
+    }
+    const double begin = input_.attacker.points.front().time;
+    const double end = input_.attacker.points.back().time;
+    for (double time = begin; time < end + kFrameInterval; time += kFrameInterval) {
+      motion.points.push_back({time, box.center, 0.0, 0.0, 0.0});
+    }
+    return {Hider::kParkedVehicle, motion};
+  }
+
+  std::string refusal(std::size_t fitting) const {
+    if (fitting > 0) {
+      return std::to_string(fitting) + " places fit, but none hides the attacker until visible_for";
+    }
+    std::string text;
+    for (const auto& [reason, count] : reasons_) {
+      text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + reason;
+    }
+    return text.empty() ? "no kerb is between the ego and the attacker" : text;
+  }
+
+  const HidingInput& input_;
+  const AttackOptions& options_;
+  HidingSearch search_;
+  std::vector<OrientedBox> ego_boxes_;
+  std::map<std::string, int> reasons_;
+};
+
+}  // namespace
+
+std::vector<SupportVehicle> findParkedVehicles(const HidingInput& input,
+                                               const AttackOptions& options, std::string& reason) {
+  return ParkingSearch(input, options).run(reason);
+}
+
+}  // namespace forge

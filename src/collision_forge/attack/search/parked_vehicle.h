@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "collision_forge/attack/search/hiding.h"
+#include "collision_forge/attack/search/options.h"
+#include "collision_forge/base/scene/attack.h"
+
+namespace forge {
+
+/// Finds one or two parked cars or vans (config/search.yaml, added.kinds) that hide the attacker
+/// until it comes into view within `visible_for` before the contact. Each stands since the first
+/// frame at the kerb side of a lane outside junctions and crosswalks, parallel to the lane, wholly
+/// on the drivable area, and clear of the ego and of all agents at all times. Places beside the
+/// lanes come first, then those that hide the attacker longest. Returns an empty vector if there is
+/// no such place; `reason` then explains it, worded to follow "no parked vehicle can be added: ".
+std::vector<SupportVehicle> findParkedVehicles(const HidingInput& input,
+                                               const AttackOptions& options, std::string& reason);
+
+}  // namespace forge

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision_forge/base/geometry/oriented_box.h"
+#include "collision_forge/base/scene/attack.h"
+#include "collision_forge/base/scene/scene.h"
+
+namespace forge {
+
+/// The attacker counts as seen if at least this share of its angular width is in view: nuScenes'
+/// lowest level of visibility is 0 to 40 %.
+inline constexpr double kSeenShare = 0.4;
+inline constexpr double kSightStep = 0.1;  ///< s between the times at which sightOf() looks
+
+/// The part of a box that an observer at a point sees.
+struct BoxView {
+  double visible = 1.0;  ///< share 0..1 of the angle under which the box appears
+  /// Index of the box that covers most of it; empty if none covers any.
+  std::optional<std::size_t> coverer;
+};
+
+/// Returns the view from `from` (m, map frame) of `target` among `others`. Boxes are opaque, on the
+/// ground plane and apart from each other; one that contains `from` covers nothing. Exact: unites
+/// the angles that the boxes before `target` cover.
+BoxView viewOf(const Vector2& from, const OrientedBox& target,
+               const std::vector<OrientedBox>& others);
+
+/// Since when the ego sees the attacker.
+struct Sight {
+  double seen_from = 0.0;  ///< s, same clock: from then on to the contact without a break
+  /// Agent that covered most of the attacker one step before; empty if it was seen since t0.
+  std::string hidden_by_id = {};
+  std::optional<Hider> hidden_by = {};  ///< its kind; empty for an agent of another kind
+};
+
+/// Looks from the middle of the ego's box at the attacker every kSightStep from t0, the time of the
+/// first point, up to before `contact` (s, same clock). All agents of `future` but the attacker can
+/// hide it. Neither the trajectory nor the ego's track may be empty.
+Sight sightOf(const AttackerTrajectory& trajectory, const Future& future, double contact);
+
+}  // namespace forge

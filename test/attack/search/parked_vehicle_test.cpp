@@ -1,0 +1,125 @@
+#include "collision_forge/attack/search/parked_vehicle.h"
+
+#include <gtest/gtest.h>
+
+#include "attack/search/added_scene.h"
+#include "collision_forge/attack/search/generate_collision.h"
+#include "collision_forge/attack/search/judge.h"
+#include "collision_forge/attack/verify/verification.h"
+#include "collision_forge/base/scene/support_vehicles.h"
+
+namespace forge {
+namespace {
+
+/// The two lanes of AddedScene, a strip of 2.5 m for parking and a walkway on either side.
+AddedScene street() {
+  AddedScene scene;
+  scene.map->drivable_area = {rectangle(-200.0, -4.5, 200.0, 8.0)};
+  scene.map->walkways = {rectangle(-200.0, -7.0, 200.0, -4.5), rectangle(-200.0, 8.0, 200.0, 10.5)};
+  scene.request = believableRequestFor(CollisionType::kJunctionCrossing);
+  scene.request.attacker_class = AgentClass::kPedestrian;
+  scene.request.ego_side = Side::kFront;
+  scene.request.from_side = Side::kRight;
+  scene.request.hidden_by = Hider::kParkedVehicle;
+  scene.request.mode = Mode::kReplay;
+  return scene;
+}
+
+Attack answerIn(AddedScene& scene) {
+  const AddedVehicleInput input = scene.input();
+  const Moment moment{*input.past, input.future, std::make_shared<LaneIndex>(scene.map),
+                      std::make_shared<Snapshot>(*input.past)};
+  const AttackOptions options = shippedOptions();
+  return generateCollision(searchMethod(options), moment, scene.request, options.prediction);
+}
+
+TEST(ParkedVehicle, HidesAPedestrianUntilItStepsOut) {
+  AddedScene scene = street();
+  const Attack attack = answerIn(scene);
+  ASSERT_EQ(attack.status.code, StatusCode::kOk) << attack.status.message;
+  ASSERT_FALSE(attack.supports.empty());
+  const ContactConditions& measured = attack.report.conditions;
+  EXPECT_EQ(measured.hidden_by, Hider::kParkedVehicle);
+  EXPECT_EQ(measured.hidden_by_id.substr(0, 7), "parked-");
+  EXPECT_GE(measured.visible_for, kUsualSight.min);
+  EXPECT_LE(measured.visible_for, kUsualSight.max);
+}
+
+TEST(ParkedVehicle, StandsParallelToTheLaneOnTheRoadAndTouchesNobody) {
+  AddedScene scene = street();
+  const Attack attack = answerIn(scene);
+  ASSERT_EQ(attack.status.code, StatusCode::kOk) << attack.status.message;
+  const AddedVehicleInput input = scene.input();
+  for (const SupportVehicle& support : attack.supports) {
+    const AttackerTrajectory& parked = support.motion;
+    const Pose2& pose = parked.points.front().pose;
+    EXPECT_NEAR(pose.yaw, 0.0, 1e-6) << "as the lane of its side";
+    EXPECT_LT(pose.y + 0.5 * parked.size.width, -1.3) << "beside the ego";
+    EXPECT_GT(pose.y - 0.5 * parked.size.width, -4.5) << "on the road";
+    EXPECT_EQ(parked.past.size(), input.past->ego.states.size());
+    for (const TrajectoryPoint& point : parked.points) EXPECT_EQ(point.speed, 0.0);
+    Track track = trackOf(support, nullptr, kNow + 10.0);
+    EXPECT_FALSE(firstContactTime(attack.trajectory, track, kNow + 10.0, 0.0));
+  }
+}
+
+TEST(ParkedVehicle, ComesIntoViewAsLateAsRequested) {
+  for (const Range& range : {Range{0.5, 0.9}, Range{0.9, 1.4}}) {
+    AddedScene scene = street();
+    scene.request.visible_for = range;
+    const Attack attack = answerIn(scene);
+    if (attack.status.code != StatusCode::kOk) continue;
+    EXPECT_GE(attack.report.conditions.visible_for, range.min);
+    EXPECT_LE(attack.report.conditions.visible_for, range.max);
+  }
+}
+
+TEST(ParkedVehicle, NeedsRoomAtTheKerb) {
+  AddedScene scene = street();
+  scene.map->drivable_area = {rectangle(-200.0, -2.0, 200.0, 5.5)};
+  scene.map->walkways = {rectangle(-200.0, -4.0, 200.0, -2.0), rectangle(-200.0, 5.5, 200.0, 7.5)};
+  const Attack attack = answerIn(scene);
+  EXPECT_EQ(attack.status.code, StatusCode::kNoAttackWithinLimits);
+  EXPECT_NE(attack.status.message.find("no parked_vehicle can be added"), std::string::npos)
+      << attack.status.message;
+}
+
+TEST(ParkedVehicle, IsNotAddedWhereARecordedOneHides) {
+  AddedScene scene = street();
+  const Attack first = answerIn(scene);
+  ASSERT_EQ(first.status.code, StatusCode::kOk) << first.status.message;
+  for (const SupportVehicle& support : first.supports) {
+    Track recorded = trackOf(support, nullptr, kNow + 10.0);
+    Track past = recorded;
+    past.states = support.motion.past;
+    scene.others.push_back(past);
+    scene.future.agents.push_back(recorded);
+  }
+  const Attack second = answerIn(scene);
+  ASSERT_EQ(second.status.code, StatusCode::kOk) << second.status.message;
+  EXPECT_TRUE(second.supports.empty());
+}
+
+TEST(CutOutLeader, LeavesTheLaneBeforeAStandingVehicle) {
+  AddedScene scene = street();
+  scene.map->lanes.push_back(straightLane("east_left", {-200.0, 3.5}, {200.0, 3.5}));
+  scene.map->lanes.erase(std::find_if(scene.map->lanes.begin(), scene.map->lanes.end(),
+                                      [](const Lane& lane) { return lane.id == "west"; }));
+  scene.request = believableRequestFor(CollisionType::kRearEnd);
+  scene.request.mode = Mode::kReplay;
+  scene.request.ego_side = Side::kFront;
+  scene.request.hidden_by = Hider::kLeader;
+  scene.request.visible_for = Range{0.5, 3.0};
+  const Attack attack = answerIn(scene);
+  ASSERT_EQ(attack.status.code, StatusCode::kOk) << attack.status.message;
+  ASSERT_EQ(attack.supports.size(), 1U);
+  EXPECT_EQ(attack.report.manoeuvre, Manoeuvre::kLeadStopped);
+  EXPECT_EQ(attack.report.conditions.hidden_by, Hider::kLeader);
+  const AttackerTrajectory& leader = attack.supports.front().motion;
+  EXPECT_NEAR(leader.points.front().pose.y, 0.0, 0.3) << "in the ego's lane at t0";
+  EXPECT_NEAR(leader.points.back().pose.y, 3.5, 0.5) << "in the other lane at the end";
+  EXPECT_NEAR(leader.points.back().pose.yaw, 0.0, 0.1);
+}
+
+}  // namespace
+}  // namespace forge
