@@ -14,6 +14,7 @@ NOT_RUN = [
     (r'^(cmake|ctest|catkin_make)\b|~/ws', 'builds'),
     (r'(^|\s)\.\.\.(\s|$)', 'leaves words out'),
     (r'^rviz\b', 'opens a window'),
+    (r'^esmini\b', 'wants esmini, which Debian does not have'),
     (r'--collide (DIR|COLLIDE|out/set)\b', 'wants the data set COLLIDE, or a data set of many scenes'),
     (r'^forge study train\b|^cat RUN', 'trains for hours, or takes what was trained'),
     (r'venv/bin|model:traffic\.pt', 'wants a torch from the network'),

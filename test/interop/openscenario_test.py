@@ -1,16 +1,19 @@
 #!/usr/bin/python3
-"""Exports to OpenSCENARIO are checked by ASAM's checkers and read by SUMO's netconvert."""
+"""Exports to OpenSCENARIO are checked by ASAM's checkers, read by SUMO's netconvert and played by esmini."""
 import json
+import re
 import shutil
 import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
+from esmini_player import Play, Scenario, player
 from pages import LOGS, attacks_of, forge, make_scenarios
 from sumo_roads import farthest, python_with_netconvert
 from virtual_environments import python_with
 
+LATE = 0.15  # s from our contact, found within a tolerance, to the first step at which esmini's boxes overlap
 CHECKS = Path(__file__).with_name('asam_checks.py')
 
 
@@ -73,6 +76,36 @@ class OpenScenarioTest(unittest.TestCase):
         text = moved.read_text()
         moved.write_text(text.replace('<laneOffset s="0" a="', '<laneOffset s="0" a="1'))
         self.assertGreater(farthest(python, moved, net), 0.5)
+
+    def test_esmini_plays_every_attack_as_written(self):
+        program = player()
+        for entry in self.index:
+            with self.subTest(entry['name']):
+                path = self.out / entry['files'][1]
+                scenario, play = Scenario(path), Play(program, path, self.folder)
+                self.assertEqual(play.complaints, [])
+                self.assertLess(play.farthest(scenario), 0.01)
+                self.assertEqual(play.off_stage(scenario), [])
+                if entry['contact_t'] is not None:
+                    self.assertAlmostEqual(play.contact(), entry['contact_t'], delta=LATE)
+
+    def test_in_esmini_the_attacker_meets_a_free_ego_of_another_speed(self):
+        program, out = player(), self.exported('free_speeds', '--ego', 'free')
+        for share in (0.8, 1.0):
+            met = 0
+            for entry in self.index:
+                path = out / entry['files'][1]
+                path.write_text(slowed(path.read_text(), share))
+                play = Play(program, path, self.folder)
+                self.assertEqual(play.complaints, [])
+                met += play.contact() is not None
+            self.assertGreater(met, 0.3 * len(self.index), share)
+
+
+def slowed(text, share):
+    """The text of a file with another speed of the ego."""
+    return re.sub('AbsoluteTargetSpeed value="(.*?)"',
+                  lambda match: 'AbsoluteTargetSpeed value="{}"'.format(share * float(match[1])), text)
 
 
 if __name__ == '__main__':

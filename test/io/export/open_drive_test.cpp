@@ -31,7 +31,7 @@ struct RoundTrip {
     WarningCounter counter;
     record.arcs = readNuScenesMapLayers(file, config.input_limits, counter).arclines;
     const TemporaryFolder folder;
-    folder.write("town.xodr", openDriveText(record, config.exports));
+    folder.write("town.xodr", openDriveFile(record, config.exports).text);
     read = readMapFile(folder.path() + "/town.xodr", config, &warnings);
   }
 };

@@ -32,7 +32,7 @@ class OpenScenario : public testing::Test {
   }
 
   static std::string driveOf(const std::string& name) {
-    return "//ManeuverGroup[@name='drive of " + name + "']";
+    return "//Trajectory[@name='trajectory of " + name + "']";
   }
 
   TemporaryFolder folder_;
@@ -54,6 +54,30 @@ TEST_F(OpenScenario, AddsLateEntitiesAndDeletesThoseThatLeave) {
   }
   EXPECT_EQ(added, (std::set<std::string>{"attacker", "other_1_2"}));
   EXPECT_EQ(deleted, (std::set<std::string>{"other_1", "other_1_2"}));
+}
+
+TEST_F(OpenScenario, EntitiesThatAreThereFromTheStartDriveFromInitOn) {
+  const auto document = written(slowCarRecord(), ".xosc");
+  EXPECT_EQ(document.select_nodes("//Init//FollowTrajectoryAction").size(), 3u);
+  EXPECT_FALSE(document.select_node("//Init//SpeedAction"));
+  EXPECT_EQ(document.select_nodes("//Story//FollowTrajectoryAction").size(), 2u);
+}
+
+TEST_F(OpenScenario, TheAttackerOfAFreeEgoStartsByTheTimeGapOfTheEgo) {
+  const CrashRecord record = slowCarRecord(0.0);
+  const auto document = written(record, ".xosc", true);
+  EXPECT_EQ(document.select_nodes("//Init//Private[@entityRef='ego']//SpeedAction").size(), 1u);
+  EXPECT_FALSE(document.select_node(driveOf("ego").c_str()));
+  const xml_node event = at(document, "//Event[@name='drive of attacker']");
+  // The ego drives at 10 m/s, so the time gap at the start is the time to the contact.
+  EXPECT_NEAR(
+      event.select_node(".//TimeToCollisionCondition").node().attribute("value").as_double(),
+      *record.contact, 1e-6);
+  EXPECT_EQ(std::string(
+                event.select_node(".//Timing").node().attribute("domainAbsoluteRelative").value()),
+            "relative");
+  EXPECT_TRUE(document.select_node(
+      "//StopTrigger//StoryboardElementStateCondition[@storyboardElementRef='drive of attacker']"));
 }
 
 TEST_F(OpenScenario, ParametersDescribeTheCrashAndTheStoryboardEndsWithTheRecord) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <optional>
 #include <set>
 
 namespace forge {
@@ -11,7 +12,7 @@ namespace {
 constexpr double kPi = 3.141592653589793;
 
 /// A lane or connector along one arc.
-Lane laneOf(const std::string& id, bool is_connector, const std::vector<std::string>& outgoing) {
+Lane newLane(const std::string& id, bool is_connector, const std::vector<std::string>& outgoing) {
   Lane lane;
   lane.id = id;
   lane.is_connector = is_connector;
@@ -29,55 +30,80 @@ struct Map {
 
   void add(const std::string& id, bool is_connector, const ArcPath& path,
            const std::vector<std::string>& outgoing) {
-    lanes.lanes.push_back(laneOf(id, is_connector, outgoing));
+    lanes.lanes.push_back(newLane(id, is_connector, outgoing));
     arcs[id] = {path};
   }
   RoadNetwork network() const { return roadNetwork(lanes, arcs, 3.5); }
 };
 
+/// Returns the first road of each name.
 std::map<std::string, Road> byLane(const RoadNetwork& network) {
   std::map<std::string, Road> roads;
-  for (const Road& road : network.roads) roads.emplace(road.lane, road);
+  for (const Road& road : network.roads) roads.emplace(road.name(), road);
   return roads;
 }
 
-Pose2 endOf(const Road& road) {
-  const RoadPiece& last = road.course.back();
-  return alongArc(last.start, last.curvature, last.length);
+const RoadLane& laneOf(const Road& road, int id) {
+  return id < 0 ? road.right.at(static_cast<std::size_t>(-id - 1))
+                : road.left.at(static_cast<std::size_t>(id - 1));
+}
+
+/// Returns the middle of a lane at one end of its road.
+Vector2 middleOf(const Road& road, int id, bool at_end) {
+  const std::size_t knot = at_end ? road.knots.size() - 1 : 0;
+  double offset = road.offset[knot];
+  const int side = id < 0 ? -1 : 1;
+  for (int inner = side; inner != id; inner += side) {
+    offset += side * laneOf(road, inner).width[knot];
+  }
+  offset += 0.5 * side * laneOf(road, id).width[knot];
+  const Pose2 pose = road.course.poseAt(at_end ? road.course.length() : 0.0);
+  return compose(pose, {0.0, offset, 0.0}).position();
 }
 
 /// Checks the rules of OpenDRIVE for every network: links are mutual, connecting roads connect
-/// plain roads, linked roads meet, and every connection is listed once.
+/// plain roads, linked lanes meet, and every connection is listed once.
 void expectSound(const RoadNetwork& network) {
   std::map<int, const Road*> roads;
   std::set<int> ids;
   for (const Road& road : network.roads) {
     roads[road.id] = &road;
     EXPECT_TRUE(ids.insert(road.id).second);
-    EXPECT_GT(road.length(), 0.0);
+    EXPECT_GT(road.course.length(), 0.0);
   }
   std::set<int> listed;
   for (const Junction& junction : network.junctions) {
     EXPECT_TRUE(ids.insert(junction.id).second);
     for (const Junction::Connection& one : junction.connections) {
       EXPECT_TRUE(listed.insert(one.connecting).second);
-      EXPECT_EQ(roads.at(one.connecting)->junction, junction.id);
-      EXPECT_EQ(roads.at(one.incoming)->junction, 0);
-      EXPECT_EQ(roads.at(one.incoming)->after.to, RoadJoint::To::kJunction);
-      EXPECT_EQ(roads.at(one.incoming)->after.id, junction.id);
+      const Road& connecting = *roads.at(one.connecting);
+      const Road& incoming = *roads.at(one.incoming);
+      EXPECT_EQ(connecting.junction, junction.id);
+      EXPECT_EQ(incoming.junction, 0);
+      EXPECT_EQ(connecting.before.id, one.incoming);
+      EXPECT_EQ(laneOf(connecting, one.to).before, one.from);
+      const RoadJoint& back = connecting.before.at_end ? incoming.after : incoming.before;
+      EXPECT_EQ(back.to, RoadJoint::To::kJunction);
+      EXPECT_EQ(back.id, junction.id);
     }
   }
   for (const Road& road : network.roads) {
-    EXPECT_EQ(road.junction != 0, listed.count(road.id) > 0) << road.lane;
-    if (road.after.to != RoadJoint::To::kRoad) continue;
-    const Road& next = *roads.at(road.after.id);
-    EXPECT_LT((endOf(road).position() - next.course.front().start.position()).norm(), 1e-9)
-        << road.lane << " to " << next.lane;
-    if (road.junction != 0) {
-      EXPECT_EQ(next.before.id, road.junction);
-      EXPECT_EQ(next.junction, 0);
-    } else {
-      EXPECT_EQ(next.before.id, road.id);
+    EXPECT_EQ(road.junction != 0, listed.count(road.id) > 0) << road.name();
+    for (const bool at_end : {false, true}) {
+      const RoadJoint& joint = at_end ? road.after : road.before;
+      if (joint.to != RoadJoint::To::kRoad) continue;
+      const Road& next = *roads.at(joint.id);
+      const RoadJoint& back = joint.at_end ? next.after : next.before;
+      EXPECT_EQ(back.id, road.junction != 0 ? road.junction : road.id);
+      for (const auto* lanes : {&road.left, &road.right}) {
+        for (const RoadLane& lane : *lanes) {
+          const std::optional<int>& to = at_end ? lane.after : lane.before;
+          if (!to) continue;
+          EXPECT_LT((middleOf(road, lane.id, at_end) - middleOf(next, *to, joint.at_end)).norm(),
+                    0.01)
+              << road.name() << " to " << next.name();
+        }
+      }
     }
   }
 }
@@ -94,8 +120,8 @@ TEST(RoadNetwork, LanesWithoutAlternativeAreLinkedDirectly) {
   EXPECT_EQ(roads.at("a").after.id, roads.at("c").id);
   EXPECT_EQ(roads.at("c").after.id, roads.at("b").id);
   EXPECT_EQ(roads.at("b").after.to, RoadJoint::To::kNothing);
-  ASSERT_EQ(roads.at("c").course.size(), 1u);
-  EXPECT_DOUBLE_EQ(roads.at("c").course[0].curvature, 0.2);
+  ASSERT_EQ(roads.at("c").course.pieces().size(), 1u);
+  EXPECT_DOUBLE_EQ(roads.at("c").course.pieces()[0].curvature, 0.2);
 }
 
 TEST(RoadNetwork, ConnectorsOfAForkAreConnectingRoadsOfOneJunction) {
@@ -125,8 +151,8 @@ TEST(RoadNetwork, ForksWithoutConnectorsGetShortConnectingRoads) {
   ASSERT_EQ(network.junctions.size(), 1u);
   ASSERT_EQ(network.roads.size(), 5u);
   const auto roads = byLane(network);
-  EXPECT_NEAR(roads.at("b").length(), 20.0 - kForkPiece, 1e-12);
-  EXPECT_NEAR(roads.at("c").length(), 0.4, 1e-12);  // a third of a short lane at most
+  EXPECT_NEAR(roads.at("b").course.length(), 20.0 - kForkPiece, 1e-12);
+  EXPECT_NEAR(roads.at("c").course.length(), 0.4, 1e-12);  // a third of a short lane at most
 }
 
 TEST(RoadNetwork, DropsLinksAcrossGapsAndLanesWithoutCentreline) {
@@ -140,13 +166,100 @@ TEST(RoadNetwork, DropsLinksAcrossGapsAndLanesWithoutCentreline) {
   EXPECT_EQ(byLane(network).at("a").after.to, RoadJoint::To::kNothing);
 }
 
+/// Two lanes of 3.5 m side by side, and one beside them in the other direction.
+Map threeLanes(double start_of_second = 0.0) {
+  Map map;
+  map.add("left", false, straight({0, 0, 0}, 40.0), {});
+  map.add("right", false, straight({start_of_second, -3.5, 0}, 40.0 - start_of_second), {});
+  map.add("back", false, straight({40, 3.5, kPi}, 40.0), {});
+  return map;
+}
+
+TEST(RoadNetwork, LanesSideBySideShareARoad) {
+  const RoadNetwork network = threeLanes().network();
+  ASSERT_EQ(network.roads.size(), 1u);
+  const Road& road = network.roads[0];
+  ASSERT_EQ(road.right.size(), 2u);
+  ASSERT_EQ(road.left.size(), 1u);
+  EXPECT_EQ(road.right[0].lane, "left");
+  EXPECT_EQ(road.right[1].lane, "right");
+  EXPECT_EQ(road.left[0].lane, "back");
+  EXPECT_NEAR(middleOf(road, -2, false).y(), -3.5, 1e-9);
+  EXPECT_NEAR(middleOf(road, 1, true).y(), 3.5, 1e-9);
+  EXPECT_EQ(network.unbundled, 0u);
+}
+
+TEST(RoadNetwork, InLeftHandTrafficOncomingLanesAreOnTheRight) {
+  Map map = threeLanes();
+  map.lanes.driving_side = DrivingSide::kLeft;
+  EXPECT_EQ(map.network().roads.size(), 2u);
+  map.arcs["back"] = {straight({40, -7.0, kPi}, 40.0)};
+  const RoadNetwork network = map.network();
+  ASSERT_EQ(network.roads.size(), 1u);
+  EXPECT_EQ(network.roads[0].left.at(0).lane, "right");
+  EXPECT_EQ(network.roads[0].left.at(1).lane, "left");
+  EXPECT_EQ(network.roads[0].right.at(0).lane, "back");
+}
+
+TEST(RoadNetwork, ALaneThatLeadsNowhereMayEndWithinItsRoad) {
+  const RoadNetwork network = threeLanes(4.0).network();
+  ASSERT_EQ(network.roads.size(), 1u);
+  EXPECT_NEAR(network.roads[0].right.at(1).from, 4.0, 1e-6);
+  EXPECT_NEAR(network.roads[0].course.length(), 40.0, 1e-6);
+}
+
+TEST(RoadNetwork, StaggeredEndsBelongToTheConnectingRoads) {
+  Map map = threeLanes();
+  map.lanes.lanes[0].outgoing = {"on"};
+  map.lanes.lanes[1].outgoing = {"off"};
+  map.arcs["right"] = {straight({0, -3.5, 0}, 42.0)};
+  map.add("on", true, straight({40, 0, 0}, 10.0), {"ahead"});
+  map.add("off", true, {{42, -3.5, 0}, {'R', 'S', 'S'}, 8.0, {8.0 * kPi / 2, 0, 0}}, {"aside"});
+  map.add("ahead", false, straight({50, 0, 0}, 30.0), {});
+  map.add("aside", false, straight({50, -11.5, -kPi / 2}, 30.0), {});
+  const RoadNetwork network = map.network();
+  expectSound(network);
+  const auto roads = byLane(network);
+  EXPECT_NEAR(roads.at("back left right").course.length(), 40.0, 1e-6);
+  EXPECT_NEAR(roads.at("off").course.length(), 2.0 + 8.0 * kPi / 2, 1e-6);
+  ASSERT_EQ(network.junctions.size(), 1u);
+  EXPECT_EQ(network.junctions[0].connections.size(), 2u);
+}
+
+TEST(RoadNetwork, RoadsWithTheSameLanesAreLinkedDirectly) {
+  Map map = threeLanes();
+  map.lanes.lanes[0].outgoing = {"left 2"};
+  map.lanes.lanes[1].outgoing = {"right 2"};
+  map.add("left 2", false, straight({40, 0, 0}, 40.0), {});
+  map.add("right 2", false, straight({40, -3.5, 0}, 40.0), {});
+  map.add("back 2", false, straight({80, 3.5, kPi}, 40.0), {"back"});
+  const RoadNetwork network = map.network();
+  expectSound(network);
+  EXPECT_TRUE(network.junctions.empty());
+  ASSERT_EQ(network.roads.size(), 2u);
+  EXPECT_EQ(network.roads[0].right[1].after, -2);
+  EXPECT_EQ(network.roads[1].left[0].before, 1);
+}
+
+TEST(RoadNetwork, LanesThatCannotShareARoadAreCounted) {
+  Map map = threeLanes();
+  map.lanes.lanes[0].outgoing = {"on"};
+  map.add("on", false, straight({40, 0, 0}, 30.0), {});
+  map.arcs["right"] = {straight({0, -3.5, 0}, 46.0)};  // its end would be cut off
+  const RoadNetwork network = map.network();
+  expectSound(network);
+  EXPECT_EQ(network.unbundled, 1u);
+  EXPECT_EQ(network.roads.size(), 3u);
+  EXPECT_EQ(byLane(network).count("back left"), 1u);
+}
+
 TEST(RoadNetwork, WithoutArcsARoadFollowsTheCentrelinePoses) {
   const ArcPath path{{3, -2, 0.4}, {'L', 'S', 'R'}, 12.0, {9.0, 6.0, 5.0}};
-  Lane lane = laneOf("a", false, {});
+  Lane lane = newLane("a", false, {});
   lane.centerline = discretize({path}, 1.0);
-  const auto course = courseOf(lane, {});
+  const RoadCourse course = courseOf(lane, {});
   double begin = 0.0;
-  for (const RoadPiece& piece : course) {
+  for (const RoadPiece& piece : course.pieces()) {
     const Pose2 expected = poseAt(path, begin);
     EXPECT_NEAR(piece.start.x, expected.x, 2e-3);
     EXPECT_NEAR(piece.start.y, expected.y, 2e-3);
@@ -156,7 +269,7 @@ TEST(RoadNetwork, WithoutArcsARoadFollowsTheCentrelinePoses) {
 }
 
 TEST(RoadNetwork, WidthFollowsTheOutlineWithinBounds) {
-  Lane lane = laneOf("a", false, {});
+  Lane lane = newLane("a", false, {});
   EXPECT_EQ(widthOf(lane, 10.0, 3.5), 3.5);
   lane.polygon = {{0, -1.5}, {10, -1.5}, {10, 1.5}, {0, 1.5}};
   EXPECT_DOUBLE_EQ(widthOf(lane, 10.0, 3.5), 3.0);

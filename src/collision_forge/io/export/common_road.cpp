@@ -14,7 +14,7 @@
 #include "collision_forge/base/files/aside_file.h"
 #include "collision_forge/base/files/plain_name.h"
 #include "collision_forge/base/geometry/polyline.h"
-#include "collision_forge/io/export/road_network.h"
+#include "collision_forge/io/export/road_course.h"
 #include "collision_forge/io/export/xml.h"
 #include "collision_forge/io/maps/common_road_file.h"
 

@@ -3,19 +3,15 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "collision_forge/attack/verify/options.h"
-#include "collision_forge/base/geometry/arc_path.h"
 #include "collision_forge/base/scene/moment.h"
 #include "collision_forge/io/export/options.h"
+#include "collision_forge/io/export/road_course.h"
 #include "collision_forge/io/scenarios/scenario_file.h"
 
 namespace forge {
-
-/// Arcs of lanes by lane id; empty for maps that have points only.
-using LaneArcs = std::unordered_map<std::string, std::vector<ArcPath>>;
 
 /// One crash for export: the motion of all vehicles on one clock that starts at 0 s, and the lanes
 /// around. Global map frame, metres, radians. Poses are box centres.

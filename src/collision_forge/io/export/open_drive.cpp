@@ -1,7 +1,10 @@
 #include "collision_forge/io/export/open_drive.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
 
 #include "collision_forge/io/export/road_network.h"
 #include "collision_forge/io/export/xml.h"
@@ -11,6 +14,10 @@ namespace {
 
 using pugi::xml_node;
 
+constexpr double kMarkWidth = 0.12;        // m, of usual lane marks
+constexpr double kSectionChange = 0.2;     // m; a lane's middle is off by half of it in SUMO
+constexpr double kShortestSection = 0.05;  // m
+
 /// Writes one network.
 class OpenDriveWriter {
  public:
@@ -19,6 +26,8 @@ class OpenDriveWriter {
         network_(roadNetwork(record.lanes, record.arcs, options.lane_width)),
         origin_(localOrigin(record)),
         is_left_(record.lanes.driving_side == DrivingSide::kLeft) {}
+
+  std::size_t unbundled() const { return network_.unbundled; }
 
   std::string text() const {
     pugi::xml_document document;
@@ -32,12 +41,11 @@ class OpenDriveWriter {
   }
 
  private:
-  std::string laneId() const { return is_left_ ? "1" : "-1"; }
-
   void addHeader(xml_node root) const {
     Eigen::AlignedBox2d box(Vector2(0.0, 0.0));
     for (const Road& road : network_.roads) {
-      for (const RoadPiece& piece : road.course) box.extend(piece.start.position() - origin_);
+      for (const RoadPiece& piece : road.course.pieces())
+        box.extend(piece.start.position() - origin_);
     }
     xml_node header = addElement(root, "header",
                                  {{"revMajor", "1"},
@@ -52,7 +60,7 @@ class OpenDriveWriter {
                                   {"vendor", "collision_forge"}});
     const std::string projection = "+proj=tmerc +lat_0=" + xmlNumber(record_.origin.latitude) +
                                    " +lon_0=" + xmlNumber(record_.origin.longitude) +
-                                   " +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs";
+                                   " +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m";
     addElement(header, "geoReference").append_child(pugi::node_cdata).set_value(projection.c_str());
     addElement(
         header, "offset",
@@ -61,36 +69,33 @@ class OpenDriveWriter {
 
   void addRoad(xml_node root, const Road& road) const {
     xml_node node = addElement(root, "road",
-                               {{"name", road.lane},
-                                {"length", xmlNumber(road.length())},
+                               {{"name", road.name()},
+                                {"length", xmlNumber(road.course.length())},
                                 {"id", std::to_string(road.id)},
                                 {"junction", std::to_string(road.junction ? road.junction : -1)},
                                 {"rule", is_left_ ? "LHT" : "RHT"}});
     xml_node link = addElement(node, "link");
-    addJoint(link, "predecessor", road.before, "end");
-    addJoint(link, "successor", road.after, "start");
+    addJoint(link, "predecessor", road.before);
+    addJoint(link, "successor", road.after);
     xml_node type = addElement(node, "type", {{"s", "0"}, {"type", "town"}});
-    if (road.speed_limit) {
-      addElement(type, "speed", {{"max", xmlNumber(*road.speed_limit)}, {"unit", "m/s"}});
-    }
+    if (const auto limit = commonLimit(road)) addLimit(type, {}, *limit);
     addCourse(node, road);
-    addLane(node, road);
+    addLanes(addElement(node, "lanes"), road);
   }
 
-  static void addJoint(xml_node link, const char* name, const RoadJoint& joint,
-                       const char* contact) {
+  static void addJoint(xml_node link, const char* name, const RoadJoint& joint) {
     if (joint.to == RoadJoint::To::kNothing) return;
     const bool is_road = joint.to == RoadJoint::To::kRoad;
     xml_node node = addElement(
         link, name,
         {{"elementType", is_road ? "road" : "junction"}, {"elementId", std::to_string(joint.id)}});
-    if (is_road) node.append_attribute("contactPoint") = contact;
+    if (is_road) node.append_attribute("contactPoint") = joint.at_end ? "end" : "start";
   }
 
   void addCourse(xml_node road_node, const Road& road) const {
     xml_node plan = addElement(road_node, "planView");
     double begin = 0.0;
-    for (const RoadPiece& piece : road.course) {
+    for (const RoadPiece& piece : road.course.pieces()) {
       const Vector2 start = piece.start.position() - origin_;
       xml_node geometry = addElement(plan, "geometry",
                                      {{"s", xmlNumber(begin)},
@@ -107,24 +112,152 @@ class OpenDriveWriter {
     }
   }
 
-  /// The reference line is the centre of the only lane.
-  void addLane(xml_node road_node, const Road& road) const {
-    xml_node lanes = addElement(road_node, "lanes");
-    const auto addPolynomial = [](xml_node parent, const char* name, const char* at, double value) {
-      addElement(parent, name,
-                 {{at, "0"}, {"a", xmlNumber(value)}, {"b", "0"}, {"c", "0"}, {"d", "0"}});
+  static void addPolynomial(xml_node parent, const char* name, const char* at, double begin,
+                            double value, double slope) {
+    addElement(parent, name,
+               {{at, xmlNumber(begin)},
+                {"a", xmlNumber(value)},
+                {"b", xmlNumber(slope)},
+                {"c", "0"},
+                {"d", "0"}});
+  }
+
+  /// Adds the piecewise linear function with these values at the knots of a road, between two arc
+  /// lengths and relative to the first.
+  static void addLinear(xml_node parent, const char* name, const char* at, const Road& road,
+                        const std::vector<double>& values, double begin, double end) {
+    for (std::size_t i = 0; i < road.knots.size(); ++i) {
+      const bool is_last = i + 1 == road.knots.size();
+      if (road.knots[i] >= end || (!is_last && road.knots[i + 1] <= begin)) continue;
+      const double slope =
+          is_last ? 0.0 : (values[i + 1] - values[i]) / (road.knots[i + 1] - road.knots[i]);
+      const double from = std::max(begin, road.knots[i]);
+      addPolynomial(parent, name, at, from - begin, values[i] + slope * (from - road.knots[i]),
+                    slope);
+    }
+  }
+
+  /// Returns the arc lengths at which lane sections begin: where lanes begin or end within the
+  /// road, and where a width has changed so far that readers that take a section's first width for
+  /// all of it (SUMO) would shift lanes.
+  static std::vector<double> sectionsOf(const Road& road) {
+    std::set<double> begins = {0.0};
+    const double length = road.course.length();
+    const auto add = [&](double at) {
+      if (at > kShortestSection && at < length - kShortestSection) begins.insert(at);
     };
-    addPolynomial(lanes, "laneOffset", "s", (is_left_ ? -0.5 : 0.5) * road.width);
-    xml_node section = addElement(lanes, "laneSection", {{"s", "0"}});
-    xml_node left = is_left_ ? addElement(section, "left") : xml_node();
-    addElement(addElement(section, "center"), "lane",
-               {{"id", "0"}, {"type", "none"}, {"level", "false"}});
-    xml_node lane = addElement(is_left_ ? left : addElement(section, "right"), "lane",
-                               {{"id", laneId()}, {"type", "driving"}, {"level", "false"}});
-    xml_node link = addElement(lane, "link");
-    if (road.before.to == RoadJoint::To::kRoad) addElement(link, "predecessor", {{"id", laneId()}});
-    if (road.after.to == RoadJoint::To::kRoad) addElement(link, "successor", {{"id", laneId()}});
-    addPolynomial(lane, "width", "sOffset", road.width);
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < road.knots.size(); ++i) {
+      double change = 0.0;
+      for (const auto* lanes : {&road.left, &road.right}) {
+        for (const RoadLane& lane : *lanes) {
+          change = std::max(change, std::abs(lane.width[i] - lane.width[first]));
+        }
+      }
+      if (change <= kSectionChange) continue;
+      add(road.knots[i]);
+      first = i;
+    }
+    for (const auto* lanes : {&road.left, &road.right}) {
+      for (const RoadLane& lane : *lanes) {
+        if (lane.lane.empty()) continue;
+        add(lane.from);
+        add(lane.to);
+      }
+    }
+    std::vector<double> apart;
+    for (const double begin : begins) {
+      if (apart.empty() || begin > apart.back() + kShortestSection) apart.push_back(begin);
+    }
+    return apart;
+  }
+
+  void addLanes(xml_node lanes, const Road& road) const {
+    const double length = road.course.length();
+    addLinear(lanes, "laneOffset", "s", road, road.offset, 0.0, length);
+    const std::vector<double> begins = sectionsOf(road);
+    for (std::size_t i = 0; i < begins.size(); ++i) {
+      const bool is_last = i + 1 == begins.size();
+      const Section section{begins[i], is_last ? length : begins[i + 1], i == 0, is_last};
+      xml_node node = addElement(lanes, "laneSection", {{"s", xmlNumber(section.begin)}});
+      if (!road.left.empty()) {
+        xml_node left = addElement(node, "left");
+        for (auto lane = road.left.rbegin(); lane != road.left.rend(); ++lane) {
+          addLane(left, road, *lane, section);
+        }
+      }
+      xml_node centre = addElement(addElement(node, "center"), "lane",
+                                   {{"id", "0"}, {"type", "none"}, {"level", "false"}});
+      if (road.junction == 0) addMark(centre, "solid");
+      if (road.right.empty()) continue;
+      xml_node right = addElement(node, "right");
+      for (const RoadLane& lane : road.right) addLane(right, road, lane, section);
+    }
+  }
+
+  struct Section {
+    double begin;  // m
+    double end;
+    bool is_first;
+    bool is_last;
+  };
+
+  static bool isDrivenIn(const RoadLane& lane, const Section& section) {
+    const double middle = 0.5 * (section.begin + section.end);
+    return !lane.lane.empty() && lane.from <= middle && middle <= lane.to;
+  }
+
+  static void addLane(xml_node side, const Road& road, const RoadLane& lane,
+                      const Section& section) {
+    const bool is_driven = isDrivenIn(lane, section);
+    xml_node node = addElement(side, "lane",
+                               {{"id", std::to_string(lane.id)},
+                                {"type", is_driven ? "driving" : "none"},
+                                {"level", "false"}});
+    xml_node link = addElement(node, "link");
+    const auto addLink = [&](const char* name, bool is_outer, const std::optional<int>& outer) {
+      const std::optional<int> id = is_outer ? outer : lane.id;
+      if (id) addElement(link, name, {{"id", std::to_string(*id)}});
+    };
+    addLink("predecessor", section.is_first, lane.before);
+    addLink("successor", section.is_last, lane.after);
+    addLinear(node, "width", "sOffset", road, lane.width, section.begin, section.end);
+    if (road.junction == 0 && !lane.lane.empty()) {
+      const std::vector<RoadLane>& lanes = lane.id < 0 ? road.right : road.left;
+      const bool is_outermost = &lane == &lanes.back();
+      addMark(node, is_outermost ? "solid" : "broken");
+    }
+    if (is_driven && lane.speed_limit && !commonLimit(road)) {
+      addLimit(node, {{"sOffset", "0"}}, *lane.speed_limit);
+    }
+  }
+
+  /// Returns the speed limit that all lanes of a road have.
+  static std::optional<double> commonLimit(const Road& road) {
+    std::set<std::optional<double>> limits;
+    for (const auto* lanes : {&road.left, &road.right}) {
+      for (const RoadLane& lane : *lanes) {
+        if (!lane.lane.empty()) limits.insert(lane.speed_limit);
+      }
+    }
+    return limits.size() == 1 ? *limits.begin() : std::nullopt;
+  }
+
+  static void addLimit(xml_node parent,
+                       std::initializer_list<std::pair<const char*, std::string>> place,
+                       double limit) {
+    xml_node speed = addElement(parent, "speed", place);
+    speed.append_attribute("max") = xmlNumber(limit).c_str();
+    speed.append_attribute("unit") = "m/s";
+  }
+
+  static void addMark(xml_node lane, const char* type) {
+    addElement(lane, "roadMark",
+               {{"sOffset", "0"},
+                {"type", type},
+                {"weight", "standard"},
+                {"color", "standard"},
+                {"width", xmlNumber(kMarkWidth)}});
   }
 
   void addJunction(xml_node root, const Junction& junction) const {
@@ -139,7 +272,8 @@ class OpenDriveWriter {
                                         {"incomingRoad", std::to_string(one.incoming)},
                                         {"connectingRoad", std::to_string(one.connecting)},
                                         {"contactPoint", "start"}});
-      addElement(connection, "laneLink", {{"from", laneId()}, {"to", laneId()}});
+      addElement(connection, "laneLink",
+                 {{"from", std::to_string(one.from)}, {"to", std::to_string(one.to)}});
     }
   }
 
@@ -156,8 +290,9 @@ Vector2 localOrigin(const CrashRecord& record) {
   return {std::round(begin.x()), std::round(begin.y())};
 }
 
-std::string openDriveText(const CrashRecord& record, const ExportOptions& options) {
-  return OpenDriveWriter(record, options).text();
+OpenDriveFile openDriveFile(const CrashRecord& record, const ExportOptions& options) {
+  const OpenDriveWriter writer(record, options);
+  return {writer.text(), writer.unbundled()};
 }
 
 }  // namespace forge

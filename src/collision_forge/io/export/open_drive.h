@@ -10,11 +10,17 @@ namespace forge {
 /// position, rounded to metres. Their readers compute in single precision.
 Vector2 localOrigin(const CrashRecord& record);
 
-/// Returns the record's lanes as OpenDRIVE 1.6 (ASAM, 2020), relative to localOrigin(). Every lane
-/// or connector is a road (RoadNetwork) with one lane of constant width; `laneOffset` puts the
-/// lane's centre on the road's reference line. Left-hand roads have `rule` LHT and their lane on
-/// the left. The header has the map's origin as a transverse Mercator projection and localOrigin()
-/// as offset.
-std::string openDriveText(const CrashRecord& record, const ExportOptions& options);
+/// An OpenDRIVE file.
+struct OpenDriveFile {
+  std::string text;
+  std::size_t unbundled = 0;  ///< RoadNetwork::unbundled
+};
+
+/// Returns the record's lanes as OpenDRIVE 1.6 (ASAM, 2020), relative to localOrigin(). The roads
+/// come from roadNetwork(). The reference line is the centreline of one lane; `laneOffset` and
+/// widths, both piecewise linear, put the middles of all lanes on their centrelines. Left-hand
+/// roads have `rule` LHT and the lanes along the reference line on the left. The header has the
+/// map's origin as a transverse Mercator projection and localOrigin() as offset.
+OpenDriveFile openDriveFile(const CrashRecord& record, const ExportOptions& options);
 
 }  // namespace forge

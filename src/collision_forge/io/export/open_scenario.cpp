@@ -1,9 +1,12 @@
 #include "collision_forge/io/export/open_scenario.h"
 
+#include <atomic>
 #include <cmath>
+#include <iostream>
 
 #include "collision_forge/base/files/aside_file.h"
 #include "collision_forge/base/files/plain_name.h"
+#include "collision_forge/base/scene/number_words.h"
 #include "collision_forge/io/export/open_drive.h"
 #include "collision_forge/io/export/xml.h"
 
@@ -17,6 +20,10 @@ constexpr double kWheelDiameter = 0.65;    // m
 constexpr double kTrackWidthShare = 0.85;  // of a vehicle's width
 constexpr double kWalkerMass = 75.0;       // kg
 constexpr double kThingMass = 100.0;       // kg
+
+constexpr double kSlowEgo = 1.0;       // m/s; a slower ego has no meaningful time to a place
+constexpr double kLongestWait = 30.0;  // s that the attacker waits for a free ego, at most
+constexpr const char* kAttackerDrive = "drive of attacker";
 
 /// An entity of the scenario: a stretch of a track without a gap.
 struct Entity {
@@ -215,27 +222,48 @@ class ScenarioWriter {
                 {"r", "0"}});
   }
 
+  /// Entities that are there from the start drive from Init on: an event at 0 s would interrupt
+  /// their Init actions, and a later one would miss the first step.
   void addStoryboard(xml_node board) const {
     xml_node actions = addElement(addElement(board, "Init"), "Actions");
+    pugi::xml_document story;
+    xml_node act =
+        addElement(addElement(story, "Story", {{"name", "crash"}}), "Act", {{"name", "drives"}});
     for (const Entity& entity : entities_) {
       if (!comesLater(entity)) addStart(actions, entity);
-    }
-    xml_node act =
-        addElement(addElement(board, "Story", {{"name", "crash"}}), "Act", {{"name", "drives"}});
-    for (const Entity& entity : entities_) {
-      if (isDriven(entity)) addDrive(act, entity);
-      if (comesLater(entity)) addAppearance(act, entity, true);
+      if (waits(entity)) {
+        addDrive(addWaiting(act, entity), entity);
+      } else if (comesLater(entity)) {
+        addDrive(addEvent(act, "drive of " + entity.name, entity.name, startOf(entity)), entity);
+        addAppearance(act, entity, true);
+      }
       if (goesEarlier(entity)) addAppearance(act, entity, false);
     }
-    addTrigger(addElement(act, "StartTrigger"), "begin", 0.0);
-    addTrigger(addElement(board, "StopTrigger"), "end", record_.end());
+    if (act.first_child()) {
+      addTrigger(addElement(act, "StartTrigger"), "begin", 0.0);
+      board.append_copy(story.first_child());
+    }
+    addEnd(addElement(board, "StopTrigger"));
   }
+
+  /// The attacker of a free ego waits until the ego is as far from the place of the contact, in
+  /// time, as it was at the start of the recording.
+  bool waits(const Entity& entity) const {
+    return plan_.ego_free && entity.track == &record_.attacker && !comesLater(entity);
+  }
+
+  static double startOf(const Entity& entity) { return entity.states.front().time; }
 
   void addStart(xml_node actions, const Entity& entity) const {
     const AgentState& state = entity.states.front();
     xml_node one = addElement(actions, "Private", {{"entityRef", entity.name}});
     addPosition(addElement(addElement(one, "PrivateAction"), "TeleportAction"), entity, state.pose,
                 state.pose.yaw);
+    if (waits(entity)) return;
+    if (isDriven(entity)) {
+      addDrive(one, entity);
+      return;
+    }
     xml_node speed = addElement(addElement(addElement(one, "PrivateAction"), "LongitudinalAction"),
                                 "SpeedAction");
     addElement(speed, "SpeedActionDynamics",
@@ -247,6 +275,14 @@ class ScenarioWriter {
   /// Adds a manoeuvre group with one event and returns its action.
   static xml_node addEvent(xml_node act, const std::string& name, const std::string& actor,
                            double time) {
+    const auto [action, trigger] = addUntriggered(act, name, actor);
+    addTrigger(trigger, "time of " + name, time);
+    return action;
+  }
+
+  /// Adds a manoeuvre group with one event and returns its action and its empty start trigger.
+  static std::pair<xml_node, xml_node> addUntriggered(xml_node act, const std::string& name,
+                                                      const std::string& actor) {
     xml_node group =
         addElement(act, "ManeuverGroup", {{"maximumExecutionCount", "1"}, {"name", name}});
     xml_node actors = addElement(group, "Actors", {{"selectTriggeringEntities", "false"}});
@@ -255,14 +291,51 @@ class ScenarioWriter {
         addElement(addElement(group, "Maneuver", {{"name", name}}), "Event",
                    {{"priority", "override"}, {"maximumExecutionCount", "1"}, {"name", name}});
     xml_node action = addElement(event, "Action", {{"name", name}});
-    addTrigger(addElement(event, "StartTrigger"), "time of " + name, time);
+    return {action, addElement(event, "StartTrigger")};
+  }
+
+  /// Adds the event of an attacker that waits for the ego and returns its action.
+  xml_node addWaiting(xml_node act, const Entity& entity) const {
+    const auto [action, trigger] = addUntriggered(act, kAttackerDrive, entity.name);
+    xml_node group = addElement(trigger, "ConditionGroup");
+    addTimeCondition(group, "after the start", 0.0, "greaterThan");
+    const AgentState& start = record_.ego.states.front();
+    if (!record_.contact || start.velocity.norm() < kSlowEgo) return action;
+    const AgentState contact = stateAt(record_.ego, *record_.contact).value();
+    const double distance = (contact.pose.position() - start.pose.position()).norm();
+    xml_node condition =
+        addElement(addCondition(group, "time gap of ego to the contact"), "ByEntityCondition");
+    xml_node entities =
+        addElement(condition, "TriggeringEntities", {{"triggeringEntitiesRule", "any"}});
+    addElement(entities, "EntityRef", {{"entityRef", "ego"}});
+    xml_node gap = addElement(addElement(condition, "EntityCondition"), "TimeToCollisionCondition",
+                              {{"value", xmlNumber(distance / start.velocity.norm())},
+                               {"freespace", "false"},
+                               {"coordinateSystem", "entity"},
+                               {"relativeDistanceType", "euclidianDistance"},
+                               {"rule", "lessOrEqual"}});
+    addPosition(addElement(gap, "TimeToCollisionConditionTarget"), entities_.front(), contact.pose,
+                contact.pose.yaw);
     return action;
   }
 
-  void addDrive(xml_node act, const Entity& entity) const {
-    xml_node action =
-        addEvent(act, "drive of " + entity.name, entity.name, entity.states.front().time);
-    xml_node follow = addElement(addElement(addElement(action, "PrivateAction"), "RoutingAction"),
+  /// Ends the scenario with the record, and with a free ego when the attack is over.
+  void addEnd(xml_node trigger) const {
+    if (!plan_.ego_free) {
+      addTrigger(trigger, "end", record_.end());
+      return;
+    }
+    addTrigger(trigger, "end", record_.end() + kLongestWait);
+    addElement(addElement(addCondition(addElement(trigger, "ConditionGroup"), "attack is over"),
+                          "ByValueCondition"),
+               "StoryboardElementStateCondition",
+               {{"storyboardElementType", "event"},
+                {"storyboardElementRef", kAttackerDrive},
+                {"state", "completeState"}});
+  }
+
+  void addDrive(xml_node parent, const Entity& entity) const {
+    xml_node follow = addElement(addElement(addElement(parent, "PrivateAction"), "RoutingAction"),
                                  "FollowTrajectoryAction");
     xml_node trajectory =
         addElement(addElement(follow, "TrajectoryRef"), "Trajectory",
@@ -270,7 +343,9 @@ class ScenarioWriter {
     addElement(trajectory, "ParameterDeclarations");
     addVertices(addElement(addElement(trajectory, "Shape"), "Polyline"), entity);
     addElement(addElement(follow, "TimeReference"), "Timing",
-               {{"domainAbsoluteRelative", "absolute"}, {"scale", "1"}, {"offset", "0"}});
+               {{"domainAbsoluteRelative", waits(entity) ? "relative" : "absolute"},
+                {"scale", "1"},
+                {"offset", "0"}});
     addElement(follow, "TrajectoryFollowingMode", {{"followingMode", "position"}});
   }
 
@@ -305,10 +380,18 @@ class ScenarioWriter {
   }
 
   static void addTrigger(xml_node trigger, const std::string& name, double time) {
-    xml_node condition = addElement(addElement(trigger, "ConditionGroup"), "Condition",
-                                    {{"name", name}, {"delay", "0"}, {"conditionEdge", "none"}});
-    addElement(addElement(condition, "ByValueCondition"), "SimulationTimeCondition",
-               {{"value", xmlNumber(time)}, {"rule", "greaterOrEqual"}});
+    addTimeCondition(addElement(trigger, "ConditionGroup"), name, time, "greaterOrEqual");
+  }
+
+  static xml_node addCondition(xml_node group, const std::string& name) {
+    return addElement(group, "Condition",
+                      {{"name", name}, {"delay", "0"}, {"conditionEdge", "none"}});
+  }
+
+  static void addTimeCondition(xml_node group, const std::string& name, double time,
+                               const char* rule) {
+    addElement(addElement(addCondition(group, name), "ByValueCondition"), "SimulationTimeCondition",
+               {{"value", xmlNumber(time)}, {"rule", rule}});
   }
 
   const CrashRecord& record_;
@@ -323,13 +406,24 @@ class OpenScenarioWriter : public CrashWriter {
 
   std::vector<std::string> write(const CrashRecord& record) const override {
     const std::vector<std::string> files = {record.name + ".xodr", record.name + ".xosc"};
-    writeText(pathIn(plan_.folder, files[0]), openDriveText(record, plan_.options));
+    const OpenDriveFile roads = openDriveFile(record, plan_.options);
+    unbundled_ += roads.unbundled;
+    writeText(pathIn(plan_.folder, files[0]), roads.text);
     writeText(pathIn(plan_.folder, files[1]), ScenarioWriter(record, plan_).text());
     return files;
   }
 
+  void finish(const std::vector<ExportedCrash>&) const override {
+    if (unbundled_ == 0) return;
+    std::cerr
+        << counted(unbundled_, "lane")
+        << " beside others have roads of their own in OpenDRIVE: they end elsewhere, bend too "
+           "sharply or overlap\n";
+  }
+
  private:
   const ExportPlan plan_;
+  mutable std::atomic<std::size_t> unbundled_{0};  // in the files written
 };
 
 }  // namespace

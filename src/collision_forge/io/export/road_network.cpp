@@ -6,74 +6,41 @@
 #include <set>
 #include <unordered_map>
 
+#include "collision_forge/io/export/lane_bundles.h"
+
 namespace forge {
 namespace {
 
-constexpr double kMinPiece = 1e-6;   // m; shorter pieces are rounding
-constexpr double kMinLength = 0.05;  // m, of a reference line
-constexpr double kMinWidth = 2.0;    // m
-constexpr double kMaxWidth = 8.0;    // m
+constexpr double kMostTail = 0.02;  // m of a lane beyond the end of a road that is linked directly
+constexpr double kLeastGap = 0.01;  // m; narrower gaps between lanes are left out
 
-double lengthOf(const std::vector<RoadPiece>& course) {
-  return std::accumulate(course.begin(), course.end(), 0.0,
-                         [](double sum, const RoadPiece& piece) { return sum + piece.length; });
-}
+/// One of the two ends of a bundle's road.
+struct RoadEnd {
+  std::size_t bundle = 0;
+  bool at_end = false;
 
-Pose2 endOf(const RoadPiece& piece) { return alongArc(piece.start, piece.curvature, piece.length); }
-
-void addArcs(const ArcPath& path, std::vector<RoadPiece>& course) {
-  double begin = 0.0;
-  for (std::size_t i = 0; i < path.shape.size(); ++i) {
-    const double length = path.segment_length[i];
-    if (length > kMinPiece) course.push_back({poseAt(path, begin), length, curvatureOf(path, i)});
-    begin += length;
+  bool operator==(const RoadEnd& other) const {
+    return bundle == other.bundle && at_end == other.at_end;
   }
-}
+};
 
-/// Adds the arc that leaves a pose along its heading and ends at a point.
-void addArcThrough(const Pose2& from, const Vector2& to, std::vector<RoadPiece>& course) {
-  const Vector2 chord = to - from.position();
-  const double distance = chord.norm();
-  if (distance <= kMinPiece) return;
-  const double half_turn = angleBetween(from.yaw, std::atan2(chord.y(), chord.x()));
-  if (std::abs(half_turn) < 1e-9) {
-    course.push_back({from, distance, 0.0});
-  } else {
-    course.push_back(
-        {from, distance * half_turn / std::sin(half_turn), 2.0 * std::sin(half_turn) / distance});
-  }
-}
-
-/// Splits a reference line at an arc length below its length.
-std::pair<std::vector<RoadPiece>, std::vector<RoadPiece>> splitAt(
-    const std::vector<RoadPiece>& course, double at) {
-  std::vector<RoadPiece> head, rest;
-  for (const RoadPiece& piece : course) {
-    const double here = std::clamp(at, 0.0, piece.length);
-    at -= piece.length;
-    const RoadPiece first{piece.start, here, piece.curvature};
-    if (here > kMinPiece) head.push_back(first);
-    if (piece.length - here > kMinPiece) {
-      rest.push_back(
-          {here > kMinPiece ? endOf(first) : piece.start, piece.length - here, piece.curvature});
-    }
-  }
-  return {head, rest};
-}
-
-/// Builds one network. Lanes are identified by their index among the lanes that become roads.
+/// Builds one network. Lanes are identified by their index among the lanes that have a course.
 class NetworkBuilder {
  public:
-  NetworkBuilder(const LaneMap& map, const LaneArcs& arcs, double lane_width) {
-    addRoads(map, arcs, lane_width);
+  NetworkBuilder(const LaneMap& map, const LaneArcs& arcs, double lane_width)
+      : is_right_(map.driving_side == DrivingSide::kRight) {
+    addLanes(map, arcs, lane_width);
     addLinks(map);
-    findConnectors();
+    bundle(map.driving_side);
+    findDirectEnds();
+    findConnecting();
   }
 
   RoadNetwork build() {
+    cutForks();
+    for (std::size_t i = 0; i < bundles_.size(); ++i) addRoad(i);
     joinDirectly();
-    addForkPieces();
-    addConnectors();
+    addConnections();
     groupJunctions();
     return std::move(network_);
   }
@@ -81,27 +48,23 @@ class NetworkBuilder {
  private:
   using Places = std::vector<std::size_t>;
 
-  void addRoads(const LaneMap& map, const LaneArcs& arcs, double lane_width) {
+  void addLanes(const LaneMap& map, const LaneArcs& arcs, double lane_width) {
     for (const Lane& lane : map.lanes) {
-      Road road;
-      road.course = courseOf(lane, arcs);
-      if (road.course.empty()) continue;
-      road.id = static_cast<int>(network_.roads.size()) + 1;
-      road.lane = lane.id;
-      road.width = widthOf(lane, road.length(), lane_width);
-      road.speed_limit = lane.speed_limit;
-      places_[lane.id] = network_.roads.size();
-      is_connector_.push_back(lane.is_connector);
-      network_.roads.push_back(std::move(road));
+      RoadCourse course = courseOf(lane, arcs);
+      if (course.empty()) continue;
+      places_[lane.id] = lanes_.size();
+      sources_.push_back(&lane);
+      const double width = widthOf(lane, course.length(), lane_width);
+      lanes_.push_back({std::move(course), width, !lane.is_connector});
     }
-    next_.resize(network_.roads.size());
-    previous_.resize(network_.roads.size());
+    next_.resize(lanes_.size());
+    previous_.resize(lanes_.size());
   }
 
   bool meets(std::size_t from, std::size_t to) const {
-    const Vector2 end = endOf(network_.roads[from].course.back()).position();
-    const Vector2 start = network_.roads[to].course.front().start.position();
-    return (end - start).norm() <= kMaxJointGap;
+    const RoadCourse& course = lanes_[from].course;
+    const Vector2 end = course.poseAt(course.length()).position();
+    return (end - lanes_[to].course.poseAt(0.0).position()).norm() <= kMaxJointGap;
   }
 
   void addLinks(const LaneMap& map) {
@@ -114,153 +77,326 @@ class NetworkBuilder {
         if (to == places_.end() || to == from || !meets(from->second, to->second)) continue;
         next_[from->second].push_back(to->second);
         previous_[to->second].push_back(from->second);
+        lanes_[from->second].is_left = lanes_[to->second].is_entered = true;
       }
     }
   }
 
-  bool isDirect(std::size_t from, std::size_t to) const {
-    return next_[from].size() == 1 && previous_[to].size() == 1;
-  }
-
-  /// Finds connecting roads: connectors between two lanes where either forks or merges. A
-  /// connector next to a connector becomes a plain road, as a connecting road must not follow
-  /// another.
-  void findConnectors() {
-    is_connecting_.resize(network_.roads.size(), false);
-    for (std::size_t i = 0; i < network_.roads.size(); ++i) {
-      if (!is_connector_[i] || next_[i].size() != 1 || previous_[i].size() != 1) continue;
-      const std::size_t before = previous_[i][0], after = next_[i][0];
-      if (is_connector_[before] || is_connector_[after] || before == after) continue;
-      is_connecting_[i] = !isDirect(before, i) || !isDirect(i, after);
+  void bundle(DrivingSide side) {
+    LaneBundles found = bundlesOf(lanes_, side);
+    bundles_ = std::move(found.bundles);
+    network_.unbundled = found.unbundled;
+    bundle_of_.resize(lanes_.size());
+    members_.resize(lanes_.size());
+    for (std::size_t i = 0; i < bundles_.size(); ++i) {
+      for (const BundleMember& member : bundles_[i].members) {
+        bundle_of_[member.lane] = i;
+        members_[member.lane] = &member;
+      }
     }
   }
 
-  bool isPlain(std::size_t from, std::size_t to) const {
-    return !is_connecting_[from] && !is_connecting_[to];
+  /// Returns the end of the road at which a lane begins, or ends (`is_exit`), as driven.
+  RoadEnd endOf(std::size_t lane, bool is_exit) const {
+    return {bundle_of_[lane], members_[lane]->along == is_exit};
+  }
+
+  /// Returns the arc length (m) on a lane at which it enters or leaves its road.
+  double roadEndOn(std::size_t lane, bool is_exit) const {
+    const LaneBundle& bundle = bundles_[bundle_of_[lane]];
+    return besideOf(bundle, *members_[lane], lanes_[lane].course,
+                    members_[lane]->along == is_exit ? bundle.end : bundle.begin);
+  }
+
+  bool isDirect(std::size_t from, std::size_t to) const {
+    const double tail = lanes_[from].course.length() - roadEndOn(from, true);
+    return next_[from].size() == 1 && previous_[to].size() == 1 && std::abs(tail) <= kMostTail &&
+           std::abs(roadEndOn(to, false)) <= kMostTail;
+  }
+
+  /// Calls `visit` with both lanes of each link at an end of a road.
+  template <typename Visit>
+  void eachLink(const RoadEnd& end, const Visit& visit) const {
+    for (const BundleMember& member : bundles_[end.bundle].members) {
+      if (member.along == end.at_end) {
+        for (const std::size_t to : next_[member.lane]) visit(member.lane, to);
+      } else {
+        for (const std::size_t from : previous_[member.lane]) visit(from, member.lane);
+      }
+    }
+  }
+
+  /// Returns the only end to which all lanes of an end are linked, one to one.
+  std::optional<RoadEnd> onlyPartner(const RoadEnd& end) const {
+    std::optional<RoadEnd> partner;
+    bool is_only = true;
+    eachLink(end, [&](std::size_t from, std::size_t to) {
+      const RoadEnd exit = endOf(from, true), entry = endOf(to, false);
+      const RoadEnd other = exit == end ? entry : exit;
+      is_only = is_only && !(partner && !(*partner == other)) && isDirect(from, to);
+      partner = other;
+    });
+    const bool is_found = is_only && partner && partner->bundle != end.bundle;
+    return is_found ? partner : std::nullopt;
+  }
+
+  void findDirectEnds() {
+    partners_.resize(2 * bundles_.size());
+    for (std::size_t i = 0; i < partners_.size(); ++i) {
+      partners_[i] = onlyPartner({i / 2, i % 2 == 1});
+    }
+  }
+
+  static std::size_t indexOf(const RoadEnd& end) { return 2 * end.bundle + (end.at_end ? 1 : 0); }
+
+  bool isDirectEnd(const RoadEnd& end) const {
+    const auto& partner = partners_[indexOf(end)];
+    return partner && partners_[indexOf(*partner)] == end;
+  }
+
+  /// Finds connecting roads: connectors between two lanes where either forks or merges. A connector
+  /// next to a connector becomes a plain road, as a connecting road must not follow another.
+  void findConnecting() {
+    is_connecting_.resize(lanes_.size(), false);
+    for (std::size_t i = 0; i < lanes_.size(); ++i) {
+      if (!sources_[i]->is_connector || next_[i].size() != 1 || previous_[i].size() != 1) continue;
+      const std::size_t before = previous_[i][0], after = next_[i][0];
+      if (sources_[before]->is_connector || sources_[after]->is_connector || before == after) {
+        continue;
+      }
+      is_connecting_[i] = !isDirectEnd(endOf(i, false)) || !isDirectEnd(endOf(i, true));
+    }
+  }
+
+  /// Returns true if a link without a connecting connector needs a connecting road.
+  bool isFork(std::size_t from, std::size_t to) const {
+    return !is_connecting_[from] && !is_connecting_[to] && !isDirectEnd(endOf(to, false));
+  }
+
+  /// At forks without a connector, shortens the road that follows, so that the connecting roads
+  /// have a length.
+  void cutForks() {
+    for (std::size_t i = 0; i < bundles_.size(); ++i) {
+      LaneBundle& bundle = bundles_[i];
+      const double cut = std::min(kForkPiece, (bundle.end - bundle.begin) / 3.0);
+      bool at_begin = false, at_end = false;
+      for (const BundleMember& member : bundle.members) {
+        for (const std::size_t from : previous_[member.lane]) {
+          if (isFork(from, member.lane)) (member.along ? at_begin : at_end) = true;
+        }
+      }
+      if (at_begin) bundle.begin += cut;
+      if (at_end) bundle.end -= cut;
+    }
+  }
+
+  void addRoad(std::size_t index) {
+    const LaneBundle& bundle = bundles_[index];
+    if (is_connecting_[bundle.members.front().lane]) return;
+    const BundleProfile profile = profileOf(bundle, lanes_);
+    Road road;
+    road.id = static_cast<int>(network_.roads.size()) + 1;
+    road.course = bundle.course.between(bundle.begin, bundle.end);
+    for (const double at : profile.arc_lengths) road.knots.push_back(at - bundle.begin);
+    addLanesOf(bundle, profile, road);
+    road_of_[index] = network_.roads.size();
+    network_.roads.push_back(std::move(road));
+  }
+
+  /// Adds the lanes and the gaps between them on both sides of the centre, which is the inner
+  /// border of the first lane along the course.
+  void addLanesOf(const LaneBundle& bundle, const BundleProfile& profile, Road& road) {
+    const auto count = static_cast<std::ptrdiff_t>(bundle.members.size());
+    std::ptrdiff_t first_right = 0;  // the centre is to the left of this member
+    while (first_right < count &&
+           bundle.members[static_cast<std::size_t>(first_right)].along != is_right_) {
+      ++first_right;
+    }
+    const std::size_t centre =
+        static_cast<std::size_t>(is_right_ ? 2 * first_right : 2 * first_right - 1);
+    for (const auto& borders : profile.borders) road.offset.push_back(borders[centre]);
+    std::size_t inner = centre;
+    for (std::ptrdiff_t i = first_right; i < count; ++i) {
+      addLane(bundle, profile, static_cast<std::size_t>(i), inner, -1, road);
+    }
+    inner = centre;
+    for (std::ptrdiff_t i = first_right - 1; i >= 0; --i) {
+      addLane(bundle, profile, static_cast<std::size_t>(i), inner, 1, road);
+    }
+  }
+
+  /// Adds a member outside of the border `inner`, and the gap in between; moves `inner` outwards.
+  void addLane(const LaneBundle& bundle, const BundleProfile& profile, std::size_t member,
+               std::size_t& inner, int side, Road& road) {
+    const std::size_t near = 2 * member + (side < 0 ? 0 : 1), far = 2 * member + (side < 0 ? 1 : 0);
+    std::vector<RoadLane>& lanes = side < 0 ? road.right : road.left;
+    const auto widthBetween = [&](std::size_t one, std::size_t other) {
+      std::vector<double> width;
+      for (const auto& borders : profile.borders) {
+        width.push_back(std::max(0.0, (borders[other] - borders[one]) * side));
+      }
+      return width;
+    };
+    const auto nextId = [&] { return side * (static_cast<int>(lanes.size()) + 1); };
+    std::vector<double> gap = widthBetween(inner, near);
+    if (*std::max_element(gap.begin(), gap.end()) > kLeastGap) {
+      RoadLane lane;
+      lane.id = nextId();
+      lane.width = std::move(gap);
+      lanes.push_back(std::move(lane));
+    }
+    const BundleMember& from = bundle.members[member];
+    const Lane& source = *sources_[from.lane];
+    RoadLane lane;
+    lane.id = nextId();
+    lane.lane = source.id;
+    lane.from = std::max(0.0, from.from - bundle.begin);
+    lane.to = std::min(bundle.end, from.to) - bundle.begin;
+    lane.width = widthBetween(near, far);
+    lane.speed_limit = source.speed_limit;
+    ids_[from.lane] = lane.id;
+    lanes.push_back(std::move(lane));
+    inner = far;
+  }
+
+  Road& roadOf(std::size_t lane) { return network_.roads[road_of_.at(bundle_of_[lane])]; }
+
+  static RoadLane& laneWith(Road& road, int id) {
+    return id < 0 ? road.right[static_cast<std::size_t>(-id - 1)]
+                  : road.left[static_cast<std::size_t>(id - 1)];
+  }
+
+  /// Joins an end of a road to a road or junction.
+  static void join(Road& road, bool at_end, const RoadJoint& joint) {
+    (at_end ? road.after : road.before) = joint;
   }
 
   void joinDirectly() {
     for (std::size_t from = 0; from < next_.size(); ++from) {
       for (const std::size_t to : next_[from]) {
-        if (!isPlain(from, to) || !isDirect(from, to)) continue;
-        network_.roads[from].after = {RoadJoint::To::kRoad, network_.roads[to].id};
-        network_.roads[to].before = {RoadJoint::To::kRoad, network_.roads[from].id};
+        const RoadEnd exit = endOf(from, true), entry = endOf(to, false);
+        if (is_connecting_[from] || is_connecting_[to] || !isDirectEnd(exit)) continue;
+        linkLanes(roadOf(from), exit.at_end, ids_[from], roadOf(to), entry.at_end, ids_[to]);
+        linkLanes(roadOf(to), entry.at_end, ids_[to], roadOf(from), exit.at_end, ids_[from]);
       }
     }
   }
 
-  /// At forks without a connector, the start of the following lane becomes the connecting roads
-  /// that lead into it.
-  void addForkPieces() {
-    heads_.resize(next_.size());
-    for (std::size_t to = 0; to < next_.size(); ++to) {
-      Places from;
-      for (const std::size_t place : previous_[to]) {
-        if (isPlain(place, to) && !isDirect(place, to)) from.push_back(place);
+  static void linkLanes(Road& road, bool at_end, int id, const Road& other, bool other_at_end,
+                        int other_id) {
+    join(road, at_end, {RoadJoint::To::kRoad, other.id, other_at_end});
+    RoadLane& lane = laneWith(road, id);
+    (at_end ? lane.after : lane.before) = other_id;
+  }
+
+  void addConnections() {
+    for (std::size_t from = 0; from < next_.size(); ++from) {
+      for (const std::size_t to : next_[from]) {
+        if (is_connecting_[to]) {
+          addConnecting(from, next_[to][0], to);
+        } else if (isFork(from, to)) {
+          addConnecting(from, to, std::nullopt);
+        }
       }
-      if (from.empty()) continue;
-      Road& road = network_.roads[to];
-      const double piece = std::min(kForkPiece, road.length() / 3.0);
-      std::tie(heads_[to], road.course) = splitAt(road.course, piece);
-      for (const std::size_t place : from) addConnecting(place, to, heads_[to]);
     }
   }
 
-  void addConnecting(std::size_t from, std::size_t to, const std::vector<RoadPiece>& course) {
+  /// Adds the connecting road between two lanes: the part of the first beyond its road, the
+  /// connector, and the part of the second before its road.
+  void addConnecting(std::size_t from, std::size_t to, std::optional<std::size_t> connector) {
+    const RoadCourse& first = lanes_[from].course;
     Road road;
+    road.course = first.between(std::min(roadEndOn(from, true), first.length()), first.length());
+    if (connector) road.course.append(lanes_[*connector].course);
+    road.course.append(lanes_[to].course.between(0.0, std::max(0.0, roadEndOn(to, false))));
+    if (road.course.empty()) return;
+    const std::size_t source = connector.value_or(to);
     road.id = static_cast<int>(network_.roads.size()) + 1;
-    road.lane = network_.roads[to].lane;
-    road.course = course;
-    road.width = network_.roads[to].width;
-    road.speed_limit = network_.roads[to].speed_limit;
-    network_.roads.push_back(road);
-    connections_.push_back({from, to, network_.roads.size() - 1});
+    road.knots = {0.0};
+    road.offset = {(is_right_ ? 0.5 : -0.5) * lanes_[source].width};
+    RoadLane lane;
+    lane.id = is_right_ ? -1 : 1;
+    lane.lane = sources_[source]->id;
+    lane.to = road.course.length();
+    lane.width = {lanes_[source].width};
+    lane.speed_limit = sources_[source]->speed_limit;
+    lane.before = ids_[from];
+    lane.after = ids_[to];
+    (is_right_ ? road.right : road.left).push_back(std::move(lane));
+    connections_.push_back({from, to, network_.roads.size()});
+    network_.roads.push_back(std::move(road));
   }
 
-  void addConnectors() {
-    for (std::size_t place = 0; place < is_connecting_.size(); ++place) {
-      if (!is_connecting_[place]) continue;
-      const std::size_t before = previous_[place][0], after = next_[place][0];
-      std::vector<RoadPiece>& course = network_.roads[place].course;
-      course.insert(course.end(), heads_[after].begin(), heads_[after].end());
-      connections_.push_back({before, after, place});
-    }
-  }
-
-  /// Union-find: lane ends are nodes 2 i, lane starts 2 i + 1; each connection joins two.
+  /// Union-find over the ends of the roads; each connection joins two.
   void groupJunctions() {
-    std::vector<std::size_t> parent(2 * next_.size());
+    std::vector<std::size_t> parent(2 * bundles_.size());
     std::iota(parent.begin(), parent.end(), 0);
     const auto find = [&](std::size_t node) {
       while (parent[node] != node) node = parent[node] = parent[parent[node]];
       return node;
     };
-    for (const Connection& one : connections_) parent[find(2 * one.from)] = find(2 * one.to + 1);
+    for (const Connection& one : connections_) {
+      parent[find(indexOf(endOf(one.from, true)))] = find(indexOf(endOf(one.to, false)));
+    }
     std::unordered_map<std::size_t, std::size_t> junction_of;
     for (const Connection& one : connections_) {
-      const auto [entry, is_new] = junction_of.emplace(find(2 * one.from), junction_of.size());
-      if (is_new)
+      const auto [entry, is_new] =
+          junction_of.emplace(find(indexOf(endOf(one.from, true))), junction_of.size());
+      if (is_new) {
         network_.junctions.push_back({firstJunction() + static_cast<int>(entry->second), {}});
-      join(one, network_.junctions[entry->second]);
+      }
+      connect(one, network_.junctions[entry->second]);
     }
   }
 
   int firstJunction() const { return static_cast<int>(network_.roads.size()) + 1; }
 
   struct Connection {
-    std::size_t from;
-    std::size_t to;
-    std::size_t road;
+    std::size_t from;  ///< lane
+    std::size_t to;    ///< lane
+    std::size_t road;  ///< index of the connecting road
   };
 
-  void join(const Connection& one, Junction& junction) {
-    Road& from = network_.roads[one.from];
-    Road& to = network_.roads[one.to];
+  void connect(const Connection& one, Junction& junction) {
     Road& road = network_.roads[one.road];
-    from.after = to.before = {RoadJoint::To::kJunction, junction.id};
+    Road& from = roadOf(one.from);
+    Road& to = roadOf(one.to);
+    const RoadEnd exit = endOf(one.from, true), entry = endOf(one.to, false);
+    join(from, exit.at_end, {RoadJoint::To::kJunction, junction.id});
+    join(to, entry.at_end, {RoadJoint::To::kJunction, junction.id});
     road.junction = junction.id;
-    road.before = {RoadJoint::To::kRoad, from.id};
-    road.after = {RoadJoint::To::kRoad, to.id};
-    junction.connections.push_back({from.id, road.id});
+    road.before = {RoadJoint::To::kRoad, from.id, exit.at_end};
+    road.after = {RoadJoint::To::kRoad, to.id, entry.at_end};
+    junction.connections.push_back({from.id, road.id, ids_[one.from], is_right_ ? -1 : 1});
   }
 
+  const bool is_right_;
   RoadNetwork network_;
   std::unordered_map<std::string, std::size_t> places_;
-  std::vector<bool> is_connector_;  // this and the lists below: one per lane that becomes a road
-  std::vector<bool> is_connecting_;
+  std::vector<BundleLane> lanes_;
+  std::vector<const Lane*> sources_;  // this and the lists below: one per lane
   std::vector<Places> next_;
   std::vector<Places> previous_;
-  std::vector<std::vector<RoadPiece>> heads_;  // start pieces moved to connecting roads
+  std::vector<std::size_t> bundle_of_;
+  std::vector<const BundleMember*> members_;
+  std::vector<bool> is_connecting_;
+  std::unordered_map<std::size_t, int> ids_;  // of the lane in its road
+  std::vector<LaneBundle> bundles_;
+  std::vector<std::optional<RoadEnd>> partners_;          // by indexOf()
+  std::unordered_map<std::size_t, std::size_t> road_of_;  // by bundle
   std::vector<Connection> connections_;
 };
 
 }  // namespace
 
-double Road::length() const { return lengthOf(course); }
-
-std::vector<RoadPiece> courseOf(const Lane& lane, const LaneArcs& arcs) {
-  std::vector<RoadPiece> course;
-  const auto found = arcs.find(lane.id);
-  if (found != arcs.end()) {
-    for (const ArcPath& path : found->second) addArcs(path, course);
-  } else {
-    for (std::size_t i = 1; i < lane.centerline.size(); ++i) {
-      addArcThrough(lane.centerline[i - 1], lane.centerline[i].position(), course);
+std::string Road::name() const {
+  std::string name;
+  for (const auto* lanes : {&left, &right}) {
+    for (const RoadLane& lane : *lanes) {
+      if (!lane.lane.empty()) name += (name.empty() ? "" : " ") + lane.lane;
     }
   }
-  if (lengthOf(course) < kMinLength) course.clear();
-  return course;
-}
-
-double widthOf(const Lane& lane, double length, double otherwise) {
-  if (lane.polygon.size() < 3 || !(length > 0.0)) return otherwise;
-  double twice_area = 0.0;
-  for (std::size_t i = 0; i < lane.polygon.size(); ++i) {
-    const Vector2 a = lane.polygon[i] - lane.polygon[0];
-    const Vector2 b = lane.polygon[(i + 1) % lane.polygon.size()] - lane.polygon[0];
-    twice_area += a.x() * b.y() - b.x() * a.y();
-  }
-  return std::clamp(std::abs(twice_area) / 2.0 / length, kMinWidth, kMaxWidth);
+  return name;
 }
 
 RoadNetwork roadNetwork(const LaneMap& lanes, const LaneArcs& arcs, double lane_width) {

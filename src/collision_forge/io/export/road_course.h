@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "collision_forge/base/geometry/arc_path.h"
+#include "collision_forge/base/map/lane_map.h"
+
+namespace forge {
+
+/// Arcs of lanes by lane id; empty for maps that have points only.
+using LaneArcs = std::unordered_map<std::string, std::vector<ArcPath>>;
+
+/// A piece of a road's reference line: a line if the curvature is 0, else an arc.
+struct RoadPiece {
+  Pose2 start;
+  double length = 0.0;     ///< m, > 0
+  double curvature = 0.0;  ///< 1/m, positive to the left
+};
+
+/// A chain of lines and arcs with arc lengths, in driving direction of a lane.
+class RoadCourse {
+ public:
+  RoadCourse() = default;
+  explicit RoadCourse(std::vector<RoadPiece> pieces);
+
+  const std::vector<RoadPiece>& pieces() const { return pieces_; }
+  bool empty() const { return pieces_.empty(); }
+  double length() const { return length_; }  ///< m
+
+  /// Returns the pose at an arc length (m). Beyond either end the course continues straight. There
+  /// must be a piece.
+  Pose2 poseAt(double arc_length) const;
+
+  /// Returns the part between two arc lengths (m), extended by straight lines beyond the ends;
+  /// empty if it is shorter than 1 micrometre.
+  RoadCourse between(double from, double to) const;
+
+  /// Returns the arc length (m) at which the course crosses the line through `pose` across its
+  /// heading, searched from `guess` (m) by Newton's method; beyond the ends on their extensions.
+  /// Returns NaN if the search does not settle. There must be a piece.
+  double crossing(const Pose2& pose, double guess) const;
+
+  /// Returns the arc length (m) of the point nearest to `point`, to 1 m, for a guess.
+  double roughProjection(const Vector2& point) const;
+
+  /// Appends another course.
+  void append(const RoadCourse& other);
+
+ private:
+  std::vector<RoadPiece> pieces_;
+  std::vector<double> begins_;  // m, arc length at which each piece begins
+  double length_ = 0.0;
+};
+
+/// Returns the course of a lane: its arcs, or arcs through the centreline's poses if the map has
+/// none. Empty for a lane shorter than 5 cm.
+RoadCourse courseOf(const Lane& lane, const LaneArcs& arcs);
+
+/// Returns the lane width in m: the outline's area over `length`, clamped to 2 to 8 m; `otherwise`
+/// if there is no outline.
+double widthOf(const Lane& lane, double length, double otherwise);
+
+}  // namespace forge
