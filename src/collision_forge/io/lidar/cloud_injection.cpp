@@ -48,12 +48,18 @@ class CloudEditor {
  public:
   CloudEditor(PointCloud& cloud, const CloudLayout& layout, const SweepRays& sweep,
               const CloudEdit& edit, const SurfaceReturns& surfaces)
-      : cloud_(cloud), layout_(layout), sweep_(sweep), edit_(edit), surfaces_(surfaces) {
-    for (std::size_t i = 0; i < edit.bodies.size(); ++i) {
+      : cloud_(cloud),
+        layout_(layout),
+        sweep_(sweep),
+        edit_(edit),
+        bodies_(edit.bodies),
+        surfaces_(surfaces) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      bodies_[i].fit = surfaces.fitOf(bodies_[i].body);
       // A vehicle is bright or dark as a whole.
       constexpr std::uint64_t kBrightness = 0x5bd1e995;  // apart from the rays' numbers
       vehicle_brightness_.push_back(RayNoise(edit.seed, kBrightness + i).uniform());
-      windows_.push_back(edit.bodies[i].window());
+      windows_.push_back(bodies_[i].window());
     }
   }
 
@@ -81,9 +87,9 @@ class CloudEditor {
     }
     const PosedBody* nearest = nullptr;
     std::optional<BodyHit> hit;
-    for (std::size_t i = 0; i < edit_.bodies.size(); ++i) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
       if (!windows_[i].contains(ray.direction)) continue;
-      const PosedBody& body = edit_.bodies[i];
+      const PosedBody& body = bodies_[i];
       const auto found = body.hitOf(ray);
       if (!found || found->distance >= end.range || (hit && hit->distance <= found->distance)) {
         continue;
@@ -119,7 +125,7 @@ class CloudEditor {
     const Eigen::Vector3d point = hit.distance * ray.direction.cast<double>();
     const double height = (posed.poseAt(ray.time).inverse() * point).z() / posed.body.size.z();
     if (noise.uniform() >= surfaces_.shareOf(posed.body, hit, height)) return end;
-    const double vehicle = vehicle_brightness_[&posed - edit_.bodies.data()];
+    const double vehicle = vehicle_brightness_[&posed - bodies_.data()];
     constexpr double kSpread = 0.2;  // of the rays around the vehicle's brightness
     const double brightness = std::clamp(vehicle + kSpread * noise.normal(), 0.0, 1.0);
     end.intensity = surfaces_.intensityOf(posed.body, hit, height, brightness);
@@ -211,6 +217,7 @@ class CloudEditor {
   const CloudLayout& layout_;
   const SweepRays& sweep_;
   const CloudEdit& edit_;
+  std::vector<PosedBody> bodies_;  ///< with the fit of `surfaces`
   const SurfaceReturns& surfaces_;
   std::vector<double> vehicle_brightness_;  ///< quantile, by body
   std::vector<RayWindow> windows_;          ///< by body

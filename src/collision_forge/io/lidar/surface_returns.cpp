@@ -7,9 +7,13 @@ namespace forge {
 namespace {
 
 constexpr double kRangeEnds[] = {10.0, 15.0, 20.0, 30.0, 45.0};  // m
-constexpr double kLeastRays = 30.0;                              // of a bin in use
-constexpr std::size_t kMostIntensities = 4000;                   // of a bin
-constexpr double kBoxMargin = 0.25;  // m around a box in which a return is the vehicle's
+constexpr double kTriedFits[] = {1.0, 0.95, 0.9, 0.85, 0.8, 0.75, 0.7};
+constexpr std::size_t kInnerFit = 4;            // 0.8: inside the outline of all vehicles
+constexpr double kLeastOutlineRays = 150.0;     // for a fit
+constexpr double kUsualFit = 0.88;              // without vehicles to learn from
+constexpr double kLeastRays = 30.0;             // of a bin in use
+constexpr std::size_t kMostIntensities = 4000;  // of a bin
+constexpr double kBoxMargin = 0.25;             // m around a box in which a return is the vehicle's
 
 /// Model `materials`; the values are common ones, not measured.
 struct Material {
@@ -82,47 +86,85 @@ RayWindow PosedBody::window() const {
 }
 
 std::optional<BodyHit> PosedBody::hitOf(const LidarRay& ray) const {
+  // Scales the ray instead of the body.
+  const Eigen::Vector3d scale(1.0 / fit, 1.0 / fit, 2.0 / (1.0 + fit));
   const Eigen::Isometry3d to_body = poseAt(ray.time).inverse();
-  return firstHit(body, to_body.translation(),
-                  to_body.linear() * ray.direction.cast<double>().normalized());
+  const Eigen::Vector3d direction =
+      scale.cwiseProduct(to_body.linear() * ray.direction.cast<double>().normalized());
+  const double length = direction.norm();
+  auto hit = firstHit(body, scale.cwiseProduct(to_body.translation()), direction / length);
+  if (hit) hit->distance /= length;
+  return hit;
 }
 
 void SurfaceReturns::learn(const PointCloud& cloud, const CloudLayout& layout,
                            const SweepRays& sweep, const std::vector<PosedBody>& recorded) {
-  for (const PosedBody& posed : recorded) {
+  for (PosedBody posed : recorded) {
+    if (!isVehicle(posed.body.agent_class) && posed.body.agent_class != AgentClass::kPedestrian) {
+      continue;
+    }
+    Group& group = groups_[groupOf(posed.body)];
     const RayWindow window = posed.window();
     for (const LidarRay& ray : sweep.rays) {
       if (ray.direction.isZero() || !window.contains(ray.direction)) continue;
-      const auto hit = posed.hitOf(ray);
+      posed.fit = 1.0;
+      auto hit = posed.hitOf(ray);
       if (!hit) continue;
       const Eigen::Isometry3d to_body = posed.poseAt(ray.time).inverse();
       const Eigen::Vector3d direction = ray.direction.cast<double>();
       const bool is_return = ray.range != LidarRay::kNoReturn &&
                              isInBox(posed.body, to_body * (ray.range * direction));
       if (!is_return && ray.range < hit->distance) continue;  // something stands in front
-      const double height = heightShare(posed.body, (to_body * (hit->distance * direction)).z());
       ++learnt_;
-      auto& group = bins_[groupOf(posed.body)];
-      for (const std::size_t range : {rangeIndex(hit->distance), kRanges}) {
-        Bin& bin = group[range][heightIndex(height, kHeights)];
-        bin.rays += 1.0;
-        if (!is_return) continue;
-        bin.returns += 1.0;
-        if (!layout.intensity || bin.intensities.size() >= kMostIntensities) continue;
-        const auto intensity = static_cast<float>(layout.intensity->get(cloud.pointAt(ray.point)));
-        if (!std::isfinite(intensity)) continue;
-        bin.intensities.insert(
-            std::upper_bound(bin.intensities.begin(), bin.intensities.end(), intensity), intensity);
+      if (is_return) group.returns += 1.0;
+      std::size_t fit = 0;
+      for (; fit < kFits && hit; ++fit) {
+        group.rays[fit] += 1.0;
+        if (fit == kInnerFit) {
+          const double height =
+              heightShare(posed.body, (to_body * (hit->distance * direction)).z());
+          for (const std::size_t range : {rangeIndex(hit->distance), kRanges}) {
+            addTo(group.bins[range][heightIndex(height, kHeights)], is_return,
+                  is_return && layout.intensity ? layout.intensity->get(cloud.pointAt(ray.point))
+                                                : std::numeric_limits<double>::quiet_NaN());
+          }
+          if (is_return) group.inner_returns += 1.0;
+        }
+        if (fit + 1 == kFits) break;
+        posed.fit = kTriedFits[fit + 1];
+        hit = posed.hitOf(ray);
       }
     }
   }
 }
 
+void SurfaceReturns::addTo(Bin& bin, bool is_return, double intensity) {
+  bin.rays += 1.0;
+  if (is_return) bin.returns += 1.0;
+  if (!std::isfinite(intensity) || bin.intensities.size() >= kMostIntensities) return;
+  const auto value = static_cast<float>(intensity);
+  bin.intensities.insert(std::upper_bound(bin.intensities.begin(), bin.intensities.end(), value),
+                         value);
+}
+
+double SurfaceReturns::fitOf(const LidarBody& body) const {
+  const Group& group = groups_[groupOf(body)];
+  if (group.rays[0] < kLeastOutlineRays || group.rays[kInnerFit] < kLeastRays) return kUsualFit;
+  const double wanted = group.returns * group.rays[kInnerFit] / std::max(1.0, group.inner_returns);
+  for (std::size_t i = 1; i < kFits; ++i) {
+    if (group.rays[i] > wanted) continue;
+    const double between = std::max(1.0, group.rays[i - 1] - group.rays[i]);
+    const double share = std::clamp((group.rays[i - 1] - wanted) / between, 0.0, 1.0);
+    return kTriedFits[i - 1] + share * (kTriedFits[i] - kTriedFits[i - 1]);
+  }
+  return kTriedFits[kFits - 1];
+}
+
 const SurfaceReturns::Bin* SurfaceReturns::binOf(const LidarBody& body, const BodyHit& hit,
                                                  double height) const {
-  const auto& group = bins_[groupOf(body)];
+  const auto& bins = groups_[groupOf(body)].bins;
   for (const std::size_t range : {rangeIndex(hit.distance), kRanges}) {
-    const Bin& bin = group[range][heightIndex(height, kHeights)];
+    const Bin& bin = bins[range][heightIndex(height, kHeights)];
     if (bin.rays >= kLeastRays) return &bin;
   }
   return nullptr;
