@@ -176,10 +176,10 @@ void markMovedZeros(std::vector<Seen>& seen) {
     const Eigen::Vector3f motion = seen[i].position.cast<float>() / rest(i);
     const auto count = static_cast<std::size_t>(std::count_if(
         near.begin(), near.end(), [&](std::uint32_t point) { return isMoved(point, motion); }));
-    if (count > most) {
-      most = count;
-      best = motion;
-    }
+    if (count <= most) continue;
+    most = count;
+    best = motion;
+    if (most > near.size() / 2) break;
   }
   if (!best) return;
   for (const std::uint32_t i : near) {
