@@ -17,7 +17,9 @@
 #include "collision_forge/io/batch/progress_line.h"
 #include "collision_forge/io/export/scenario_net_description.h"
 #include "collision_forge/io/export/scenario_net_scene.h"
+#include "collision_forge/io/lidar/simulated_sweep.h"
 #include "collision_forge/io/logs/nuscenes_map.h"
+#include "collision_forge/io/logs/nuscenes_sensors.h"
 #include "collision_forge/planner_test/settings/config.h"
 #include "collision_forge/ros/bags/bag_writer.h"
 #include "collision_forge/ros/bags/foreign_logs.h"
@@ -25,6 +27,13 @@
 
 namespace forge {
 namespace {
+
+/// Where the sensor data of a bag come from.
+enum class SensorOrigin {
+  kNone,
+  kFiles,      ///< the files of a nuScenes root
+  kSimulated,  ///< a lidar is simulated
+};
 
 struct Arguments {
   LogSource logs;
@@ -38,7 +47,11 @@ struct Arguments {
   bool force = false;
   bool to_scenario_net = false;
   RowTimes rows = RowTimes::kEveryStep;  ///< time stamps of ScenarioNet rows
+  SensorOrigin sensors = SensorOrigin::kNone;
 };
+
+/// The sensor files of the converted scenes, by scene.
+using SensorScenes = std::map<std::string, NuScenesSensorScene>;
 
 /// Returns the path of the output file of a scene.
 std::string resultPath(const Arguments& arguments, const std::string& scene) {
@@ -92,12 +105,39 @@ bool isFromOwnBag(const Arguments& arguments) {
   return arguments.to_scenario_net && arguments.logs.format == &bagFormat();
 }
 
+/// Returns what is left to say after the sensor data of a scene were written; empty: nothing.
+std::string sensorWords(const SensorCounts& counts) {
+  std::string words;
+  const auto add = [&](std::size_t count, const char* what) {
+    if (count > 0) words += (words.empty() ? "" : ", ") + counted(count, "sensor file") + what;
+  };
+  add(counts.missing, " missing");
+  add(counts.unreadable, " unreadable (no whole points)");
+  add(counts.skipped, " of kinds that are not converted (radar)");
+  return words;
+}
+
+void writeSceneBag(const Arguments& arguments, const LoggedScene& logged, const LaneMap& map,
+                   const SensorScenes& sensors) {
+  const NuScenesRecording& recording = logged.recording;
+  const std::string path = resultPath(arguments, recording.name);
+  if (arguments.sensors == SensorOrigin::kSimulated) {
+    const NuScenesSensorScene simulated = simulatedSensors(recording);
+    writeBag(path, recording, map, &simulated);
+    return;
+  }
+  const auto found = sensors.find(recording.name);
+  const SensorCounts counts =
+      writeBag(path, recording, map, found == sensors.end() ? nullptr : &found->second);
+  const std::string words = sensorWords(counts);
+  if (!words.empty()) printLine("warning: " + path + ": " + words);
+}
+
 void convertScene(const Arguments& arguments, const LoggedScene& logged, const Config& config,
-                  PickleWorkers& workers) {
-  const std::string& name = logged.recording.name;
+                  const SensorScenes& sensors, PickleWorkers& workers) {
   LaneMap map = mapAround(logged.recording, logged.lanes->map(), config.conversion.map_radius);
   if (!arguments.to_scenario_net) {
-    writeBag(resultPath(arguments, name), logged.recording, map);
+    writeSceneBag(arguments, logged, map, sensors);
     return;
   }
   const Scene scene = toScene(logged.recording, config.ego_vehicle,
@@ -119,6 +159,30 @@ std::unique_ptr<SceneReader> openLogs(const Arguments& arguments, const Config& 
       {readTopicMapping(arguments.topics), arguments.map, arguments.without_lanes}, reading);
 }
 
+/// Reads which sensor files the scenes have, and prints their number and size.
+SensorScenes readSensors(const Arguments& arguments, const std::vector<std::string>& scenes) {
+  if (arguments.sensors != SensorOrigin::kFiles) return {};
+  if (arguments.logs.format != &nuScenesFormat()) {
+    throw std::runtime_error(arguments.logs.described() +
+                             ": --sensors files needs a nuScenes root; simulated works with all");
+  }
+  SensorScenes sensors =
+      readNuScenesSensors(arguments.logs.path, versionOf(arguments.logs), scenes);
+  std::uintmax_t bytes = 0;
+  std::size_t files = 0;
+  for (const auto& [_, scene] : sensors) {
+    for (const NuScenesSensorFile& file : scene.files) {
+      std::error_code missing;
+      const std::uintmax_t size = std::filesystem::file_size(file.path, missing);
+      if (missing) continue;
+      bytes += size;
+      ++files;
+    }
+  }
+  std::cerr << counted(files, "sensor file") << " of " << bytes / 1000000 << " MB to convert\n";
+  return sensors;
+}
+
 int convert(const Arguments& arguments) {
   const Config config = loadConfig(arguments.config);
   const OutputLocks locks = lockFolders({arguments.out});
@@ -130,6 +194,7 @@ int convert(const Arguments& arguments) {
                     [&](const std::string& scene) { return isConverted(arguments, scene); }));
   std::cerr << counted(scenes.size() - before, "scene") << " to convert, " << before
             << " already converted\n";
+  const SensorScenes sensors = readSensors(arguments, scenes);
   PickleWorkers workers;
   const auto convertOne = [&](std::size_t index) -> std::string {
     const std::string& scene = scenes[index];
@@ -138,7 +203,7 @@ int convert(const Arguments& arguments) {
       if (isFromOwnBag(arguments)) {
         writeScenarioNetFile(arguments, logs->read(scene).scene, config, workers);
       } else {
-        convertScene(arguments, logs->recording(scene), config, workers);
+        convertScene(arguments, logs->recording(scene), config, sensors, workers);
       }
       return "";
     } catch (const std::exception& error) {
@@ -188,6 +253,12 @@ void addConvert(CommandLine& line) {
   addOut(app, arguments->out, "output folder, one file per scene");
   addChoice<bool>(app, "--to", arguments->to_scenario_net, {{"bag", false}, {"scenarionet", true}},
                   "output format");
+  addChoice<SensorOrigin>(app, "--sensors", arguments->sensors,
+                          {{"none", SensorOrigin::kNone},
+                           {"files", SensorOrigin::kFiles},
+                           {"simulated", SensorOrigin::kSimulated}},
+                          "sensor data in the bags; files: lidar sweeps and pictures of a nuScenes "
+                          "root; simulated: a lidar among the annotated objects (docs/lidar.md)");
   addChoice<RowTimes>(
       app, "--rows", arguments->rows,
       {{"even", RowTimes::kEveryStep}, {"recorded", RowTimes::kAsRecorded}},

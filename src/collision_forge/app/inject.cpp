@@ -50,7 +50,14 @@ struct Arguments {
   RequestControls controls;
   Mode mode = Mode::kReplay;
   AfterContact after_contact = AfterContact::kStop;
+  const CLI::Option* after_contact_option = nullptr;
   std::optional<double> seconds_after_stand;
+  std::vector<std::string> lidar;  ///< topics of clouds, or kAllClouds
+
+  /// Sensors do not feel the crash, so that bags with changed clouds end with the contact.
+  AfterContact afterContact() const {
+    return !lidar.empty() && after_contact_option->empty() ? AfterContact::kEnd : after_contact;
+  }
 };
 
 /// Returns a sentence on the content of the output bag after the contact with the recorded ego.
@@ -174,33 +181,53 @@ collision_forge::AttackRequest requestMessage(const TestedAttack& attack,
       attackRequest(attack.request, attack_message, fingerprintOfAll(config, config.folder),
                     arguments.alternative);
   message.now = attack.now - scene.frame_times.front();
-  message.after_contact = toString(arguments.after_contact);
+  message.after_contact = toString(arguments.afterContact());
   message.bag = fs::path(arguments.bag).filename().string();
   return message;
 }
 
-/// Writes the output bag and returns the messages written into it.
-BagAttack writeAttackedBag(const TestedAttack& attack, const Scene& scene,
-                           const std::string& method, const Arguments& arguments,
-                           const Config& config) {
+/// What was written into a bag.
+struct WrittenBag {
+  BagAttack attack;
+  std::vector<std::string> lidar;  ///< lines on the changed clouds
+};
+
+/// Returns the lines on the changed clouds; "" without any.
+std::string lidarText(const WrittenBag& written, const Scene& scene) {
+  std::string text;
+  for (const std::string& line : written.lidar)
+    text += "lidar: " + std::string(printable(line)) + "\n";
+  const collision_forge::CollisionReport& tested = written.attack.tested_report;
+  if (text.empty() || !tested.contact) return text;
+  return text + formatted(
+                    "lidar: sensors match until the contact, %.2f s after the first frame; "
+                    "cameras are not changed\n",
+                    tested.contact_time.toSec() - scene.frame_times.front());
+}
+
+WrittenBag writeAttackedBag(const TestedAttack& attack, const Scene& scene,
+                            const std::string& method, const Arguments& arguments,
+                            const Config& config) {
   const std::string& attacker = attack.attack.trajectory.attacker_id;
   BagAttack bag_attack;
   bag_attack.attack = toMessage(attack.attack, method, attack.now);
   bag_attack.tested_report = toMessage(attack.tested, attacker, attack.now);
   bag_attack.request = requestMessage(attack, bag_attack.attack, scene, arguments, config);
-  bag_attack.after_contact = arguments.after_contact;
+  bag_attack.after_contact = arguments.afterContact();
+  if (!arguments.lidar.empty()) {
+    bag_attack.lidar = LidarRequest{arguments.lidar, config.lidar, arguments.request.seed};
+  }
   if (!attack.plans.empty()) {
     setPlans(attack.plans, bag_attack.attack);
     bag_attack.tested_report.decision = bag_attack.attack.decision;
   }
   ProgressLine progress("writing");
-  const std::vector<std::string> warnings =
-      injectIntoBag(arguments.bag, arguments.out, bag_attack,
-                    {scene.ego, config.ego_vehicle.center_offset, config.attack.verification,
-                     config.attacked_bag},
-                    [&](double share) { progress.show(share); });
-  printWarnings(arguments.out, warnings);
-  return bag_attack;
+  const InjectionNotes notes = injectIntoBag(arguments.bag, arguments.out, bag_attack,
+                                             {scene.ego, config.ego_vehicle.center_offset,
+                                              config.attack.verification, config.attacked_bag},
+                                             [&](double share) { progress.show(share); });
+  printWarnings(arguments.out, notes.warnings);
+  return {bag_attack, notes.lidar};
 }
 
 int inject(const Arguments& arguments) {
@@ -235,8 +262,9 @@ int inject(const Arguments& arguments) {
              config.attack.verification);
   tested.confidence = attack.report.confidence;
   if (tested.contact) tested.careful_drivers = driveCarefully(*moment.recorded, attack.trajectory);
-  const BagAttack written = writeAttackedBag({attack, plans, tested, request, now}, scene,
-                                             maker.name(), arguments, config);
+  const WrittenBag bag = writeAttackedBag({attack, plans, tested, request, now}, scene,
+                                          maker.name(), arguments, config);
+  const BagAttack& written = bag.attack;
   const Track& recorded_ego = moment.recorded->ego;
   const bool is_untested = endsBeforeContact(recorded_ego, attack.pattern, tested);
   const auto crash = motionAfterContact(tested, attack.trajectory, recorded_ego,
@@ -248,12 +276,13 @@ int inject(const Arguments& arguments) {
                                         recorded_ego.states.back().time - now)
                             : lineOf(written.tested_report))
             << "\n"
-            << aftermathOf(arguments.after_contact, crash, is_untested, config.attacked_bag)
-            << (arguments.after_contact == AfterContact::kStop && crash
+            << aftermathOf(arguments.afterContact(), crash, is_untested, config.attacked_bag)
+            << (arguments.afterContact() == AfterContact::kStop && crash
                     ? secondaryContactText(*crash, attack.trajectory.attacker_id,
                                            moment.recorded->agents)
                     : "")
-            << "\nwrote " << arguments.out << "\n";
+            << "\n"
+            << lidarText(bag, scene) << "wrote " << arguments.out << "\n";
   if (!arguments.draw.empty()) {
     ScenarioView view{scene.name,       request.tta,    request.mode,      moment.snapshot,
                       *moment.recorded, attack.pattern, attack.trajectory, tested};
@@ -297,14 +326,18 @@ void addInject(CommandLine& line) {
   addMethod(app, arguments->method, arguments->config);
   addMode(app, arguments->mode, true);
   addSeed(app, request.seed, "random seed of the candidates");
-  addChoice<AfterContact>(app, "--after-contact", arguments->after_contact,
-                          {{"stop", AfterContact::kStop},
-                           {"end", AfterContact::kEnd},
-                           {"drive_on", AfterContact::kDriveOn}},
-                          "content of the bag after the contact; stop: both vehicles move by the "
-                          "impact until they stand, the ego's /tf and odom are rewritten; end: the "
-                          "bag ends shortly after; drive_on: the ego continues as "
-                          "recorded");
+  arguments->after_contact_option = addChoice<AfterContact>(
+      app, "--after-contact", arguments->after_contact,
+      {{"stop", AfterContact::kStop},
+       {"end", AfterContact::kEnd},
+       {"drive_on", AfterContact::kDriveOn}},
+      "content of the bag after the contact; stop: both vehicles move by the "
+      "impact until they stand, the ego's /tf and odom are rewritten; end: the "
+      "bag ends shortly after (default with --lidar); drive_on: the ego "
+      "continues as recorded");
+  app.add_option("--lidar", arguments->lidar,
+                 "also show the attacker in the lidar clouds of these topics; auto: in all clouds "
+                 "(docs/lidar.md)");
   app.add_option("--seconds-after-stand", arguments->seconds_after_stand,
                  "time, s, that bag and animation continue after both vehicles have stopped; "
                  "default: seconds_after_stand of attacked_bag.yaml")

@@ -27,6 +27,7 @@ Config loadConfig(const ConfigFolder& folder) {
   readConfigFile(folder, "models", static_cast<ModelOptions&>(config));
   readConfigFile(folder, "ego_vehicle", config.ego_vehicle);
   readConfigFile(folder, "encoding", config.encoding);
+  readConfigFile(folder, "lidar", config.lidar);
   readConfigFile(folder, "live", config.live);
   readConfigFile(folder, "conversion", config.conversion);
   readConfigFile(folder, "input_limits", config.input_limits);

@@ -9,6 +9,7 @@
 #include "collision_forge/io/answers/options.h"
 #include "collision_forge/io/drawing/options.h"
 #include "collision_forge/io/export/options.h"
+#include "collision_forge/io/lidar/options.h"
 #include "collision_forge/io/logs/options.h"
 #include "collision_forge/planner_test/report/options.h"
 #include "collision_forge/planner_test/trials/options.h"
@@ -19,6 +20,7 @@ namespace forge {
 /// gets its part.
 struct Config : AnswerOptions {
   EncodingOptions encoding;
+  LidarOptions lidar;
   LiveOptions live;
   AttackedBagOptions attacked_bag;
   DrawingOptions drawing;

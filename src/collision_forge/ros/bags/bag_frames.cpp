@@ -104,7 +104,7 @@ std::optional<Eigen::Isometry3d> BagFrames::poseOf(const std::string& frame,
 }
 
 bool BagFrames::isPast(const ros::Time& time) const {
-  return newest_.toSec() - time.toSec() > kCache;
+  return newest_.toSec() - time.toSec() > cache_;
 }
 
 std::string BagFrames::described() const {

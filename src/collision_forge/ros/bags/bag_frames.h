@@ -27,9 +27,13 @@ std::vector<geometry_msgs::TransformStamped> usableTransforms(const tf2_msgs::TF
 /// added in the order of their recording: first all static ones. Not thread-safe.
 class BagFrames {
  public:
-  /// `ego_frame`: the frame whose motion movesEgo() detects.
-  BagFrames(std::string map_frame, const std::string& ego_frame)
-      : map_frame_(std::move(map_frame)), ego_movers_(ego_frame) {}
+  /// `ego_frame`: the frame whose motion movesEgo() detects. `cache`: s before the newest transform
+  /// for which poses are known; the default is the time that a pose can wait for a slow source.
+  BagFrames(std::string map_frame, const std::string& ego_frame, double cache = 30.0)
+      : map_frame_(std::move(map_frame)),
+        ego_movers_(ego_frame),
+        cache_(cache),
+        buffer_(ros::Duration(cache)) {}
 
   /// Adds an element of usableTransforms(), of /tf_static if `is_static`. If a frame has several
   /// parents, only the first one that leads to the map frame is used. Returns false if the
@@ -60,11 +64,10 @@ class BagFrames {
   bool acceptsParent(const std::string& child, const std::string& parent);
   bool leadsToMap(std::string frame) const;
 
-  static constexpr double kCache = 30.0;  // s that a pose can wait for transforms of a slow source
-
   std::string map_frame_;
   EgoMovers ego_movers_;
-  tf2::BufferCore buffer_{ros::Duration(kCache)};
+  double cache_;  // s
+  tf2::BufferCore buffer_;
   std::map<std::string, std::string> parents_;         // by child, as used
   std::set<std::pair<std::string, std::string>> all_;  // parent and child
   std::map<std::string, ros::Time> stamps_;            // of the newest transform, by child

@@ -5,6 +5,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "collision_forge/ros/bags/bag_file.h"
@@ -102,7 +103,8 @@ std::set<double> changesOf(const std::vector<TrafficLight>& lights) {
 
 }  // namespace
 
-void writeBag(const std::string& path, const NuScenesRecording& recording, const LaneMap& map) {
+SensorCounts writeBag(const std::string& path, const NuScenesRecording& recording,
+                      const LaneMap& map, const NuScenesSensorScene* sensors) {
   if (recording.ego_poses.empty() || recording.frames.empty()) {
     throw BagError(path + ": scene " + recording.name + " has no ego poses or no frames");
   }
@@ -122,6 +124,9 @@ void writeBag(const std::string& path, const NuScenesRecording& recording, const
     bag.writeLatched(bagTopic(names::kTrafficLights), stamp, lights);
     bag.writeLatched(bagTopic(names::kLightMarkers), stamp, lightMarkers(lights));
   }
+  const NuScenesSensorScene none;
+  SensorWriter sensor_writer(sensors ? *sensors : none, recording, bag);
+  if (sensors) sensor_writer.writeMounting(start);
   auto frame = recording.frames.begin();
   const auto writeFramesUpTo = [&](std::int64_t timestamp_us) {
     for (; frame != recording.frames.end() && frame->timestamp_us <= timestamp_us; ++frame) {
@@ -137,9 +142,12 @@ void writeBag(const std::string& path, const NuScenesRecording& recording, const
     bag.write(names::kTf, stamp, toTransform(recording.ego_poses[i]));
     bag.write(bagTopic(names::kOdometry), stamp, toOdometry(recording.ego_poses, i));
     writeFramesUpTo(recording.ego_poses[i].timestamp_us);
+    sensor_writer.writeUpTo(recording.ego_poses[i].timestamp_us);
   }
   writeFramesUpTo(recording.frames.back().timestamp_us);
+  sensor_writer.writeUpTo(std::numeric_limits<std::int64_t>::max());
   bag.commit();
+  return sensor_writer.counts();
 }
 
 }  // namespace forge

@@ -50,6 +50,20 @@ collision_forge::AgentArray frameBetween(const collision_forge::AgentArray& befo
   return frame;
 }
 
+std::vector<collision_forge::Agent> agentsAt(const std::vector<collision_forge::AgentArray>& frames,
+                                             const ros::Time& stamp) {
+  const auto after = std::lower_bound(
+      frames.begin(), frames.end(), stamp,
+      [](const auto& frame, const ros::Time& time) { return frame.header.stamp < time; });
+  if (after == frames.end()) return {};
+  if (after->header.stamp == stamp) return after->agents;
+  if (after == frames.begin()) return {};
+  const auto before = std::prev(after);
+  const double gap = (after->header.stamp - before->header.stamp).toSec();
+  if (gap > kMaxGap) return {};
+  return frameBetween(*before, *after, (stamp - before->header.stamp).toSec() / gap).agents;
+}
+
 collision_forge::AgentArray frameAfter(const collision_forge::AgentArray* before,
                                        const collision_forge::AgentArray& newest,
                                        const ros::Time& stamp) {

@@ -2,6 +2,8 @@
 
 #include <collision_forge/AgentArray.h>
 
+#include <vector>
+
 namespace forge {
 
 inline constexpr double kSameTime = 1e-3;  ///< s; frames closer in time than this count as one
@@ -20,6 +22,11 @@ Message between(const Message& before, const Message& after, double ratio) {
 /// agents in both frames, with linearly interpolated positions and the shorter rotation.
 collision_forge::AgentArray frameBetween(const collision_forge::AgentArray& before,
                                          const collision_forge::AgentArray& after, double ratio);
+
+/// Returns the agents at `stamp`, by frameBetween() of the two neighbours in `frames` (sorted by
+/// stamp); none outside of them and in gaps above kMaxGap.
+std::vector<collision_forge::Agent> agentsAt(const std::vector<collision_forge::AgentArray>& frames,
+                                             const ros::Time& stamp);
 
 /// Extrapolates the agents of the recorded frame `newest` to `stamp` like shownPose(). `before`,
 /// the recorded frame before it, is used to derive their motion. Agents that are not in `before`

@@ -2,6 +2,7 @@
 
 #include <nav_msgs/Odometry.h>
 #include <rosbag/view.h>
+#include <std_msgs/Time.h>
 #include <tf2_msgs/TFMessage.h>
 #include <visualization_msgs/MarkerArray.h>
 
@@ -19,6 +20,7 @@
 #include "collision_forge/ros/injection/attacker_injector.h"
 #include "collision_forge/ros/injection/finite_parts.h"
 #include "collision_forge/ros/injection/frame_between.h"
+#include "collision_forge/ros/injection/lidar_injection.h"
 #include "collision_forge/ros/injection/post_crash_ego.h"
 #include "collision_forge/ros/injection/record_clock.h"
 #include "collision_forge/ros/markers/marker_parts.h"
@@ -97,10 +99,10 @@ class Injection {
     makeFrames();
     findWordsObstacles();
     next_frame_ = frames_.begin();
+    if (attack.lidar) openLidar(*attack.lidar);
   }
 
-  /// Returns warnings about messages that were left out.
-  std::vector<std::string> write(const std::function<void(double)>& on_progress) {
+  InjectionNotes write(const std::function<void(double)>& on_progress) {
     rosbag::View view(source_);
     const double count = view.size();
     if (view.size() > 0) {
@@ -117,12 +119,15 @@ class Injection {
     }
     writeMadeBefore(ros::TIME_MAX);
     on_progress(1.0);
-    std::vector<std::string> warnings;
+    InjectionNotes notes;
     for (const auto& [topic, count] : left_out_) {
-      warnings.push_back(std::to_string(count) + " entries of " + topic +
-                         " are not finite and left out");
+      notes.warnings.push_back(std::to_string(count) + " entries of " + topic +
+                               " are not finite and left out");
     }
-    return warnings;
+    if (!lidar_) return notes;
+    notes.lidar = lidar_->summary();
+    for (const std::string& warning : lidar_->warnings()) notes.warnings.push_back(warning);
+    return notes;
   }
 
  private:
@@ -164,11 +169,47 @@ class Injection {
       if (left_out > 0) left_out_[instance.getTopic()] += left_out;
       agents_header_ = instance.getConnectionHeader();
       clock_.add(agents->header.stamp, instance.getTime());
+      if (attack_.lidar) recorded_.push_back(*agents);
       addFrame({instance.getTime(), injected(*agents), true, left_out > 0});
       if (before && before->header.stamp >= now_) addFramesBetween(*before, *agents);
       before = agents;
     }
     frames_.erase(frames_.upper_bound({end_, ros::TIME_MAX}), frames_.end());
+  }
+
+  void openLidar(const LidarRequest& request) {
+    LidarInjection::Setup setup;
+    setup.topics = request.topics;
+    setup.options = request.options;
+    setup.seed = request.seed;
+    setup.placed = [this](const ros::Time& time) {
+      collision_forge::AgentArray agents;
+      agents.header.stamp = time;
+      return injected(agents).agents;
+    };
+    setup.vacated = [this](const ros::Time& time) {
+      std::vector<collision_forge::Agent> agents;
+      if (!isChangedAt(time)) return agents;
+      agents = agentsAt(recorded_, time);
+      const auto stays = [this](const collision_forge::Agent& agent) {
+        const auto& supports = attack_.attack.supports;
+        return agent.id != trajectory_.attacker_id &&
+               std::none_of(supports.begin(), supports.end(), [&](const auto& support) {
+                 return support.motion.attacker_id == agent.id;
+               });
+      };
+      agents.erase(std::remove_if(agents.begin(), agents.end(), stays), agents.end());
+      return agents;
+    };
+    std::stable_sort(recorded_.begin(), recorded_.end(),
+                     [](const auto& a, const auto& b) { return a.header.stamp < b.header.stamp; });
+    setup.recorded = &recorded_;
+    if (ego_) {
+      setup.moved = [ego = *ego_](const tf2_msgs::TFMessage& message) mutable {
+        return ego.changed(message);
+      };
+    }
+    lidar_.emplace(source_, std::move(setup));
   }
 
   /// Returns the boxes of other agents near the contact from now on; the text avoids them.
@@ -228,6 +269,11 @@ class Injection {
     if (is_attack_written_ || time <= recorded) return;
     is_attack_written_ = true;
     target_.writeLatched(bagTopic(names::kAttack), recorded, attack_.attack);
+    if (lidar_ && hasContact()) {
+      std_msgs::Time contact;
+      contact.data = attack_.tested_report.contact_time;
+      target_.writeLatched(bagTopic(names::kSensorsMatchUntil), recorded, contact);
+    }
     target_.writeLatched(bagTopic(names::kAttackRequest), recorded, attack_.request);
     target_.writeLatched(bagTopic(names::kAttackPath), recorded, toPath(trajectory_.points));
     target_.writeLatched(bagTopic(names::kAttackEgoPath), recorded,
@@ -349,7 +395,15 @@ class Injection {
     if (topic == bagTopic(names::kAnnotationMarkers)) return copyAnnotationMarkers(instance, stamp);
     if (topic == names::kTf) return copyEgo<tf2_msgs::TFMessage>(instance);
     if (topic == bagTopic(names::kOdometry)) return copyEgo<nav_msgs::Odometry>(instance);
+    if (lidar_ && lidar_->has(topic)) return copyCloud(instance);
     return false;
+  }
+
+  bool copyCloud(const rosbag::MessageInstance& instance) {
+    const auto cloud = instance.instantiate<sensor_msgs::PointCloud2>();
+    if (!cloud || !lidar_->edit(instance.getTopic(), *cloud)) return false;
+    target_.write(instance.getTopic(), instance.getTime(), *cloud, instance.getConnectionHeader());
+    return true;
   }
 
   /// Writes the markers of the map. Writes the map itself, and returns true, only if it was
@@ -433,6 +487,8 @@ class Injection {
   std::optional<PostCrashEgo> ego_;             ///< the same
   std::map<std::string, ros::Time> ego_times_;  ///< by topic: record time of its last message
   std::vector<AttackerInjector> injectors_;     ///< of the supports and of the attacker
+  std::vector<collision_forge::AgentArray> recorded_;  ///< frames of agents, if clouds are changed
+  std::optional<LidarInjection> lidar_;
   AttackedFrames frames_;
   AttackedFrames::const_iterator next_frame_;  ///< first frame not yet written
   std::vector<OrientedBox> words_obstacles_;   ///< of all frames
@@ -472,16 +528,15 @@ void requireNoAttack(const std::string& path) {
   }
 }
 
-std::vector<std::string> injectIntoBag(const std::string& in, const std::string& out,
-                                       const BagAttack& attack, const RecordingContext& recording,
-                                       const std::function<void(double)>& on_progress) {
+InjectionNotes injectIntoBag(const std::string& in, const std::string& out, const BagAttack& attack,
+                             const RecordingContext& recording,
+                             const std::function<void(double)>& on_progress) {
   try {
     const OpenedBag source(in);
     NewBag target(out);
-    std::vector<std::string> warnings =
-        Injection(source.bag(), target, attack, recording).write(on_progress);
+    InjectionNotes notes = Injection(source.bag(), target, attack, recording).write(on_progress);
     target.commit();
-    return warnings;
+    return notes;
   } catch (const rosbag::BagException& error) {
     throw BagError(in + " to " + out + ": " + error.what());
   }

@@ -6,11 +6,13 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "collision_forge/attack/verify/options.h"
 #include "collision_forge/base/scene/scene.h"
+#include "collision_forge/io/lidar/options.h"
 #include "collision_forge/io/logs/options.h"
 
 namespace forge {
@@ -30,12 +32,26 @@ const char* toString(AfterContact after);
 /// std::invalid_argument for any other word, with both in the message.
 AfterContact liveAfterContact(const std::string& word);
 
+/// The lidar clouds that show the attack.
+struct LidarRequest {
+  std::vector<std::string> topics;  ///< or kAllClouds
+  LidarOptions options;
+  std::uint64_t seed = 0;
+};
+
 /// The attack to insert into a bag.
 struct BagAttack {
   collision_forge::Attack attack;
   collision_forge::CollisionReport tested_report;  ///< outcome against the recorded ego
   collision_forge::AttackRequest request;
   AfterContact after_contact = AfterContact::kStop;
+  std::optional<LidarRequest> lidar;  ///< empty: clouds are copied
+};
+
+/// One line each.
+struct InjectionNotes {
+  std::vector<std::string> warnings;  ///< per topic with values that were left out or not changed
+  std::vector<std::string> lidar;     ///< what was changed in the clouds
 };
 
 /// Properties of the recording in a bag and of its vehicles.
@@ -59,14 +75,16 @@ void requireNoAttack(const std::string& path);
 /// - /agent_objects: written with every frame of agents; replaces an existing topic.
 /// - /tf, odom: rewritten after the contact if `after_contact` is kStop; one message is added at
 ///   the contact.
+/// - Clouds of `lidar`: show the attacker and not its recorded place (LidarInjection). With a
+///   contact, sensors_match_until has its stamp: the ego's sensors do not feel the crash.
 /// All other messages are copied byte by byte with their connections. Non-finite agents, transforms
-/// and odometry are dropped (ros/injection/finite_parts.h); returns one line per topic with such
-/// values. `on_progress` receives the completed share 0..1. Throws BagError.
+/// and odometry are dropped (ros/injection/finite_parts.h). `on_progress` receives the completed
+/// share 0..1. Throws BagError.
 ///
 /// All times are header stamps; the record times may be of another clock. A new message gets the
 /// record time of a frame of agents with its stamp (RecordClock); a copied one keeps its own.
 /// Messages without agents or ego end at the record time of the last frame of agents.
-std::vector<std::string> injectIntoBag(
+InjectionNotes injectIntoBag(
     const std::string& in, const std::string& out, const BagAttack& attack,
     const RecordingContext& recording,
     const std::function<void(double)>& on_progress = [](double) {});

@@ -18,6 +18,10 @@ inline constexpr char kAgentObjects[] =
 inline constexpr char kTf[] = "/tf";
 inline constexpr char kStaticTf[] = "/tf_static";
 
+// Lidar clouds of a live system, for the node lidar_injector.
+inline constexpr char kPoints[] = "points";         // sensor_msgs/PointCloud2
+inline constexpr char kPointsOut[] = "points_out";  // the same, with the attacker
+
 // Made by the suite.
 inline constexpr char kEncodedScene[] = "encoded_scene";            // EncodedScene
 inline constexpr char kPredictedPatterns[] = "predicted_patterns";  // PredictedPatterns, latched
@@ -35,6 +39,8 @@ inline constexpr char kAttackMarkers[] = "attack_markers";    // MarkerArray, la
 inline constexpr char kAttackPath[] = "attack_path";          // nav_msgs/Path, latched
 inline constexpr char kAttackEgoPath[] = "attack_ego_path";   // nav_msgs/Path, latched
 inline constexpr char kAttackRequest[] = "attack_request";    // AttackRequest, latched
+inline constexpr char kSensorsMatchUntil[] =
+    "sensors_match_until";  // std_msgs/Time, latched, in bags with changed clouds
 inline constexpr char kShownArea[] = "shown_area";            // geometry_msgs/PolygonStamped
 inline constexpr char kPlannerOutcome[] = "planner_outcome";  // PlannerOutcome, latched
 inline constexpr char kPlannerMarkers[] = "planner_markers";  // MarkerArray, latched

@@ -8,6 +8,7 @@ void addStudyCommands(CommandLine& line) {
                 "--help.");
   addEvaluate(line);
   addMeasureLatency(line);
+  addMeasureLidar(line);
   addMeasurePatterns(line);
   addTestOnClips(line);
   addTuneOnClips(line);

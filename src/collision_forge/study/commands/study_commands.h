@@ -8,6 +8,7 @@ namespace forge {
 void addDataset(CommandLine& line);
 void addEvaluate(CommandLine& line);
 void addMeasureLatency(CommandLine& line);
+void addMeasureLidar(CommandLine& line);
 void addMeasurePatterns(CommandLine& line);
 void addSpeedsFit(CommandLine& line);
 void addTestOnClips(CommandLine& line);

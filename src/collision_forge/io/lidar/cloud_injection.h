@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "collision_forge/io/lidar/surface_returns.h"
+
+namespace forge {
+
+/// The place of a recorded vehicle whose points are taken out of a cloud.
+struct VacatedBox {
+  Eigen::Isometry3d pose;  ///< in the cloud's frame; origin on the ground below the box's middle
+  Eigen::Vector3d size;    ///< length, width, height, m
+};
+
+/// Returns the range (m) at which a ray of a removed point ends instead; LidarRay::kNoReturn if
+/// nothing is known behind. `intensity` is set for a range.
+class CloudBackground {
+ public:
+  virtual ~CloudBackground() = default;
+  virtual float rangeBehind(const LidarRay& ray, double& intensity) const = 0;
+};
+
+/// What is put into one cloud, and what is taken out.
+struct CloudEdit {
+  std::vector<PosedBody> bodies;
+  std::vector<VacatedBox> vacated;
+  const CloudBackground* background = nullptr;  ///< null: rays of removed points have no return
+  double range_noise = 0.0;                     ///< m, LidarOptions::range_noise
+  std::uint64_t seed = 0;
+};
+
+/// The number of points that an edit changed.
+struct CloudChange {
+  std::size_t on_bodies = 0;  ///< returns from the bodies
+  std::size_t added = 0;      ///< of these, points that the cloud had no point for
+  std::size_t removed = 0;    ///< points of rays that have no return any more
+  std::size_t vacated = 0;    ///< points of removed vehicles
+  std::size_t filled = 0;     ///< of these, points moved to what is behind
+};
+
+/// Changes the points of a cloud, ray by ray: a ray that meets a body in front of its recorded
+/// return ends on the body, at its own time within the sweep, or has no return; a ray whose
+/// recorded return is nearer keeps it. Rays without recorded return hit bodies, too. Removed points
+/// become what the cloud has for rays without return (SweepRays::empty_points; NaN clears
+/// `is_dense`), so that the number of points never exceeds the number of rays. All other points
+/// keep their bytes and their order; without an effect the cloud is unchanged. New points take the
+/// fields that are not known from the point before them. The same input and seed give the same
+/// bytes. `sweep`: raysOf() the cloud.
+CloudChange editCloud(PointCloud& cloud, const CloudLayout& layout, const SweepRays& sweep,
+                      const CloudEdit& edit, const SurfaceReturns& surfaces);
+
+}  // namespace forge

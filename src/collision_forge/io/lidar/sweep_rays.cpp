@@ -1,0 +1,559 @@
+#include "collision_forge/io/lidar/sweep_rays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace forge {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kTurn = 2.0 * M_PI;
+constexpr float kZeroRange = 0.05F;     // m; nearer points are rays without return
+constexpr float kOwnVehicle = 1.0F;     // m; nearer points may be zero ranges moved by the ego
+constexpr float kFar = 5.0F;            // m; from here on, corrected ego motion bends no ray much
+constexpr double kRingScatter = 0.026;  // rad, of the elevations within a ring
+constexpr int kMaxRings = 512;
+
+/// A table of evenly spaced elevations (ros-drivers/velodyne, params/VLP16db.yaml, 32db.yaml).
+struct ElevationTable {
+  int rings;
+  double lowest, step;  ///< degrees
+};
+constexpr ElevationTable kTables[] = {{16, -15.0, 2.0}, {32, -30.67, 4.0 / 3.0}};
+
+/// A point as the sensor saw it.
+struct Seen {
+  Vector3d position;
+  float range = 0.0F;  // m; LidarRay::kNoReturn for a ray without return
+  float azimuth = 0.0F;
+  float elevation = 0.0F;
+  std::int32_t ring = -1;
+};
+
+std::vector<Seen> seenPoints(const PointCloud& cloud, const CloudLayout& layout) {
+  std::vector<Seen> seen(cloud.pointCount());
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    Seen& point = seen[i];
+    point.position = layout.position(cloud.pointAt(i));
+    const double range = point.position.norm();
+    const bool is_return = std::isfinite(range) && range >= kZeroRange;
+    point.range = is_return ? static_cast<float>(range) : LidarRay::kNoReturn;
+    if (!is_return) continue;
+    const auto flat = point.position.cast<float>();
+    point.azimuth = std::atan2(flat.y(), flat.x());
+    point.elevation = std::atan2(flat.z(), std::hypot(flat.x(), flat.y()));
+  }
+  return seen;
+}
+
+/// Elevations of the returns of each ring: of the far ones where it has any.
+struct RingElevations {
+  std::vector<double> mean;  ///< rad, by ring; NaN without returns off the ego
+  double scatter = 0.0;      ///< rad, standard deviation of the far ones within the rings
+  std::size_t points = 0;
+};
+
+RingElevations elevationsOf(const std::vector<Seen>& seen) {
+  std::vector<double> sum(kMaxRings, 0.0);
+  std::vector<double> square(kMaxRings, 0.0);
+  std::vector<std::size_t> count(kMaxRings, 0);
+  std::vector<double> near_sum(kMaxRings, 0.0);
+  std::vector<double> near_count(kMaxRings, 0.0);
+  for (const Seen& point : seen) {
+    if (point.ring < 0 || point.range < kOwnVehicle || point.range == LidarRay::kNoReturn) continue;
+    if (point.range < kFar) {
+      near_sum[point.ring] += point.elevation;
+      near_count[point.ring] += 1.0;
+      continue;
+    }
+    sum[point.ring] += point.elevation;
+    square[point.ring] += double{point.elevation} * point.elevation;
+    ++count[point.ring];
+  }
+  RingElevations elevations;
+  elevations.mean.assign(kMaxRings, std::numeric_limits<double>::quiet_NaN());
+  double scatter = 0.0;
+  for (int ring = 0; ring < kMaxRings; ++ring) {
+    if (count[ring] == 0) {
+      if (near_count[ring] > 0.0) elevations.mean[ring] = near_sum[ring] / near_count[ring];
+      continue;
+    }
+    const auto points = static_cast<double>(count[ring]);
+    elevations.mean[ring] = sum[ring] / points;
+    scatter += square[ring] - sum[ring] * sum[ring] / points;
+    elevations.points += count[ring];
+  }
+  if (elevations.points > 0) {
+    elevations.scatter = std::sqrt(std::max(0.0, scatter / static_cast<double>(elevations.points)));
+  }
+  return elevations;
+}
+
+bool areRings(const RingElevations& elevations) {
+  return elevations.points > 0 && elevations.scatter < kRingScatter;
+}
+
+bool setRingsFromField(const PointCloud& cloud, const CloudLayout& layout,
+                       std::vector<Seen>& seen) {
+  if (!layout.ring) return false;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const double ring = layout.ring->get(cloud.pointAt(i));
+    if (!(ring >= 0.0 && ring < kMaxRings)) return false;
+    seen[i].ring = static_cast<std::int32_t>(ring);
+  }
+  return areRings(elevationsOf(seen));
+}
+
+/// Rings of clouds whose points come column by column, one per ring.
+bool setRingsFromOrder(std::vector<Seen>& seen) {
+  for (const int rings : {16, 32, 40, 64, 128}) {
+    if (seen.empty() || seen.size() % static_cast<std::size_t>(rings) != 0) continue;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      seen[i].ring = static_cast<std::int32_t>(i % static_cast<std::size_t>(rings));
+    }
+    if (areRings(elevationsOf(seen))) return true;
+  }
+  return false;
+}
+
+bool setRingsFromElevation(std::vector<Seen>& seen) {
+  constexpr double kLeastFitting = 0.9;  // share of the far points within a quarter of a step
+  for (const ElevationTable& table : kTables) {
+    std::size_t fitting = 0;
+    std::size_t far = 0;
+    for (Seen& point : seen) {
+      point.ring = -1;
+      if (point.range == LidarRay::kNoReturn) continue;
+      const double place = (point.elevation * 180.0 / M_PI - table.lowest) / table.step;
+      const double nearest = std::round(place);
+      if (nearest >= 0 && nearest < table.rings) point.ring = static_cast<std::int32_t>(nearest);
+      if (point.range < kFar) continue;
+      ++far;
+      if (point.ring >= 0 && std::abs(place - nearest) < 0.25) ++fitting;
+    }
+    if (far > 0 && static_cast<double>(fitting) >= kLeastFitting * static_cast<double>(far))
+      return true;
+  }
+  return false;
+}
+
+/// Sets all rings, or leaves them at -1 if they cannot be found.
+void setRings(const PointCloud& cloud, const CloudLayout& layout, std::vector<Seen>& seen,
+              std::vector<std::string>& notes) {
+  if (setRingsFromField(cloud, layout, seen)) return;
+  if (layout.ring)
+    notes.emplace_back("the ring field does not follow the elevation and is ignored");
+  if (setRingsFromOrder(seen) || setRingsFromElevation(seen)) return;
+  for (Seen& point : seen) point.ring = -1;
+  notes.emplace_back("rings are unknown, rays without return are not rebuilt");
+}
+
+/// Marks zero ranges that the correction of the ego's motion moved off the origin: a sweep that is
+/// corrected to its end moves a point by the ego's motion in the rest of the sweep. Tries the
+/// motions that single points suggest, and takes the one with most points.
+void markMovedZeros(std::vector<Seen>& seen) {
+  constexpr std::size_t kTries = 64;
+  constexpr float kNear = 0.03F;         // m
+  constexpr float kLastShare = 0.1F;     // of the sweep, in which motion and noise are alike
+  constexpr std::size_t kLeastOf = 200;  // one point of so many must agree
+  std::vector<std::uint32_t> near;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i].range < kOwnVehicle) near.push_back(static_cast<std::uint32_t>(i));
+  }
+  const auto rest = [&](std::uint32_t i) {
+    return 1.0F - static_cast<float>(i) / static_cast<float>(seen.size());
+  };
+  const auto isMoved = [&](std::uint32_t i, const Eigen::Vector3f& motion) {
+    return (seen[i].position.cast<float>() - rest(i) * motion).squaredNorm() < kNear * kNear;
+  };
+  std::size_t most = seen.size() / kLeastOf;
+  std::optional<Eigen::Vector3f> best;
+  for (std::size_t k = 0; k < std::min(kTries, near.size()); ++k) {
+    const std::uint32_t i = near[k * near.size() / std::min(kTries, near.size())];
+    if (rest(i) < kLastShare) continue;
+    const Eigen::Vector3f motion = seen[i].position.cast<float>() / rest(i);
+    const auto count = static_cast<std::size_t>(std::count_if(
+        near.begin(), near.end(), [&](std::uint32_t point) { return isMoved(point, motion); }));
+    if (count <= most) continue;
+    most = count;
+    best = motion;
+    if (most > near.size() / 2) break;
+  }
+  if (!best) return;
+  for (const std::uint32_t i : near) {
+    if (isMoved(i, *best)) seen[i].range = LidarRay::kNoReturn;
+  }
+}
+
+/// The azimuth step between neighbouring rays of a ring: rad, negative if the sensor turns
+/// clockwise.
+std::optional<double> stepOf(const std::vector<std::vector<std::uint32_t>>& rings,
+                             const std::vector<Seen>& seen) {
+  constexpr std::size_t kLeast = 16;
+  constexpr double kLeastRegular = 0.6;  // share of steps near the median
+  std::vector<double> steps;
+  for (const auto& ring : rings) {
+    if (ring.size() <= steps.size()) continue;
+    std::vector<double> found;
+    for (std::size_t i = 1; i < ring.size(); ++i) {
+      const Seen& before = seen[ring[i - 1]];
+      const Seen& after = seen[ring[i]];
+      if (before.range < 2.0F || after.range < 2.0F || before.range == LidarRay::kNoReturn ||
+          after.range == LidarRay::kNoReturn) {
+        continue;
+      }
+      found.push_back(std::remainder(after.azimuth - before.azimuth, kTurn));
+    }
+    if (found.size() > steps.size()) steps = std::move(found);
+  }
+  if (steps.size() < kLeast) return std::nullopt;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  const double median = *middle;
+  const auto regular = std::count_if(steps.begin(), steps.end(), [=](double step) {
+    return std::abs(step - median) < 0.4 * std::abs(median);
+  });
+  const bool is_regular =
+      static_cast<double>(regular) >= kLeastRegular * static_cast<double>(steps.size());
+  if (!is_regular || std::abs(median) < 1e-4) return std::nullopt;
+  return median;
+}
+
+/// Rebuilds the rays without return of all rings.
+class RayRebuilder {
+ public:
+  RayRebuilder(const PointCloud& cloud, const std::vector<Seen>& seen,
+               const RingElevations& elevations, SweepRays& sweep)
+      : seen_(seen),
+        elevations_(elevations),
+        sweep_(sweep),
+        may_add_(cloud.height == 1 && sweep.empty_points == EmptyPoints::kLeftOut) {
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      const std::int32_t ring = seen[i].ring;
+      if (ring < 0) continue;
+      if (rings_.size() <= static_cast<std::size_t>(ring)) rings_.resize(ring + 1);
+      rings_[ring].push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+
+  void rebuild() {
+    const auto step = stepOf(rings_, seen_);
+    if (!step) {
+      sweep_.notes.emplace_back(
+          "the azimuths have no regular step, rays without return are not rebuilt");
+      return;
+    }
+    step_ = std::abs(*step);
+    sense_ = *step > 0.0 ? 1.0 : -1.0;
+    findReference();
+    for (std::size_t ring = 0; ring < rings_.size(); ++ring) rebuildRing(ring);
+  }
+
+ private:
+  bool isReturn(std::uint32_t point) const { return seen_[point].range != LidarRay::kNoReturn; }
+
+  /// Finds the ring with most returns and the azimuths along it, unwrapped in the sense of turning.
+  void findReference() {
+    std::size_t most = 0;
+    for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
+      const auto returns = static_cast<std::size_t>(
+          std::count_if(rings_[ring].begin(), rings_[ring].end(),
+                        [this](std::uint32_t point) { return isReturn(point); }));
+      if (returns > most) {
+        most = returns;
+        reference_ring_ = ring;
+      }
+    }
+    double angle = 0.0;
+    std::optional<std::uint32_t> last;
+    for (const std::uint32_t point : rings_[reference_ring_]) {
+      if (!isReturn(point)) continue;
+      if (last) angle += turned(seen_[*last].azimuth, seen_[point].azimuth);
+      reference_.emplace_back(point, angle);
+      last = point;
+    }
+    is_full_turn_ = angle > 0.95 * kTurn;
+  }
+
+  /// Returns the angle from one azimuth to another in the sense of turning, 0 to 2 pi; steps back
+  /// by up to 3 steps count as none.
+  double turned(double from, double to) const {
+    double angle = std::fmod((to - from) * sense_ + 2.0 * kTurn, kTurn);
+    if (angle > kTurn - 3.0 * step_) angle = 0.0;
+    return angle;
+  }
+
+  /// Returns the elevation of a ring; between rings with returns, interpolated.
+  std::optional<double> elevationOf(std::size_t ring) const {
+    if (std::isfinite(elevations_.mean[ring])) return elevations_.mean[ring];
+    std::size_t low = ring;
+    while (low > 0 && !std::isfinite(elevations_.mean[low])) --low;
+    std::size_t high = ring;
+    while (high + 1 < rings_.size() && !std::isfinite(elevations_.mean[high])) ++high;
+    if (!std::isfinite(elevations_.mean[low]) || !std::isfinite(elevations_.mean[high])) {
+      return std::nullopt;
+    }
+    const double share = static_cast<double>(ring - low) / static_cast<double>(high - low);
+    return elevations_.mean[low] + share * (elevations_.mean[high] - elevations_.mean[low]);
+  }
+
+  void rebuildRing(std::size_t ring) {
+    const auto elevation = elevationOf(ring);
+    if (!elevation) return;
+    elevation_ = *elevation;
+    ring_ = static_cast<std::int32_t>(ring);
+    const auto returns = std::count_if(rings_[ring].begin(), rings_[ring].end(),
+                                       [this](std::uint32_t point) { return isReturn(point); });
+    if (returns < 2) {
+      rebuildFromReference(rings_[ring]);
+      return;
+    }
+    std::optional<std::uint32_t> last;
+    std::vector<std::uint32_t> empty;
+    for (const std::uint32_t point : rings_[ring]) {
+      if (!isReturn(point)) {
+        empty.push_back(point);
+        continue;
+      }
+      if (last) {
+        fillGap(*last, point, empty);
+      } else {
+        fillEnd(point, empty, -static_cast<double>(empty.size()));
+      }
+      last = point;
+      empty.clear();
+    }
+    fillEnd(*last, empty, 1.0);
+    closeTurn(ring);
+  }
+
+  /// Fills the empty points beside the first or last return of a ring by equal steps; the first
+  /// of them is `begin` steps after `point`.
+  void fillEnd(std::uint32_t point, const std::vector<std::uint32_t>& empty, double begin) {
+    for (const std::uint32_t slot : empty) {
+      put(slot, seen_[point].azimuth + sense_ * step_ * begin);
+      begin += 1.0;
+    }
+  }
+
+  void fillGap(std::uint32_t from, std::uint32_t to, const std::vector<std::uint32_t>& empty) {
+    const double angle = turned(seen_[from].azimuth, seen_[to].azimuth);
+    // A step back, by more than turned() takes for one.
+    const double expected = kTurn * (to - from) / static_cast<double>(seen_.size());
+    if (angle - expected > M_PI) return fillEnd(from, empty, 1.0);
+    if (!empty.empty()) {
+      for (std::size_t i = 0; i < empty.size(); ++i) {
+        const double share = static_cast<double>(i + 1) / static_cast<double>(empty.size() + 1);
+        put(empty[i], seen_[from].azimuth + sense_ * angle * share);
+      }
+      return;
+    }
+    const double steps = std::round(angle / step_);
+    for (double i = 1.0; i < steps; i += 1.0) {
+      const double share = i / steps;
+      add(from + static_cast<std::uint32_t>(share * (to - from - 1)),
+          seen_[from].azimuth + sense_ * angle * share, timeBetween(from, to, share));
+    }
+  }
+
+  /// Adds the rays between the last and the first return of a ring of a full turn.
+  void closeTurn(std::size_t ring) {
+    if (!is_full_turn_ || !may_add_ || !isReturn(rings_[ring].front()) ||
+        !isReturn(rings_[ring].back())) {
+      return;
+    }
+    const std::uint32_t last = rings_[ring].back();
+    const std::uint32_t first = rings_[ring].front();
+    const double angle = turned(seen_[last].azimuth, seen_[first].azimuth);
+    const double rest = reference_.back().second;  // after the last return up to the sweep's end
+    const double end =
+        std::max(0.0, rest - turned(seen_[reference_.front().first].azimuth, seen_[last].azimuth));
+    const double steps = std::round(angle / step_);
+    for (double i = 1.0; i < steps; i += 1.0) {
+      const double along = angle * i / steps;
+      add(along <= end ? last : (first > 0 ? first - 1 : 0), seen_[last].azimuth + sense_ * along,
+          sweep_.rays[along <= end ? last : first].time);
+    }
+  }
+
+  /// Rebuilds a ring without returns, from the azimuths of the reference ring.
+  void rebuildFromReference(const std::vector<std::uint32_t>& slots) {
+    const float start = seen_[reference_.front().first].azimuth;
+    if (!slots.empty()) {
+      for (const std::uint32_t slot : slots) {
+        if (isReturn(slot)) continue;
+        const auto after = std::lower_bound(
+            reference_.begin(), reference_.end(), slot,
+            [](const auto& entry, std::uint32_t point) { return entry.first < point; });
+        const auto& nearest = after == reference_.end() ? reference_.back() : *after;
+        put(slot, start + sense_ * nearest.second);
+      }
+      return;
+    }
+    for (std::size_t i = 1; i < reference_.size(); ++i) {
+      const auto& [from, angle] = reference_[i - 1];
+      const auto& [to, next] = reference_[i];
+      const double steps = std::max(1.0, std::round((next - angle) / step_));
+      for (double k = 0.0; k < steps; k += 1.0) {
+        const double share = k / steps;
+        add(from + static_cast<std::uint32_t>(share * (to - from - 1)),
+            start + sense_ * (angle + share * (next - angle)), timeBetween(from, to, share));
+      }
+    }
+  }
+
+  float timeBetween(std::uint32_t from, std::uint32_t to, double share) const {
+    const float before = sweep_.rays[from].time;
+    return before + static_cast<float>(share) * (sweep_.rays[to].time - before);
+  }
+
+  Eigen::Vector3f directionTo(double azimuth) const {
+    return Vector3d(std::cos(elevation_) * std::cos(azimuth),
+                    std::cos(elevation_) * std::sin(azimuth), std::sin(elevation_))
+        .cast<float>();
+  }
+
+  void put(std::uint32_t point, double azimuth) {
+    sweep_.rays[point].direction = directionTo(azimuth);
+  }
+
+  void add(std::uint32_t after, double azimuth, float time) {
+    if (!may_add_) return;
+    LidarRay ray;
+    ray.direction = directionTo(azimuth);
+    ray.time = time;
+    ray.ring = ring_;
+    ray.point = after;
+    ray.is_missing = true;
+    sweep_.rays.push_back(ray);
+  }
+
+  const std::vector<Seen>& seen_;
+  const RingElevations& elevations_;
+  SweepRays& sweep_;
+  bool may_add_;
+  std::vector<std::vector<std::uint32_t>> rings_;  ///< indices of points, by ring
+  double step_ = 0.0;                              ///< rad, positive
+  double sense_ = 1.0;
+  std::size_t reference_ring_ = 0;
+  std::vector<std::pair<std::uint32_t, double>> reference_;  ///< point, angle from the first
+  bool is_full_turn_ = false;
+  double elevation_ = 0.0;
+  std::int32_t ring_ = -1;
+};
+
+/// One per cent of empty points are a habit of the cloud, fewer are accidents.
+EmptyPoints emptyPointsOf(const PointCloud& cloud, const std::vector<Seen>& seen) {
+  std::size_t zeros = 0;
+  std::size_t nans = 0;
+  for (const Seen& point : seen) {
+    if (point.range != LidarRay::kNoReturn) continue;
+    ++(point.position.allFinite() ? zeros : nans);
+  }
+  if (zeros > nans && zeros * 100 > seen.size()) return EmptyPoints::kZero;
+  if (cloud.height > 1 || nans * 100 > seen.size()) return EmptyPoints::kNan;
+  return EmptyPoints::kLeftOut;
+}
+
+/// Returns true if the points come in the order of firing: organised by columns, or with the rings
+/// interleaved.
+bool isInFiringOrder(const std::vector<Seen>& seen) {
+  std::size_t changes = 0;
+  for (std::size_t i = 1; i < seen.size(); ++i) {
+    if (seen[i].ring != seen[i - 1].ring) ++changes;
+  }
+  return seen.empty() || seen.front().ring < 0 || changes * 4 > seen.size();
+}
+
+/// Returns the time of each point, s after the stamp.
+std::vector<float> timesOf(const PointCloud& cloud, const CloudLayout& layout,
+                           const std::vector<Seen>& seen, const SweepTiming& timing) {
+  std::vector<float> times(seen.size(), 0.0F);
+  const bool is_ordered = isInFiringOrder(seen);
+  const double columns = std::max<double>(1.0, cloud.width);
+  const double count = std::max<double>(1.0, static_cast<double>(seen.size()));
+  const double start = seen.empty() ? 0.0 : seen.front().azimuth;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (layout.time) {
+      const double time = layout.timeOf(cloud.pointAt(i), timing.stamp);
+      times[i] = std::isfinite(time) ? static_cast<float>(time) : 0.0F;
+      continue;
+    }
+    double share = static_cast<double>(i) / count;
+    if (cloud.height > 1) share = static_cast<double>(i % cloud.width) / columns;
+    // Sorted by rings: spinning lidars turn clockwise (Velodyne, Hesai, Ouster).
+    if (cloud.height == 1 && !is_ordered) {
+      share = std::fmod(start - seen[i].azimuth + 2.0 * kTurn, kTurn) / kTurn;
+    }
+    times[i] = static_cast<float>((share - 1.0) * timing.sweep_time);
+  }
+  return times;
+}
+
+}  // namespace
+
+SweepRays raysOf(const PointCloud& cloud, const CloudLayout& layout, const SweepTiming& timing) {
+  SweepRays sweep;
+  std::vector<Seen> seen = seenPoints(cloud, layout);
+  if (seen.empty()) return sweep;
+  markMovedZeros(seen);
+  setRings(cloud, layout, seen, sweep.notes);
+  const RingElevations elevations = elevationsOf(seen);
+  const std::vector<float> times = timesOf(cloud, layout, seen, timing);
+  sweep.empty_points = emptyPointsOf(cloud, seen);
+  sweep.rays.resize(seen.size());
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    LidarRay& ray = sweep.rays[i];
+    ray.range = seen[i].range;
+    ray.ring = seen[i].ring;
+    ray.time = times[i];
+    ray.point = static_cast<std::uint32_t>(i);
+    ray.direction.setZero();
+    if (ray.range != LidarRay::kNoReturn)
+      ray.direction = seen[i].position.normalized().cast<float>();
+  }
+  const bool has_rings =
+      std::any_of(seen.begin(), seen.end(), [](const Seen& point) { return point.ring >= 0; });
+  if (has_rings) RayRebuilder(cloud, seen, elevations, sweep).rebuild();
+  return sweep;
+}
+
+std::optional<double> groundBelow(const SweepRays& sweep, const Eigen::Isometry3d& pose,
+                                  const Eigen::Vector2d& size) {
+  constexpr double kAround = 1.5;      // m around the box
+  constexpr double kReach = 1.0;       // m above and below the expected ground
+  constexpr std::size_t kLeast = 6;    // points
+  constexpr double kLowShare = 0.2;    // of the points are ground at least
+  constexpr double kThickness = 0.15;  // m of the ground
+  const Eigen::Isometry3f to_box = pose.inverse().cast<float>();
+  const auto reach = static_cast<float>(size.norm() / 2.0 + 2.0 * kAround);
+  const Eigen::Vector3f middle = pose.translation().cast<float>();
+  std::vector<double> heights;
+  for (const LidarRay& ray : sweep.rays) {
+    if (ray.range == LidarRay::kNoReturn) continue;
+    const Eigen::Vector3f point = ray.range * ray.direction;
+    if ((point - middle).squaredNorm() > reach * reach) continue;
+    const Eigen::Vector3f local = to_box * point;
+    if (std::abs(local.x()) < size.x() / 2.0 + kAround &&
+        std::abs(local.y()) < size.y() / 2.0 + kAround && std::abs(local.z()) < kReach) {
+      heights.push_back(local.z());
+    }
+  }
+  if (heights.size() < kLeast) return std::nullopt;
+  const auto low = heights.begin() +
+                   static_cast<std::ptrdiff_t>(kLowShare * static_cast<double>(heights.size()));
+  std::nth_element(heights.begin(), low, heights.end());
+  const double level = *low;
+  double sum = 0.0;
+  double count = 0.0;
+  for (const double height : heights) {
+    if (std::abs(height - level) > kThickness) continue;
+    sum += height;
+    count += 1.0;
+  }
+  return sum / count;
+}
+
+}  // namespace forge

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "collision_forge/io/lidar/point_cloud.h"
+
+namespace forge {
+
+/// One laser pulse of a sweep.
+struct LidarRay {
+  static constexpr float kNoReturn = std::numeric_limits<float>::infinity();
+
+  Eigen::Vector3f direction;  ///< unit, in the cloud's frame; the ray begins at the frame's origin
+  float range = kNoReturn;    ///< m
+  float time = 0.0F;          ///< s after the cloud's stamp
+  std::int32_t ring = -1;     ///< -1: unknown
+  std::uint32_t point = 0;    ///< index of its point in the cloud; if `is_missing`, of the point
+                              ///< after which a new one belongs
+  bool is_missing = false;    ///< the cloud has no point for this ray
+};
+
+/// How a cloud holds the rays without return.
+enum class EmptyPoints {
+  kLeftOut,
+  kZero,  ///< as points at (or, after a correction of the ego's motion, near) the origin
+  kNan,
+};
+
+/// The rays of a sweep, those of the cloud's points first, in the cloud's order.
+struct SweepRays {
+  std::vector<LidarRay> rays;
+  EmptyPoints empty_points = EmptyPoints::kLeftOut;
+  std::vector<std::string> notes;  ///< what could not be reconstructed, one line each
+};
+
+/// How to read a sweep.
+struct SweepTiming {
+  double stamp = 0.0;       ///< s, the cloud's
+  double sweep_time = 0.0;  ///< s, LidarOptions::sweep_time
+};
+
+/// Returns the rays of a cloud of a spinning lidar. The ray of a point with a return is exact: the
+/// direction to the point. Rays without return are reconstructed from the rays before and after
+/// them in their ring: where the cloud has a point for them (NaN, zero range, or, in clouds whose
+/// ego motion was corrected, zero range moved by that motion), and else, in unorganised clouds, in
+/// gaps of the ring's azimuths. Rings come from the ring field if the elevations agree with it,
+/// else from the order of the points, else from the elevations of a VLP-16 or HDL-32E. Times come
+/// from the time field, else from the place in the sweep, which ends at the stamp.
+SweepRays raysOf(const PointCloud& cloud, const CloudLayout& layout, const SweepTiming& timing);
+
+/// Returns the height of the ground above the xy plane of the frame `pose` (in the cloud's frame),
+/// m, from the points below and around a box of length and width `size`; nullopt with too few
+/// points within 1 m of that plane.
+std::optional<double> groundBelow(const SweepRays& sweep, const Eigen::Isometry3d& pose,
+                                  const Eigen::Vector2d& size);
+
+}  // namespace forge

@@ -1,0 +1,38 @@
+#include "collision_forge/ros/injection/agent_body.h"
+
+#include <stdexcept>
+
+namespace forge {
+
+Eigen::Isometry3d bottomOf(const collision_forge::Agent& agent) {
+  const auto& [x, y, z, w] = agent.pose.orientation;
+  const auto& position = agent.pose.position;
+  return Eigen::Translation3d(position.x, position.y, position.z) *
+         Eigen::Quaterniond(w, x, y, z).normalized() *
+         Eigen::Translation3d(0.0, 0.0, -agent.size.z / 2.0);
+}
+
+PosedBody bodyInCloud(const AgentInSweep& agent, const SensorInSweep& sensor,
+                      const SweepRays& sweep) {
+  const Eigen::Vector3d size(agent.end.size.x, agent.end.size.y, agent.end.size.z);
+  PosedBody body;
+  body.begin = sensor.begin.inverse() * bottomOf(agent.begin);
+  body.end = sensor.end.inverse() * bottomOf(agent.end);
+  body.begin_time = agent.begin_time;
+  body.end_time = agent.end_time;
+  if (!(size.minCoeff() > 0.0) || !size.allFinite() || !body.begin.matrix().allFinite() ||
+      !body.end.matrix().allFinite()) {
+    throw std::invalid_argument("agent " + agent.end.id + " has no finite pose and size");
+  }
+  const Eigen::Translation3d ground(0.0, 0.0,
+                                    groundBelow(sweep, body.end, size.head<2>()).value_or(0.0));
+  body.begin = body.begin * ground;
+  body.end = body.end * ground;
+  // Legs swing with the distance along x and y in the map, which is continuous from sweep to sweep.
+  const auto& position = agent.end.pose.position;
+  body.body =
+      lidarBodyOf(static_cast<AgentClass>(agent.end.agent_class), size, position.x + position.y);
+  return body;
+}
+
+}  // namespace forge

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <collision_forge/AgentArray.h>
+#include <sensor_msgs/PointCloud2.h>
+
+#include <cstddef>
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "collision_forge/io/lidar/options.h"
+#include "collision_forge/io/lidar/surface_returns.h"
+#include "collision_forge/ros/injection/agent_body.h"
+
+namespace forge {
+
+/// Puts the attacker of a live system into its lidar clouds: the agent of injected_agents with the
+/// attacker's id. Takes out the points at the attacker's place in the recorded agents. Poses
+/// between frames are interpolated; after the newest frame they are extrapolated by its velocity,
+/// for at most kReach. Returns of vehicles follow the model `materials`. Not thread-safe.
+class LiveLidar {
+ public:
+  static constexpr double kReach = 0.5;  ///< s
+
+  /// `shows_all`: puts all agents of injected_agents into the clouds, for other lists of objects.
+  LiveLidar(const LidarOptions& options, bool shows_all)
+      : options_(options), shows_all_(shows_all) {}
+
+  /// Sets the attacker's id; empty: no attack.
+  void setAttacker(const std::string& id) { attacker_ = id; }
+  void addInjected(const collision_forge::AgentArray::ConstPtr& frame) { keep(frame, injected_); }
+  void addRecorded(const collision_forge::AgentArray::ConstPtr& frame) { keep(frame, recorded_); }
+
+  /// Changes the cloud. Returns false if nothing is to be shown at its stamp; `message` is then as
+  /// before. Throws CloudError, with `message` as before.
+  bool edit(const SensorInSweep& sensor, sensor_msgs::PointCloud2& message) const;
+
+ private:
+  using Frames = std::deque<collision_forge::AgentArray::ConstPtr>;
+  static void keep(const collision_forge::AgentArray::ConstPtr& frame, Frames& frames);
+  static std::optional<collision_forge::Agent> agentAt(const Frames& frames, const std::string& id,
+                                                       const ros::Time& stamp);
+
+  LidarOptions options_;
+  bool shows_all_;
+  SurfaceReturns surfaces_;
+  std::string attacker_;
+  Frames injected_;  ///< sorted by stamp
+  Frames recorded_;
+};
+
+}  // namespace forge
