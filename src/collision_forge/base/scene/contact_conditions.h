@@ -58,6 +58,9 @@ inline constexpr RangeControl kRangeControls[] = {
      "ego's width, 0 at the left edge"},
 };
 
+/// Returns the range control of a name, or null.
+const RangeControl* rangeControl(const std::string& name);
+
 /// Returns the name of a control's option on the command line: '-' for '_'.
 std::string optionName(const std::string& control);
 
