@@ -120,6 +120,10 @@ TEST(RequestPhrase, KeepsTheFieldsThatThePhraseDoesNotGive) {
   EXPECT_EQ(reading.request.manoeuvre, Manoeuvre::kLeadBrakes);
 }
 
+TEST(RequestPhrase, BracesOfTheTextAreNoQuantities) {
+  EXPECT_THAT(readingOf("cut in {u99} at {v0}").unknown, ElementsAre("u99", "v0"));
+}
+
 TEST(RequestPhrase, NumbersThatAreNoneAreRefusedOrUnknown) {
   EXPECT_THAT(readingOf("cut in, 1e999 km/h").request.attacker_speed, testing::Eq(std::nullopt));
   EXPECT_THAT(refusalOf("cut in with 999999999999 alternatives"), HasSubstr("alternatives"));
