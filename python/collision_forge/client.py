@@ -106,17 +106,22 @@ class CollisionForge:
 
     # Requests.
 
-    def generate(self, collision: Collision, tta: Optional[float] = None, *, at: Optional[Time] = None,
-                 method: str = '', **controls: Any) -> Attack:
+    def generate(self, collision: Collision = '', tta: Optional[float] = None, *, name: str = '', text: str = '',
+                 at: Optional[Time] = None, method: str = '', **controls: Any) -> Attack:
         """Request an attack, wait until it is published and return it; raise Declined if the suite rejects it.
 
         collision: a collision type, or an entry of `possible()`, which reproduces the listed attack. If tta, method,
             at or a control is given too, the listed attacker and manoeuvre are requested with these values.
-        tta: time to attack, s from t0; required with a type
+        tta: time to attack, s from t0; required with a type or name
+        name: in place of a type, a scenario of a catalogue, e.g. 'CCRb' or 'CCRb deceleration=4'
+        text: in place of a type, the request in English, e.g. 'truck cuts in from the left in 3 s'
         at: stamp of the frame of agents used as t0; by default the frame of the player, else the newest
         controls: see `control_fields()`
         """
-        return self._generate(collision, tta, at, method, fields_of(controls), False)
+        if bool(collision) + bool(name) + bool(text) != 1:
+            raise TypeError('generate() needs a collision, a name or a text, and one of them only')
+        fields = {**fields_of(controls), 'name': name, 'text': text}
+        return self._generate(collision, 0.0 if text and tta is None else tta, at, method, fields, False)
 
     def adaptive(self, collision: Collision, tta: Optional[float] = None, *, at: Optional[Time] = None,
                  method: str = '', **controls: Any) -> 'AdaptiveAttack':
@@ -129,7 +134,7 @@ class CollisionForge:
     def _generate(self, collision: Collision, tta: Optional[float], at: Optional[Time], method: str,
                   controls: Dict[str, Any], adaptive: bool) -> Attack:
         if isinstance(collision, PossibleCollision):
-            changed = {name: value for name, value in controls.items() if value != control_fields()[name]}
+            changed = {name: value for name, value in controls.items() if value != control_fields().get(name, '')}
             if at or tta or method or changed or adaptive:
                 own = {'choice': 'new'} if collision.added else {'attacker_id': collision.attacker}
                 own.update(manoeuvre=collision.manoeuvre, alternatives=1)

@@ -6,7 +6,7 @@ import road
 from road import DATAROOT, VERSION
 
 LOGS = ('--dataroot', DATAROOT, '--version', VERSION)
-FORMATS = ('openscenario', 'commonroad', 'scenarionet')
+FORMATS = ('openscenario', 'commonroad', 'scenarionet', 'openlabel')
 
 
 def lines_of(path):

@@ -18,6 +18,7 @@ import road
 from road import DATAROOT, PACKAGE_FOLDER, VERSION
 
 SCHEMA = PACKAGE_FOLDER / 'docs' / 'scenario.schema.json'
+REQUEST_SCHEMA = json.loads((PACKAGE_FOLDER / 'docs' / 'request.schema.json').read_text(encoding='utf-8'))
 ROOT = ('--dataroot', DATAROOT, '--version', VERSION)
 SEED = int(os.environ.get('PROPERTY_SEED', '1'))  # of the first random list
 LISTS = 3
@@ -53,7 +54,23 @@ class RequestsTest(road.RoadTest):
     def requests(self, *arguments):
         result = make_requests(self.path('requests.jsonl'), *arguments)
         self.assertEqual(result.returncode, 0, result.stderr)
-        return [json.loads(line) for line in lines_of(self.path('requests.jsonl'))]
+        requests = [json.loads(line) for line in lines_of(self.path('requests.jsonl'))]
+        for request in requests:
+            jsonschema.validate(request, REQUEST_SCHEMA)
+        return requests
+
+    def test_a_request_in_words_is_a_line_of_a_list(self):
+        result = road.run('ask', 'purple truck cuts in from the left in 3 s, 30 km/h slower, quarter overlap',
+                          '--scene', 'scene-0003', '--now', 1.5)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        request = json.loads(result.stdout)
+        jsonschema.validate(request, REQUEST_SCHEMA)
+        self.assertEqual((request['manoeuvre'], request['tta'], request['scene']), ('cut_in', 3, 'scene-0003'))
+        self.assertIn('understood "truck": attacker_class = truck\n', result.stderr)
+        self.assertIn('not understood: purple\n', result.stderr)
+        refused = road.run('ask', 'CBDA')
+        self.assertEqual((refused.returncode, refused.stdout), (1, ''))
+        self.assertIn('doors do not open', refused.stderr)
 
     def test_every_request_is_possible_and_in_order(self):
         samples = json.loads((DATAROOT / VERSION / 'sample.json').read_text())

@@ -151,6 +151,19 @@ class RequestsTest(AttackedTest):
         until(lambda: len(shown.all()) > 2, 'the markers, which come again every second')
         self.assertNotIn(1, [len(array.markers) for array in shown.all()])
 
+    def test_a_name_or_words_request_an_attack(self):
+        self.show(drive(6))
+        name = 'nhtsa/22_following_vehicle_making_manoeuvre'
+        named = self.ask_until(lambda answer: answer.code == 0, '', 4.0, name=name)
+        self.assertEqual((named.name, named.attack.report.manoeuvre), (name, 'follower_closes'))
+        told = ask('', 0.0, text='a purple car runs into the back of us in 4 s')
+        self.assertEqual((told.code, told.attack.report.manoeuvre), (0, 'follower_closes'), told.message)
+        self.assertIn('"in 4 s": tta = 4 s', told.understood)
+        self.assertEqual(told.not_understood, ['purple'])
+        refused = ask('', 4.0, name='CCRx')
+        self.assertEqual(road.CODES[refused.code], 'INVALID_INPUT')
+        self.assertIn('did you mean CCRb?', refused.message)
+
     def test_lists_name_what_is_wrong(self):
         self.attacked()
         for fields, code, words in (

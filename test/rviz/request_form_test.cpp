@@ -4,6 +4,7 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLineEdit>
 #include <QLocale>
 
 #include <algorithm>
@@ -29,6 +30,19 @@ TEST(RequestForm, RequestsTheChosenFields) {
   EXPECT_EQ(request.attacker_id, "a1");
   EXPECT_EQ(request.manoeuvre, "cut_in");
   EXPECT_EQ(request.choice, "existing");
+}
+
+TEST(RequestForm, ATextReplacesTypeTimeAndAttacker) {
+  RequestForm form;
+  form.choose(cutIn());
+  form.findChild<QLineEdit*>("text")->setText(" CCRb in 3 s ");
+  const auto request = form.request();
+  EXPECT_EQ(request.text, "CCRb in 3 s");
+  EXPECT_EQ(request.collision_type, "");
+  EXPECT_EQ(request.tta, 0.0);
+  EXPECT_EQ(request.attacker_id, "");
+  form.choose(cutIn());
+  EXPECT_EQ(form.request().text, "");
 }
 
 TEST(RequestForm, RequestsAnyTypeUnlessOneIsChosen) {

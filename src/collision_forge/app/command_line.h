@@ -77,6 +77,7 @@ void addConvert(CommandLine& line);
 void addInject(CommandLine& line);
 void addPossible(CommandLine& line);
 void addRequests(CommandLine& line);
+void addAsk(CommandLine& line);
 void addGenerate(CommandLine& line);
 void addExport(CommandLine& line);
 void addReport(CommandLine& line);

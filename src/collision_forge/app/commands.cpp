@@ -7,6 +7,7 @@ void addCommands(CommandLine& line) {
   addInject(line);
   addPossible(line);
   addRequests(line);
+  addAsk(line);
   addGenerate(line);
   addExport(line);
   addTest(line);

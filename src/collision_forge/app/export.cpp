@@ -86,9 +86,10 @@ class CrashExport {
       : arguments_(arguments),
         config_(config),
         attacks_(attacks),
-        writer_(
-            makeCrashWriter(arguments.format, {arguments.out, arguments.ego_free, config.exports,
-                                               config.attack.verification.drivable})) {}
+        writer_(makeCrashWriter(
+            arguments.format,
+            {arguments.out, arguments.ego_free, config.exports, config.attack.verification.drivable,
+             readCatalogue(arguments.config, "all")})) {}
 
   int run() {
     Run run;

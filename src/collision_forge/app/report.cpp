@@ -37,7 +37,8 @@ int report(const Arguments& arguments) {
 void writeReport(const ReportInputs& inputs, const std::string& folder, const Config& config) {
   const std::size_t rows = writeReportPage(
       inputs, folder,
-      {config.report, config.drawing, config, config.attacked_bag.seconds_after_stand});
+      {config.report, config.drawing, config, config.attacked_bag.seconds_after_stand,
+       readCatalogue(config.folder, "all")});
   std::cout << counted(rows, "row") << " in " << folder << "/index.html\n";
 }
 

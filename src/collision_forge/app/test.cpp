@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "collision_forge/app/command_line.h"
 #include "collision_forge/app/options.h"
@@ -18,6 +19,7 @@ struct Arguments : PlannerTestArguments {
   bool until_hit = false;
   std::vector<std::string> scenes;
   std::vector<std::string> types;
+  CatalogueChoice catalogue;
   std::optional<std::size_t> tries;
   std::uint64_t seed = 0;
   std::string method;
@@ -29,6 +31,16 @@ RequestListOptions listOf(const Arguments& arguments, const Config& config) {
   return list;
 }
 
+std::vector<CatalogueCell> cellsOf(const Arguments& arguments) {
+  std::vector<CatalogueCell> cells;
+  if (arguments.catalogue.name.empty()) return cells;
+  for (const CatalogueEntry& entry : arguments.catalogue.entries(arguments.config)) {
+    cells.insert(cells.end(), entry.cells.begin(), entry.cells.end());
+  }
+  if (cells.empty()) throw std::invalid_argument("none of these scenarios can be requested");
+  return cells;
+}
+
 /// Random collision requests for scenes, the cases of --until-hit. Their order is independent of
 /// the order of scenes, so scenes are cached.
 struct DrawnCases {
@@ -36,10 +48,11 @@ struct DrawnCases {
 
   DrawnCases(const Arguments& arguments, const Config& config)
       : scenes(arguments.logs, arguments.scenes, config, kScenesKept, printWarnings, showReading()),
-        requests(scenes, loadMethod(arguments.method, config, config.attack), config,
-                 {listOf(arguments, config),
-                  arguments.tries.value_or(config.planners.until_hit.tries), arguments.seed,
-                  [this](std::size_t done, std::size_t count) { progress.show(done, count); }}) {}
+        requests(
+            scenes, loadMethod(arguments.method, config, config.attack), config,
+            {listOf(arguments, config), arguments.tries.value_or(config.planners.until_hit.tries),
+             arguments.seed, cellsOf(arguments),
+             [this](std::size_t done, std::size_t count) { progress.show(done, count); }}) {}
 
   ProgressLine progress{"scenes"};
   SceneSource scenes;
@@ -97,11 +110,12 @@ void addTest(CommandLine& line) {
                        "the weaknesses of the planners, worst first");
   source->require_option(1);
   addScenes(app, arguments->scenes)->needs(until_hit);
-  app.add_option("--types", arguments->types,
-                 "collision types to draw from; any: all; default: the first five of " +
-                     collisionTypeWords())
-      ->check(checkType)
-      ->needs(until_hit);
+  CLI::Option* types = app.add_option(
+      "--types", arguments->types,
+      "collision types to draw from; any: all; default: the first five of " + collisionTypeWords());
+  types->check(checkType)->needs(until_hit);
+  addCatalogue(app, types, arguments->catalogue);
+  app.get_option("--catalogue")->needs(until_hit);
   app.add_option("--tries", arguments->tries,
                  "number of collisions to draw; default: planners.yaml")
       ->check(CLI::PositiveNumber)

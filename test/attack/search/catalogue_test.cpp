@@ -49,6 +49,13 @@ TEST(Catalogue, AGridOfWordsGivesACellPerWord) {
   EXPECT_EQ(entry.cells[1].request.from_side, Side::kRight);
 }
 
+TEST(Catalogue, ANameMayKeepCellsOfTheGrid) {
+  EXPECT_EQ(entryOf("ccrb deceleration=4").cells.size(), 5u);
+  EXPECT_EQ(entryOf("euro_ncap_2026/CCRb deceleration=4 impact_location=0.5").cells.size(), 1u);
+  EXPECT_THROW(entryOf("CCRb deceleration=3"), std::invalid_argument);
+  EXPECT_THROW(namedCells(readCatalogue(kConfig, "all"), "ELK_RE"), std::invalid_argument);
+}
+
 TEST(Catalogue, UnknownNamesAreErrorsWithTheKnownOnes) {
   try {
     readCatalogue(kConfig, "euro");

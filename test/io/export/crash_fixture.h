@@ -81,7 +81,8 @@ inline CrashRecord slowCarRecord(double history = 2.0, const Scenario& scenario 
 
 inline ExportPlan planFor(const std::string& folder, bool ego_free = false) {
   const Config& config = shippedConfig();
-  return {folder, ego_free, config.exports, config.attack.verification.drivable};
+  return {folder, ego_free, config.exports, config.attack.verification.drivable,
+          readCatalogue(std::string(COLLISION_FORGE_SOURCE_DIR "/config"), "all")};
 }
 
 }  // namespace forge

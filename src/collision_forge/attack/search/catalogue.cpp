@@ -22,32 +22,35 @@ constexpr double kMostTolerance = 100.0;  // in the unit of the field
 
 using Tolerances = std::map<std::string, double>;
 
-/// Sets a field that is a word; returns false for an unknown field or word.
-bool setWord(const std::string& field, const std::string& word, CollisionRequest& request) {
-  const auto set = [&](const auto& value, auto& target) {
-    if (value) target = *value;
-    return value.has_value();
-  };
-  if (field == "type") return set(collisionTypeFromString(word), request.type);
-  if (field == "turning") return set(turningFromString(word), request.turning);
-  if (field == "manoeuvre") return set(manoeuvreFromString(word), request.manoeuvre);
-  if (field == "ego_side") return set(sideFromString(word), request.ego_side);
-  if (field == "from_side") return set(sideFromString(word), request.from_side);
-  if (field == "hidden_by") return set(hiderFromString(word), request.hidden_by);
-  if (field == "attacker_class") return set(agentClassFromString(word), request.attacker_class);
-  return false;
-}
-
 std::string unknownWord(const std::string& word) {
   return "\"" + word + "\" is not a value of a field of this name";
 }
 
-/// Returns the range control of a name, or null.
-const RangeControl* rangeControl(const std::string& name) {
-  const auto found =
-      std::find_if(std::begin(kRangeControls), std::end(kRangeControls),
-                   [&](const RangeControl& control) { return name == control.name; });
-  return found != std::end(kRangeControls) ? found : nullptr;
+std::string shortName(const CatalogueEntry& entry) {
+  return entry.name.substr(entry.name.find('/') + 1);
+}
+
+std::vector<std::string> wordsIn(const std::string& text) {
+  std::istringstream words(text);
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
+/// Keeps the cells with a value of the grid ("deceleration=4"). Throws std::invalid_argument if
+/// there is none.
+void keepCells(const std::string& value, CatalogueEntry& entry) {
+  std::vector<CatalogueCell> kept;
+  std::vector<std::string> known;
+  for (const CatalogueCell& cell : entry.cells) {
+    std::vector<std::string> values = wordsIn(cell.name);
+    values.erase(values.begin());
+    if (std::count(values.begin(), values.end(), value) > 0) kept.push_back(cell);
+    known.insert(known.end(), values.begin(), values.end());
+  }
+  if (kept.empty()) {
+    throw std::invalid_argument("scenario " + entry.name + " has no cell \"" + value + "\"" +
+                                nearestNameHint(value, known));
+  }
+  entry.cells = std::move(kept);
 }
 
 /// Reads one catalogue file.
@@ -99,9 +102,10 @@ class Reader {
     const std::set<std::string> keys = fields.unread();
     for (const std::string& key : keys) {
       const std::string word = fields.text(key);
-      if (!setWord(key, word, request)) fields.refuse(key, unknownWord(word));
+      if (!setRequestWord(key, word, request)) fields.refuse(key, unknownWord(word));
     }
     fields.finish();
+    entry.request = request;
     entry.cells = {{entry.name, request}};
     if (section.has("grid")) {
       Section grid = section.section("grid");
@@ -136,11 +140,11 @@ class Reader {
     } else {
       const std::string words = grid.text(field);
       for (const CatalogueCell& cell : cells) {
-        std::istringstream list(words);
-        for (std::string word; list >> word;) {
+        for (const std::string& word : wordsIn(words)) {
           all.push_back(cell);
           all.back().name += " " + field + "=" + word;
-          if (!setWord(field, word, all.back().request)) grid.refuse(field, unknownWord(word));
+          if (!setRequestWord(field, word, all.back().request))
+            grid.refuse(field, unknownWord(word));
         }
       }
     }
@@ -182,23 +186,38 @@ std::vector<CatalogueEntry> readCatalogue(const ConfigFolder& folder,
 std::vector<CatalogueEntry> namedEntries(const std::vector<CatalogueEntry>& entries,
                                          const std::vector<std::string>& names) {
   if (names.empty()) return entries;
-  const auto shortName = [](const CatalogueEntry& entry) {
-    return entry.name.substr(entry.name.find('/') + 1);
-  };
   std::vector<CatalogueEntry> found;
   for (const std::string& name : names) {
+    const std::vector<std::string> words = wordsIn(name);
+    const std::string wanted = words.empty() ? "" : lowered(words.front());
     const std::size_t before = found.size();
     std::copy_if(entries.begin(), entries.end(), std::back_inserter(found),
                  [&](const CatalogueEntry& entry) {
-                   return name == entry.name || name == shortName(entry);
+                   return wanted == lowered(entry.name) || wanted == lowered(shortName(entry));
                  });
-    if (found.size() > before) continue;
-    std::vector<std::string> known;
-    std::transform(entries.begin(), entries.end(), std::back_inserter(known), shortName);
-    throw std::invalid_argument("no scenario \"" + name + "\" in the catalogue" +
-                                nearestNameHint(name, known));
+    if (found.size() == before) {
+      std::vector<std::string> known;
+      std::transform(entries.begin(), entries.end(), std::back_inserter(known), shortName);
+      throw std::invalid_argument("no scenario \"" + name + "\" in the catalogue" +
+                                  nearestNameHint(wanted, known));
+    }
+    for (std::size_t i = before; i < found.size(); ++i) {
+      for (std::size_t k = 1; k < words.size(); ++k) keepCells(words[k], found[i]);
+    }
   }
   return found;
+}
+
+std::vector<CatalogueCell> namedCells(const std::vector<CatalogueEntry>& entries,
+                                      const std::string& name) {
+  std::vector<CatalogueCell> cells;
+  std::string missing;
+  for (const CatalogueEntry& entry : namedEntries(entries, {name})) {
+    cells.insert(cells.end(), entry.cells.begin(), entry.cells.end());
+    if (!entry.missing.empty()) missing = entry.name + " cannot be requested: " + entry.missing;
+  }
+  if (cells.empty()) throw std::invalid_argument(missing);
+  return cells;
 }
 
 }  // namespace forge

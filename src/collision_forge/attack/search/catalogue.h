@@ -20,6 +20,7 @@ struct CatalogueEntry {
   std::string text;                  ///< what happens
   std::string differs;               ///< how the request differs from the programme; may be empty
   std::string missing;               ///< why it cannot be requested; empty if it can
+  CollisionRequest request;          ///< what all cells share
   std::vector<CatalogueCell> cells;  ///< one per combination of its grid; empty with `missing`
 };
 
@@ -31,9 +32,16 @@ std::vector<std::string> catalogueNames(const ConfigFolder& folder);
 /// file, an unknown field and a request that contradicts itself (checkControls()).
 std::vector<CatalogueEntry> readCatalogue(const ConfigFolder& folder, const std::string& catalogue);
 
-/// Returns the entries whose name, with or without its catalogue, is in `names`; all if `names` is
-/// empty. Throws std::invalid_argument for a name without entry, with the nearest known one.
+/// Returns the entries that `names` select, all if `names` is empty. A name is the name of an
+/// entry, with or without its catalogue and in any case, and may go on with values of the grid; the
+/// entry then keeps the cells with these values: "CCRb deceleration=4". Throws
+/// std::invalid_argument for an unknown name or value, with the nearest known one.
 std::vector<CatalogueEntry> namedEntries(const std::vector<CatalogueEntry>& entries,
                                          const std::vector<std::string>& names);
+
+/// Returns the cells of namedEntries() for one name. Throws std::invalid_argument as it does, and
+/// for a scenario that cannot be requested, with the reason.
+std::vector<CatalogueCell> namedCells(const std::vector<CatalogueEntry>& entries,
+                                      const std::string& name);
 
 }  // namespace forge

@@ -5,6 +5,13 @@
 
 namespace forge {
 
+const RangeControl* rangeControl(const std::string& name) {
+  const auto found =
+      std::find_if(std::begin(kRangeControls), std::end(kRangeControls),
+                   [&](const RangeControl& control) { return name == control.name; });
+  return found != std::end(kRangeControls) ? found : nullptr;
+}
+
 std::string optionName(const std::string& control) {
   std::string name = control;
   std::replace(name.begin(), name.end(), '_', '-');

@@ -75,6 +75,9 @@ inline constexpr RangeControl kRangeControls[] = {
      100.0, "time before the contact from which on the ego sees the attacker, since t0 at most"},
 };
 
+/// Returns the range control of a name, or null.
+const RangeControl* rangeControl(const std::string& name);
+
 /// Returns the name of a control's option on the command line: '-' for '_'.
 std::string optionName(const std::string& control);
 

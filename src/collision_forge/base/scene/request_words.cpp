@@ -20,6 +20,11 @@ constexpr EnumWord<Turning> kTurningWords[] = {
     {Turning::kEgo, "ego"},
 };
 
+constexpr EnumWord<bool> kFlagWords[] = {
+    {true, "true"},
+    {false, "false"},
+};
+
 /// Returns true if `type` is kAny or in the list.
 bool isOneOf(CollisionType type, std::initializer_list<CollisionType> types) {
   return type == CollisionType::kAny || std::find(types.begin(), types.end(), type) != types.end();
@@ -43,6 +48,24 @@ const char* toString(Turning turning) { return wordOf(kTurningWords, turning); }
 
 std::optional<Turning> turningFromString(const std::string& name) {
   return valueOf(kTurningWords, name);
+}
+
+bool setRequestWord(const std::string& field, const std::string& word, CollisionRequest& request) {
+  const auto set = [&](const auto& value, auto& target) {
+    if (value) target = *value;
+    return value.has_value();
+  };
+  if (field == "type") return set(collisionTypeFromString(word), request.type);
+  if (field == "choice") return set(attackerChoiceFromString(word), request.choice);
+  if (field == "believable") return set(valueOf(kFlagWords, word), request.crash.believable);
+  if (field == "limits") return set(limitSetFromString(word), request.crash.limits);
+  if (field == "attacker_class") return set(agentClassFromString(word), request.attacker_class);
+  if (field == "manoeuvre") return set(manoeuvreFromString(word), request.manoeuvre);
+  if (field == "ego_side") return set(sideFromString(word), request.ego_side);
+  if (field == "turning") return set(turningFromString(word), request.turning);
+  if (field == "from_side") return set(sideFromString(word), request.from_side);
+  if (field == "hidden_by") return set(hiderFromString(word), request.hidden_by);
+  return false;
 }
 
 bool isManoeuvreOf(Manoeuvre manoeuvre, CollisionType type, Turning turning) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/attack/search/catalogue.h"
 #include "collision_forge/io/export/crash_record.h"
 
 namespace forge {
@@ -38,6 +39,7 @@ struct ExportPlan {
   bool ego_free = false;  ///< export only the ego's start: the tool drives the ego
   ExportOptions options;
   DriveLimitOptions limits;  ///< vehicle limits by class, for formats that have them
+  std::vector<CatalogueEntry> catalogue = {};  ///< names of scenarios, for tags
 };
 
 }  // namespace forge

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "collision_forge/io/export/common_road.h"
+#include "collision_forge/io/export/open_label.h"
 #include "collision_forge/io/export/open_scenario.h"
 #include "collision_forge/io/export/scenario_net.h"
 
@@ -18,6 +19,7 @@ constexpr Format kFormats[] = {
     {"openscenario", makeOpenScenarioWriter},
     {"commonroad", makeCommonRoadWriter},
     {"scenarionet", makeScenarioNetWriter},
+    {"openlabel", makeOpenLabelWriter},
 };
 
 }  // namespace

@@ -8,7 +8,8 @@
 
 namespace forge {
 
-/// Returns the names of the export formats: "openscenario", "commonroad", "scenarionet".
+/// Returns the names of the export formats: "openscenario", "commonroad", "scenarionet",
+/// "openlabel".
 std::vector<std::string> exportFormats();
 
 /// Makes the writer of a format. Throws std::invalid_argument for an unknown format, and for a plan

@@ -8,22 +8,12 @@
 namespace forge {
 namespace {
 
-/// Returns `from_string` of the text; fails if it has no value.
-template <typename FromString>
-auto readWord(JsonObject& object, const char* key, FromString from_string, const char* problem) {
-  const auto value = from_string(object.text(key));
-  if (!value) object.fail(key, problem);
-  return *value;
-}
-
-template <typename FromString>
-auto readWordOrNull(JsonObject& object, const char* key, FromString from_string,
-                    const char* problem) {
-  const auto text = object.textOrNull(key);
-  if (!text) return decltype(from_string(*text))();
-  const auto value = from_string(*text);
-  if (!value) object.fail(key, problem);
-  return value;
+/// Sets a field that is a word. `may_be_null`: null leaves the request unchanged. Fails, giving
+/// `problem`, for an unknown word.
+void readWord(JsonObject& object, const char* key, bool may_be_null, const char* problem,
+              CollisionRequest& request) {
+  const auto word = may_be_null ? object.textOrNull(key) : object.text(key);
+  if (word && !setRequestWord(key, *word, request)) object.fail(key, problem);
 }
 
 std::optional<Range> readRange(JsonObject& object, const char* key) {
@@ -69,15 +59,13 @@ void writeConditions(JsonLineWriter& writer, const CollisionRequest& request) {
 
 void readConditions(JsonObject& object, CollisionRequest& request) {
   if (object.has("turning")) {
-    request.turning = readWord(object, "turning", turningFromString, "is neither attacker nor ego");
+    readWord(object, "turning", false, "is neither attacker nor ego", request);
   }
   if (object.has("from_side")) {
-    request.from_side =
-        readWordOrNull(object, "from_side", sideFromString, "is neither left nor right");
+    readWord(object, "from_side", true, "is neither left nor right", request);
   }
   if (object.has("hidden_by")) {
-    request.hidden_by = readWordOrNull(object, "hidden_by", hiderFromString,
-                                       "is neither parked_vehicle nor leader");
+    readWord(object, "hidden_by", true, "is neither parked_vehicle nor leader", request);
   }
   for (const RangeControl& control : kRangeControls) {
     if (object.has(control.name)) request.*control.asked = readRange(object, control.name);
@@ -113,25 +101,19 @@ void writeControls(JsonLineWriter& writer, const CollisionRequest& request,
 void readControls(JsonObject& object, CollisionRequest& request, bool may_lack) {
   const auto has = [&](const char* key) { return !may_lack || object.has(key); };
   if (has("choice")) {
-    request.choice =
-        readWord(object, "choice", attackerChoiceFromString, "is not one of any, existing, new");
+    readWord(object, "choice", false, "is not one of any, existing, new", request);
   }
   if (has("believable")) request.crash.believable = object.flag("believable");
   if (has("limits")) {
-    request.crash.limits =
-        readWord(object, "limits", limitSetFromString, "is neither drivable nor strict");
+    readWord(object, "limits", false, "is neither drivable nor strict", request);
   }
   if (has("attacker_class")) {
-    request.attacker_class =
-        readWordOrNull(object, "attacker_class", agentClassFromString, "is not an agent class");
+    readWord(object, "attacker_class", true, "is not an agent class", request);
   }
   if (has("manoeuvre")) {
-    request.manoeuvre =
-        readWordOrNull(object, "manoeuvre", manoeuvreFromString, "is not a manoeuvre");
+    readWord(object, "manoeuvre", true, "is not a manoeuvre", request);
   }
-  if (has("ego_side")) {
-    request.ego_side = readWordOrNull(object, "ego_side", sideFromString, "is not a side of a box");
-  }
+  if (has("ego_side")) readWord(object, "ego_side", true, "is not a side of a box", request);
   if (has("impact_speed")) request.impact_speed = readRange(object, "impact_speed");
   if (has("overlap")) request.overlap = readRange(object, "overlap");
   readConditions(object, request);

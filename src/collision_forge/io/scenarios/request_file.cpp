@@ -14,8 +14,10 @@ namespace forge {
 std::string requestLine(const SceneRequest& request, const CrashDefinition& defaults) {
   JsonLineWriter writer;
   writer.beginObject();
-  writer.text("scene", request.scene);
-  writer.number("now", request.now);
+  if (!request.scene.empty()) {
+    writer.text("scene", request.scene);
+    writer.number("now", request.now);
+  }
   writer.text("type", toString(request.request.type));
   writer.number("tta", request.request.tta);
   if (request.request.attacker) {

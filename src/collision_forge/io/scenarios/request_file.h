@@ -14,7 +14,8 @@ namespace forge {
 /// {"scene":"scene-0001","now":100.5,"type":"ltap","tta":4,"attacker":null,"seed":0} now: t0, s on
 /// the scene's clock (nuScenes: timestamp * 1e-6); tta: s from t0; attacker: agent id, null for
 /// any. Constraints that differ from the defaults add fields (writeControls(); believable and
-/// limits are compared with `defaults`), and a name of a catalogue the field `name`.
+/// limits are compared with `defaults`), and a name of a catalogue the field `name`. Without a
+/// scene (""), `scene` and `now` are left out; a list needs them.
 std::string requestLine(const SceneRequest& request, const CrashDefinition& defaults = {});
 
 /// Parses a line of requestLine(), mode history. Each field must be present exactly once, except

@@ -10,10 +10,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "collision_forge/base/files/aside_file.h"
 #include "collision_forge/io/batch/progress_line.h"
 #include "collision_forge/io/logs/scene_source.h"
 #include "collision_forge/planner_test/planners/planner_factory.h"
 #include "collision_forge/planner_test/report/attack_record.h"
+#include "collision_forge/planner_test/report/coverage_page.h"
 #include "collision_forge/planner_test/report/deflated_text.h"
 #include "collision_forge/planner_test/report/page_file.h"
 #include "collision_forge/planner_test/report/pictures.h"
@@ -87,6 +89,10 @@ class ReportBuilder {
     }
     addScenes();
     page_.commit(index());
+    if (!coverage_.empty()) {
+      writeText((fs::path(folder_) / "coverage.html").string(),
+                coverage_.page(settings_.catalogue));
+    }
     return rows_.size();
   }
 
@@ -164,6 +170,7 @@ class ReportBuilder {
     ListedAttack listed{rows_.size(), scenario.ego.size, scenario.answer.trajectory};
     listed.attacker.points.clear();
     attacks_.emplace(source + ":" + std::to_string(line), std::move(listed));
+    coverage_.add(scenario, source + ":" + std::to_string(line));
     int number = 1;
     addAttack(scenario, scenario.answer, number);
     for (const Attack& alternative : scenario.answer.alternatives) {
@@ -234,6 +241,7 @@ class ReportBuilder {
   void addPlannerTest(const std::string& where, const std::string& text,
                       const TestPictures& pictures) {
     const PlannerTestResult result = readPlannerResultLine(where, text);
+    coverage_.add(result);
     const auto found = attacks_.find(lineOf(result.name));
     const ListedAttack* attack = found != attacks_.end() ? &found->second : nullptr;
     const std::optional<ReportRow> known =
@@ -325,6 +333,7 @@ class ReportBuilder {
       if (file.kind == ReportFileKind::kMaps) maps.push_back(mapData(file.path));
     }
     writer.texts("maps", maps);
+    writer.flag("has_coverage", !coverage_.empty());
     writeColors(writer);
     writeColumns(writer, rows_);
     writer.endObject();
@@ -359,6 +368,7 @@ class ReportBuilder {
   std::set<std::string> known_;          ///< names of the source's scenes
   std::unique_ptr<SceneSource> scenes_;  ///< of the scenario files; null without a source
   std::vector<ReportRow> rows_;
+  Coverage coverage_;
   std::map<std::string, ListedAttack> attacks_;  ///< by case name
   std::map<std::string, std::string> lines_;     ///< see lineOf()
   std::map<std::string, SceneExtent> extents_;   ///< by scene name

@@ -19,23 +19,33 @@ CrashDefinition withoutThreshold(CrashDefinition crash) {
   return crash;
 }
 
-/// Returns every request of a scene: each manoeuvre of each type, by a recorded or an added
-/// vehicle.
-std::vector<SceneRequest> everyRequestOf(const Scene& scene, const RequestListOptions& list,
+/// Returns every request of a scene: each manoeuvre of each type, or of each cell that does not fix
+/// it, by a recorded or an added vehicle.
+std::vector<SceneRequest> everyRequestOf(const Scene& scene, const RequestDraw& draw,
                                          const AnswerOptions& options) {
   std::vector<SceneRequest> requests;
-  CollisionRequest asked;
-  asked.crash = withoutThreshold(options.crash);
-  asked.crash.types = {};  // identical for all requests, and large
-  for (const Manoeuvre manoeuvre : kManoeuvres) {
-    for (const AttackerChoice choice : {AttackerChoice::kExisting, AttackerChoice::kNew}) {
-      asked.manoeuvre = manoeuvre;
-      asked.choice = choice;
-      for (SceneRequest& request : listRequests(scene, list, options.attack.prediction,
-                                                options.crash.time_tolerance, asked)) {
-        requests.push_back(std::move(request));
+  const auto add = [&](const CatalogueCell& cell, const RequestListOptions& list) {
+    CollisionRequest asked = cell.request;
+    asked.crash = withoutThreshold(options.crash);
+    asked.crash.types = {};  // identical for all requests, and large
+    for (const Manoeuvre manoeuvre : kManoeuvres) {
+      if (cell.request.manoeuvre.value_or(manoeuvre) != manoeuvre) continue;
+      for (const AttackerChoice choice : {AttackerChoice::kExisting, AttackerChoice::kNew}) {
+        asked.manoeuvre = manoeuvre;
+        asked.choice = choice;
+        for (SceneRequest& request : listRequests(scene, list, options.attack.prediction,
+                                                  options.crash.time_tolerance, asked)) {
+          request.name = cell.name;
+          requests.push_back(std::move(request));
+        }
       }
     }
+  };
+  if (draw.cells.empty()) add({}, draw.list);
+  for (const CatalogueCell& cell : draw.cells) {
+    RequestListOptions list = draw.list;
+    list.types = {cell.request.type};
+    add(cell, list);
   }
   return requests;
 }
@@ -45,7 +55,8 @@ std::string nameOf(const SceneRequest& asked, double start) {
   return asked.scene +
          formatted("/%.1f/%s/%g/", asked.now - start, toString(asked.request.type),
                    asked.request.tta) +
-         toString(*asked.request.manoeuvre) + "/" + toString(asked.request.choice);
+         toString(*asked.request.manoeuvre) + "/" + toString(asked.request.choice) +
+         (asked.name.empty() ? "" : "/" + asked.name);
 }
 
 }  // namespace
@@ -62,7 +73,7 @@ RequestCases::RequestCases(SceneSource& scenes, const MethodMaker& method,
   const std::size_t count = scenes.names().size();
   const auto add = [&](const IndexedScene& recording) {
     starts[recording.scene.name] = recording.scene.frame_times.front();
-    for (SceneRequest& request : everyRequestOf(recording.scene, draw.list, options)) {
+    for (SceneRequest& request : everyRequestOf(recording.scene, draw, options)) {
       if (roadAllowsRequest(request, recording, options)) all.push_back(std::move(request));
     }
     if (draw.on_scene) draw.on_scene(starts.size(), count);

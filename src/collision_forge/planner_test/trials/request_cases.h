@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "collision_forge/attack/network/method_maker.h"
+#include "collision_forge/attack/search/catalogue.h"
 #include "collision_forge/attack/search/options.h"
 #include "collision_forge/io/answers/request_solver.h"
 #include "collision_forge/io/scenarios/scenario_file.h"
@@ -16,9 +17,10 @@ namespace forge {
 
 /// Options of RequestCases.
 struct RequestDraw {
-  RequestListOptions list;  ///< times, TTAs and types
-  std::size_t tries = 0;    ///< number of requests to draw
-  std::uint64_t seed = 0;   ///< of the draw
+  RequestListOptions list;                ///< times, TTAs and types
+  std::size_t tries = 0;                  ///< number of requests to draw
+  std::uint64_t seed = 0;                 ///< of the draw
+  std::vector<CatalogueCell> cells = {};  ///< to draw from in place of `list.types`; may be empty
   /// Progress callback: number of scenes processed, total number.
   std::function<void(std::size_t, std::size_t)> on_scene = {};
 };
@@ -26,7 +28,8 @@ struct RequestDraw {
 /// Cases from random requests in recorded scenes: `tries` distinct ones (or all, if fewer) of all
 /// times, types, TTAs, manoeuvres and attackers (recorded or added) that the road permits.
 /// Attackers start as in history mode, even with a low score. The source is "until_hit"; names are
-/// SCENE/SECONDS/TYPE/TTA/MANOEUVRE/ATTACKER, seconds from the scene's first frame.
+/// SCENE/SECONDS/TYPE/TTA/MANOEUVRE/ATTACKER, seconds from the scene's first frame, and the cell of
+/// a catalogue.
 class RequestCases : public PlannerCases {
  public:
   /// `scenes` and `options` must outlive the object. Throws std::runtime_error if no request is

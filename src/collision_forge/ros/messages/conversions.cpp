@@ -99,22 +99,6 @@ collision_forge::Tensor toMessage(const DenseTensor& tensor) {
   return message;
 }
 
-std::optional<bool> boolFromString(const std::string& name) {
-  if (name == "true") return true;
-  if (name == "false") return false;
-  return std::nullopt;
-}
-
-/// Parses an optional word, ignoring case, into `value`; an empty word leaves `value` unchanged.
-/// Returns false for an unknown word.
-template <typename FromString, typename Value>
-bool readWord(const std::string& word, FromString from_string, Value& value) {
-  if (word.empty()) return true;
-  const auto meaning = from_string(lowered(word));
-  if (meaning) value = *meaning;
-  return meaning.has_value();
-}
-
 /// Converts the word of a field of a report. Throws MessageError for an unknown word.
 template <typename FromString>
 auto wordIn(const std::string& word, const char* field, FromString from_string) {
@@ -130,6 +114,18 @@ std::string noneOf(const Values& values) {
   for (const auto value : values)
     words += (words.empty() ? "" : ", ") + std::string(toString(value));
   return "none of " + words;
+}
+
+/// Returns the allowed words of a field of the request, worded to follow "is".
+std::string allowedWords(const std::string& field) {
+  if (field == "choice") return "none of any, existing and new";
+  if (field == "believable") return "neither true nor false";
+  if (field == "limits") return "neither drivable nor strict";
+  if (field == "attacker_class") return noneOf(kAttackerClasses);
+  if (field == "manoeuvre") return noneOf(kManoeuvres);
+  if (field == "ego_side") return "none of front, rear, left and right";
+  if (field == "hidden_by") return "neither parked_vehicle nor leader";
+  return field == "turning" ? "neither attacker nor ego" : "neither left nor right";
 }
 
 /// The fields of a range in the message and in the request.
@@ -161,41 +157,22 @@ constexpr RangeFields kRangeFields[] = {
 /// Reads the constraints besides type, time and attacker; returns the problem, or "".
 std::string readControls(const collision_forge::CollisionRequest& message,
                          CollisionRequest& request) {
-  const auto unknown = [](const char* field, const std::string& value, const std::string& problem) {
-    return std::string(field) + " = \"" + value + "\" is " + problem;
-  };
-  if (!readWord(message.choice, attackerChoiceFromString, request.choice)) {
-    return unknown("choice", message.choice, "none of any, existing and new");
-  }
-  if (!readWord(message.believable, boolFromString, request.crash.believable)) {
-    return unknown("believable", message.believable, "neither true nor false");
-  }
-  if (!readWord(message.limits, limitSetFromString, request.crash.limits)) {
-    return unknown("limits", message.limits, "neither drivable nor strict");
-  }
-  if (!readWord(message.attacker_class, agentClassFromString, request.attacker_class)) {
-    return unknown("attacker_class", message.attacker_class, noneOf(kAttackerClasses));
-  }
-  if (!readWord(message.manoeuvre, manoeuvreFromString, request.manoeuvre)) {
-    return unknown("manoeuvre", message.manoeuvre, noneOf(kManoeuvres));
-  }
-  if (!readWord(message.ego_side, sideFromString, request.ego_side)) {
-    return unknown("ego_side", message.ego_side, "none of front, rear, left and right");
+  const std::pair<const char*, const std::string&> words[] = {
+      {"choice", message.choice},       {"believable", message.believable},
+      {"limits", message.limits},       {"attacker_class", message.attacker_class},
+      {"manoeuvre", message.manoeuvre}, {"ego_side", message.ego_side},
+      {"turning", message.turning},     {"from_side", message.from_side},
+      {"hidden_by", message.hidden_by}};
+  for (const auto& [field, word] : words) {
+    if (!word.empty() && !setRequestWord(field, lowered(word), request)) {
+      return field + (" = \"" + word + "\" is ") + allowedWords(field);
+    }
   }
   if (message.min_impact_speed != 0.0 || message.max_impact_speed != 0.0) {
     request.impact_speed = Range{message.min_impact_speed, message.max_impact_speed};
   }
   if (message.min_overlap != 0.0 || message.max_overlap != 0.0) {
     request.overlap = Range{message.min_overlap, message.max_overlap};
-  }
-  if (!readWord(message.turning, turningFromString, request.turning)) {
-    return unknown("turning", message.turning, "neither attacker nor ego");
-  }
-  if (!readWord(message.from_side, sideFromString, request.from_side)) {
-    return unknown("from_side", message.from_side, "neither left nor right");
-  }
-  if (!readWord(message.hidden_by, hiderFromString, request.hidden_by)) {
-    return unknown("hidden_by", message.hidden_by, "neither parked_vehicle nor leader");
   }
   for (const RangeFields& fields : kRangeFields) {
     const Range range{message.*fields.least, message.*fields.most};
@@ -504,17 +481,23 @@ std::variant<CollisionRequest, Status> fromMessage(const collision_forge::Collis
     return Status{StatusCode::kUnknownType, "collision_type = \"" + message.collision_type +
                                                 "\" is none of " + collisionTypeWords()};
   }
+  request.type = *type;
+  request.tta = message.tta;
+  return withFieldsOf(message, request);
+}
+
+std::variant<CollisionRequest, Status> withFieldsOf(
+    const collision_forge::CollisionRequest& message, CollisionRequest request) {
   const auto mode = modeFromString(message.mode.empty() ? "history" : message.mode);
   if (!mode) {
     return Status{StatusCode::kInvalidInput,
                   "mode = \"" + message.mode + "\" is neither history nor replay nor adaptive"};
   }
-  request.type = *type;
-  request.tta = message.tta;
+  if (message.tta != 0.0) request.tta = message.tta;
   if (!message.attacker_id.empty()) request.attacker = message.attacker_id;
   request.mode = *mode;
   if (request.mode == Mode::kAdaptive) request.crash.min_confidence = 0.0;
-  request.seed = message.seed;
+  if (message.seed != 0) request.seed = message.seed;
   const std::string problem = readControls(message, request);
   if (!problem.empty()) return Status{StatusCode::kInvalidInput, problem};
   return request;

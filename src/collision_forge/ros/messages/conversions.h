@@ -100,6 +100,10 @@ collision_forge::EncodedScene toMessage(const Snapshot& snapshot, const SceneEnc
 std::variant<CollisionRequest, Status> fromMessage(const collision_forge::CollisionRequest& message,
                                                    const CrashDefinition& crash);
 /// Fills in every field, defaults included.
+/// Returns `request` with the mode and the other fields that the message sets; its type stays.
+/// Returns INVALID_INPUT as fromMessage().
+std::variant<CollisionRequest, Status> withFieldsOf(
+    const collision_forge::CollisionRequest& message, CollisionRequest request);
 collision_forge::CollisionRequest toMessage(const CollisionRequest& request);
 /// Returns the request of generate_collision without its method. Mode history with `adaptive` set
 /// becomes mode adaptive.

@@ -19,11 +19,13 @@
 #include "collision_forge/attack/network/network_ego_futures.h"
 #include "collision_forge/attack/search/alternatives.h"
 #include "collision_forge/attack/search/generate_collision.h"
+#include "collision_forge/base/scene/number_words.h"
 #include "collision_forge/io/batch/printable.h"
 #include "collision_forge/planner_test/settings/config_fingerprint.h"
 #include "collision_forge/ros/injection/live_attacker.h"
 #include "collision_forge/ros/messages/attack_request.h"
 #include "collision_forge/ros/messages/conversions.h"
+#include "collision_forge/ros/messages/named_requests.h"
 #include "collision_forge/ros/messages/paths.h"
 #include "collision_forge/ros/messages/possible_collisions.h"
 #include "collision_forge/ros/messages/report_text.h"
@@ -53,6 +55,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     loadLogged("methods", [&] {
       finder_ = std::make_unique<AttackFinder>(node, getPrivateNodeHandle(), config_);
     });
+    loadLogged("catalogue", [&] { vocabulary_ = readVocabulary(config_.folder); });
     configuration_ = fingerprintOfAll(config_, config_.folder);
     scenes_ = std::make_unique<SceneMemory>(config_.live);
     patterns_ =
@@ -142,19 +145,35 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     return true;
   }
 
+  /// Tries the requests that the message means, until one has an attack.
   Status generateOne(const Request& message, Response& response) {
-    const auto parsed = fromMessage(requestIn(message), config_.crash);
-    if (const Status* refusal = std::get_if<Status>(&parsed)) return *refusal;
-    CollisionRequest request = std::get<CollisionRequest>(parsed);
-    if (message.alternative == 1) request.alternatives = 1;
-    if (message.adaptive && request.mode == Mode::kReplay) {
+    const auto requests = requestsOf(message, vocabulary_, config_.crash, response);
+    if (const Status* refusal = std::get_if<Status>(&requests)) return *refusal;
+    const auto& named = std::get<std::vector<NamedRequest>>(requests);
+    if (message.adaptive && named.front().request.mode == Mode::kReplay) {
       return {
           StatusCode::kInvalidInput,
           "adaptive = true cannot be combined with mode = replay, which uses the recorded future"};
     }
     const auto found = momentAt(message.stamp);
     if (const Status* none = std::get_if<Status>(&found)) return *none;
-    const Moment& moment = std::get<Moment>(found);
+    std::optional<Status> reason;
+    for (const NamedRequest& one : named) {
+      const Status status = answerTo(one.request, message, std::get<Moment>(found), response);
+      response.name = one.name;
+      if (status.code == StatusCode::kOk) return status;
+      if (!reason) reason = status;
+    }
+    if (named.size() > 1) {
+      reason->message =
+          "no attack for any of " + counted(named.size(), "cell") + "; " + reason->message;
+    }
+    return *reason;
+  }
+
+  Status answerTo(CollisionRequest request, const Request& message, const Moment& moment,
+                  Response& response) {
+    if (message.alternative == 1) request.alternatives = 1;
     std::optional<PatternPrediction> first;  // alternatives are predicted for, too
     Attack answer =
         finder_->answer(moment, request, message.method, [&](const PatternPrediction& prediction) {
@@ -276,6 +295,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
   }
 
   Config config_;
+  RequestVocabulary vocabulary_;
   std::string configuration_;  // its fingerprint
   std::mutex shown_;           // serialises requests and resets
   bool has_patterns_ = false;  // patterns are published and not cleared

@@ -69,6 +69,12 @@ QString firstLine(const std::string& text) {
   return QString::fromStdString(text.substr(0, text.find('\n'))).toHtmlEscaped();
 }
 
+QString notUnderstoodText(const std::vector<std::string>& words) {
+  QStringList list;
+  for (const std::string& word : words) list.push_back(word.c_str());
+  return (" Not understood: " + list.join(", ")).toHtmlEscaped();
+}
+
 /// Returns the attack and its alternatives as table rows.
 std::vector<collision_forge::PossibleCollision> attacksIn(
     const GenerateCollision::Response& response, double tta) {
@@ -182,7 +188,7 @@ void GeneratePanel::subscribe() {
 void GeneratePanel::generate() {
   if (row_) return ask(requestOf(*row_));
   const GenerateCollision::Request request = form_->request();
-  if (!request.collision_type.empty()) return ask(request);
+  if (!request.collision_type.empty() || !request.text.empty()) return ask(request);
   requests_most_confident_ = true;
   listPossibleCollisions(request, {request.tta});
 }
@@ -215,8 +221,10 @@ void GeneratePanel::setTable(const std::vector<collision_forge::PossibleCollisio
 GenerateCollision::Request GeneratePanel::requestOf(
     const collision_forge::PossibleCollision& row) const {
   GenerateCollision::Request request = listed_;
-  request.collision_type = row.collision_type;
-  request.tta = row.tta;
+  if (request.text.empty()) {
+    request.collision_type = row.collision_type;
+    request.tta = row.tta;
+  }
   request.alternative = row.alternative;
   return request;
 }
@@ -224,7 +232,9 @@ GenerateCollision::Request GeneratePanel::requestOf(
 void GeneratePanel::showAnswer(const ServiceCall<GenerateCollision>::Answer& answer) {
   generate_->setEnabled(true);
   const QString problem = problemOf(answer, names::kGenerateCollision);
-  say(problem.isEmpty() ? "An attack was found." : problem);
+  QString found = "An attack was found.";
+  if (answer && !answer->not_understood.empty()) found += notUnderstoodText(answer->not_understood);
+  say(problem.isEmpty() ? found : problem);
   if (!problem.isEmpty() || answer->alternatives.empty()) return;
   const auto attacks = attacksIn(*answer, asked_.tta);
   say(QString("%1 attacks; the first is injected.").arg(attacks.size()));
@@ -237,6 +247,7 @@ void GeneratePanel::list() {
   each.attacker_id.clear();
   each.choice.clear();
   each.manoeuvre.clear();
+  each.text.clear();
   listPossibleCollisions(each, {});
 }
 

@@ -7,6 +7,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
 #include <QSpinBox>
 
@@ -29,6 +30,7 @@ constexpr double kShortestTta = 0.5;   // s; limits of GenerateCollision.srv
 constexpr double kLongestTta = 9.0;
 
 // Keys in the .rviz file.
+constexpr char kTextKey[] = "In Words";
 constexpr char kTypeKey[] = "Collision Type";
 constexpr char kTtaKey[] = "Time To Attack";
 constexpr char kManoeuvreKey[] = "Manoeuvre";
@@ -87,6 +89,12 @@ RequestForm::RequestForm(QWidget* parent) : QWidget(parent) {
 }
 
 void RequestForm::createFields() {
+  text_ = new QLineEdit;
+  text_->setObjectName("text");
+  text_->setPlaceholderText("truck cuts in from the left in 3 s");
+  text_->setToolTip(
+      "The request in English, or the name of a scenario such as CCRb; replaces type, time, "
+      "manoeuvre and attacker");
   type_ = new QComboBox;
   type_->setObjectName("type");
   type_->addItem(kAny);
@@ -131,6 +139,7 @@ void RequestForm::createFields() {
 void RequestForm::createLayout() {
   auto* form = new QFormLayout(this);
   form->setContentsMargins(0, 0, 0, 0);
+  form->addRow("In words", text_);
   form->addRow("Collision", besideEachOther(type_, "in", tta_));
   form->addRow("Manoeuvre", manoeuvre_);
   form->addRow("Attacker", besideEachOther(attacker_, "", choice_));
@@ -147,6 +156,7 @@ void RequestForm::connectFields() {
   for (QCheckBox* box : {believable_, adaptive_}) {
     connect(box, &QCheckBox::toggled, this, &RequestForm::changed);
   }
+  connect(text_, &QLineEdit::textChanged, this, &RequestForm::changed);
   connect(tta_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &RequestForm::changed);
   for (QSpinBox* box : {alternatives_, seed_}) {
     connect(box, qOverload<int>(&QSpinBox::valueChanged), this, &RequestForm::changed);
@@ -168,12 +178,15 @@ collision_forge::GenerateCollision::Request RequestForm::request() const {
   request.believable = believable_->isChecked() ? "true" : "false";
   request.mode = mode_->currentText().toStdString();
   request.seed = static_cast<std::uint64_t>(seed_->value());
-  request.collision_type = chosenIn(*type_);
-  request.tta = tta_->value();
-  request.manoeuvre = chosenIn(*manoeuvre_);
-  const QString attacker = QString::fromStdString(chosenIn(*attacker_));
-  request.attacker_id = ids_.value(attacker, attacker).toStdString();
-  request.choice = choice_->currentText().toStdString();
+  request.text = text_->text().trimmed().toStdString();
+  if (request.text.empty()) {
+    request.collision_type = chosenIn(*type_);
+    request.tta = tta_->value();
+    request.manoeuvre = chosenIn(*manoeuvre_);
+    const QString attacker = QString::fromStdString(chosenIn(*attacker_));
+    request.attacker_id = ids_.value(attacker, attacker).toStdString();
+    request.choice = choice_->currentText().toStdString();
+  }
   request.adaptive = adaptive_->isChecked();
   request.alternatives = static_cast<std::uint32_t>(alternatives_->value());
   request.method = chosenIn(*method_, kDefaultMethod);
@@ -181,6 +194,7 @@ collision_forge::GenerateCollision::Request RequestForm::request() const {
 }
 
 void RequestForm::choose(const collision_forge::PossibleCollision& collision) {
+  text_->clear();
   type_->setCurrentText(QString::fromStdString(collision.collision_type));
   tta_->setValue(collision.tta);
   manoeuvre_->setCurrentText(QString::fromStdString(collision.manoeuvre));
@@ -219,6 +233,8 @@ void RequestForm::load(const rviz::Config& config) {
     int number = 0;
     if (config.mapGetInt(key, &number)) box->setValue(number);
   };
+  QString text;
+  if (config.mapGetString(kTextKey, &text)) text_->setText(text);
   load_text(kTypeKey, type_);
   load_text(kManoeuvreKey, manoeuvre_);
   load_text(kAttackerKey, attacker_);
@@ -238,6 +254,7 @@ void RequestForm::load(const rviz::Config& config) {
 }
 
 void RequestForm::save(rviz::Config config) const {
+  config.mapSetValue(kTextKey, text_->text());
   config.mapSetValue(kTypeKey, type_->currentText());
   config.mapSetValue(kTtaKey, tta_->value());
   config.mapSetValue(kManoeuvreKey, manoeuvre_->currentText());

@@ -10,6 +10,7 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QLineEdit;
 class QSpinBox;
 
 namespace forge {
@@ -21,7 +22,8 @@ class RequestForm : public QWidget {
  public:
   explicit RequestForm(QWidget* parent = nullptr);
 
-  /// Returns the request; `collision_type` is empty for "any".
+  /// Returns the request; `collision_type` is empty for "any". If the line in words has a text, the
+  /// request has that text in place of type, time, manoeuvre and attacker.
   collision_forge::GenerateCollision::Request request() const;
 
   /// Sets type, time, attacker and manoeuvre from `collision`.
@@ -46,6 +48,7 @@ class RequestForm : public QWidget {
   void offerManoeuvres();
   QString shownId(const QString& id);
 
+  QLineEdit* text_ = nullptr;
   QComboBox* type_ = nullptr;
   QDoubleSpinBox* tta_ = nullptr;
   QComboBox* manoeuvre_ = nullptr;

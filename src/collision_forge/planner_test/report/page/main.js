@@ -122,6 +122,9 @@ function showIndex(index) {
   find('clear').addEventListener('click', () => kinds.filters.clear());
   find('source').textContent = index.files.map(({path}) => path).join(', ')
     + (index.source ? `; ${[index.source, index.version].filter(Boolean).join(', ')}` : '');
+  if (index.has_coverage) {
+    find('source').append(' ', element('a', {href: 'coverage.html'}, 'Coverage of catalogues'));
+  }
   window.addEventListener('hashchange', openNamed);
   openNamed();
 }

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "collision_forge/attack/search/catalogue.h"
+#include "collision_forge/base/config/config_folder.h"
+#include "collision_forge/base/scene/collision_request.h"
+
+namespace forge {
+
+/// The names and tolerances to which the words of a request refer.
+struct RequestVocabulary {
+  std::vector<CatalogueEntry> catalogue;
+  /// config/phrases.yaml: for each range field of a request, the half width of the range that a
+  /// phrase means by one value, in the field's unit.
+  std::map<std::string, double> tolerances;
+};
+/// Returns all catalogues and the tolerances. Throws ConfigError.
+RequestVocabulary readVocabulary(const ConfigFolder& folder);
+
+/// A request that was given in words.
+struct PhraseReading {
+  CollisionRequest request;
+  std::string name;  ///< of the entry of a catalogue, "euro_ncap_2026/CCRb"; empty without one
+  std::vector<std::string> understood;  ///< "\"cuts in\": manoeuvre = cut_in", in the order of text
+  std::vector<std::string> unknown;     ///< words that the grammar does not know, in their order
+};
+
+/// Reads a request from an English phrase such as "truck cuts in from the left in 3 s, 30 km/h
+/// slower, quarter overlap". The grammar knows the words of request fields and of the field, names
+/// of the catalogue, numbers with km/h, mph, m/s, m/s2, g, m, s and %, and comparisons ("at least",
+/// "10 to 20"). "near side" and "far side" are right and left, as in right-hand traffic. Speeds
+/// relative to the ego ("slower", "closing speed") are ranges of `impact_speed`. Fields that the
+/// phrase does not give stay as in `asked`; without a word for it, the type is kAny. Times are
+/// linear in the length of the text, which has at most kMostPhrase characters.
+///
+/// Throws std::invalid_argument, naming words and fields, for a longer text, words that contradict
+/// each other, a scenario that cannot be requested, a text without any known word, and a request
+/// that checkControls() rejects.
+PhraseReading readPhrase(const std::string& text, const RequestVocabulary& vocabulary,
+                         const CollisionRequest& asked = {});
+
+inline constexpr std::size_t kMostPhrase = 500;  ///< characters
+
+/// Returns what was understood and what was not, a line each.
+std::string echoOf(const PhraseReading& reading);
+
+}  // namespace forge
