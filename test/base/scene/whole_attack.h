@@ -193,8 +193,8 @@ inline Attack wholeAttack(double now) {
   report.first_other_time = now + 3.25;
   report.off_road_share = 0.75;
   report.confidence = 0.65;
-  report.conditions = {11.5,   2.25,         17.5,  1.625,          0.875,
-                       0.3125, Side::kRight, 1.375, Hider::kLeader, "b9"};
+  report.conditions = {11.5, 2.25,         17.5,  1.625,          0.875, 0.3125,
+                       1.75, Side::kRight, 1.375, Hider::kLeader, "b9"};
   report.manoeuvre = Manoeuvre::kCutIn;
   report.manoeuvre_begin = now + 1.5;
   report.road = {0.52, 0.24, 0.15, 0.12, 0.05};

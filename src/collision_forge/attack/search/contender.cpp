@@ -90,7 +90,10 @@ std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& in
     entry->drive_start = input.underway != nullptr ? input.underway->state
                                                    : driveStateNow(agent, options.verification);
   }
-  if (input.isByRoutes()) addRoutes(*entry, input, options);
+  if (input.isByRoutes()) {
+    entry->conduct = conductOf(agent.agent_class, input, options.verification);
+    addRoutes(*entry, input, options);
+  }
   return entry;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "collision_forge/attack/search/conduct.h"
 #include "collision_forge/attack/search/route_driver.h"
 #include "collision_forge/attack/search/search_task.h"
 #include "collision_forge/attack/search/track_driver.h"
@@ -34,7 +35,8 @@ struct Contender {
   DriveState drive_start;  ///< single-track state at t0; unset without `driver`
   std::optional<TrackDriver>
       driver;  ///< drives within `limits`; empty if only the strict limits apply
-  std::vector<RouteDriver> routes;  ///< paths that it may follow, in a search by routes
+  std::vector<RouteDriver> routes;         ///< paths that it may follow, in a search by routes
+  std::unique_ptr<const Conduct> conduct;  ///< of its class, in a search by routes
 };
 
 /// Returns the attackers of the patterns, most promising first, up to the configured maximum.

@@ -13,35 +13,21 @@
 
 #include "collision_forge/attack/forecast/random.h"
 #include "collision_forge/attack/search/arrival_sampler.h"
+#include "collision_forge/attack/search/conduct.h"
 #include "collision_forge/attack/search/contender.h"
 #include "collision_forge/attack/search/placement.h"
 #include "collision_forge/attack/search/request_constraints.h"
+#include "collision_forge/attack/search/route_drafts.h"
 #include "collision_forge/attack/search/route_driver.h"
-#include "collision_forge/attack/verify/believability.h"
 #include "collision_forge/attack/verify/drive_check.h"
-#include "collision_forge/attack/verify/step_out.h"
 
 namespace forge {
 namespace {
 
-// Values of RouteDraft that are tried for every attacker, chosen on recorded scenes
-// (docs/results.md).
-constexpr double kContacts[] = {0.0, -0.25, 0.25};           // s, added to the requested time
-constexpr double kDepartures[] = {1.0, 1.4, 0.8, 2.2, 3.0};  // s, RoutePlan::departure
-constexpr double kLeads[] = {0.0, 0.5};                      // s, RoutePlan::lead
-constexpr double kLateBraking[] = {0.0, 3.0, 5.0};           // m/s2, late deceleration of a leader
-constexpr double kStarts[] = {1.6, 2.3, 3.2};  // s before the contact at which a standing
-                                               // attacker starts
-// m/s of a pedestrian who steps out: walking, fast and running; recorded walkers have 1.24.
-constexpr double kWalkingSpeeds[] = {1.3, 1.7, 2.4};
-constexpr double kWalkingAcceleration = 1.0;  // m/s2, Euro NCAP's walker
-// Costs, as shares of the futures:
-constexpr double kDepartureWeight = 0.2;  // per second off the lane before before_contact of
-                                          // config/believability.yaml
-constexpr double kOffRoadWeight = 1.0;    // of a wholly off-road drive
-constexpr double kContactPositions[] = {-0.7, 0.0, 0.7};
-constexpr std::size_t kFirstPosition = 1;  // index of the contact position that is drafted first
-constexpr double kShrink = 0.7;            // factor on perturbations per round
+constexpr double kContacts[] = {0.0, -0.25, 0.25};  // s, added to the requested time
+constexpr double kOffRoadWeight =
+    1.0;                         // cost of a wholly off-road drive, as a share of the futures
+constexpr double kShrink = 0.7;  // factor on perturbations per round
 
 struct Candidate {
   const Contender* contender = nullptr;
@@ -50,8 +36,7 @@ struct Candidate {
   const Aim* aim = nullptr;
   FutureScore score;
   PatternMiss miss;
-  RoadUse road;
-  bool is_believable = true;  // judged by the road use
+  RoadVerdict verdict;
   std::size_t style = 0;
   double objective = 0.0;
   bool is_underway = false;  // the attacker's current plan, not a draft
@@ -61,18 +46,17 @@ class ManoeuvreSearch {
  public:
   ManoeuvreSearch(const SearchInput& input, const AttackOptions& options)
       : input_(input),
-        driven_(drivenLanes(input.request, input.lanes)),
         options_(options),
         search_(options.search),
         route_(options.route),
         constraints_(input, options),
+        drafts_(input),
         scorer_(input.egos, input.future.agents, input.request, input.snapshot.now,
                 input.lanes.map().driving_side, options),
         contenders_(contendersOf(input, options, options.verification.limits, scorer_.steps())),
         random_(input.request.seed),
         sampler_(input, options, options.verification.limits, random_) {
     const double end = input.request.tta + search_.tail;
-    setRanges();
     all_points_ = std::max(static_cast<std::size_t>(scorer_.steps()),
                            static_cast<std::size_t>(std::lround(end / search_.step)) + 1);
   }
@@ -93,31 +77,6 @@ class ManoeuvreSearch {
   }
 
  private:
-  /// Sets the drafted contact positions, late braking and waits, from the requested ranges if there
-  /// are any.
-  void setRanges() {
-    const CollisionRequest& request = input_.request;
-    contact_positions_.assign(std::begin(kContactPositions), std::end(kContactPositions));
-    brakings_.assign(std::begin(kLateBraking), std::end(kLateBraking));
-    if (const std::optional<Range>& location = request.impact_location) {
-      position_range_ = {contactPositionOf(location->max), contactPositionOf(location->min)};
-      contact_positions_ = ascendingIn(position_range_);
-    }
-    if (request.deceleration) brakings_ = ascendingIn(*request.deceleration);
-    if (request.departure_time) {
-      const double since =
-          input_.underway != nullptr ? input_.snapshot.now - input_.underway->start.now : 0.0;
-      wait_range_ = Range{std::max(0.0, request.departure_time->min - since),
-                          std::max(0.0, request.departure_time->max - since)};
-    }
-  }
-
-  static std::vector<double> ascendingIn(const Range& range) {
-    auto values = valuesTriedIn(range);
-    std::sort(values.begin(), values.end());
-    return {values.begin(), values.end()};
-  }
-
   /// Scores the current plan, and the same draft at each of the ego's positions.
   void scoreCurrentPlan() {
     Candidate candidate;
@@ -202,12 +161,14 @@ class ManoeuvreSearch {
                          kArrivalHeadingMargin, kMaxLean)) {
       candidate.draft.side = placement.side;
       candidate.draft.heading = placement.heading;
-      const std::vector<RouteDraft> drafts = mannersFor(candidate, there - route.start().along);
-      for (std::size_t position = 0; position < contact_positions_.size(); ++position) {
+      const std::vector<RouteDraft> drafts =
+          drafts_.mannersFor(candidate.draft, contender, there - route.start().along);
+      const std::vector<double>& positions = drafts_.contactPositions();
+      for (std::size_t position = 0; position < positions.size(); ++position) {
         for (std::size_t i = 0; i < drafts.size(); ++i) {
-          if (!isInThisPass(position == kFirstPosition, i)) continue;
+          if (!isInThisPass(position == RouteDrafts::kFirstPosition, i)) continue;
           candidate.draft = drafts[i];
-          candidate.draft.contact_position = contact_positions_[position];
+          candidate.draft.contact_position = positions[position];
           consider(candidate);
         }
       }
@@ -221,68 +182,6 @@ class ManoeuvreSearch {
     if (sketches_) return is_first;
     if (input_.underway != nullptr) return is_first_position || manner == 0;
     return !has_sketches_ || (!is_first && (is_first_position || manner == 0));
-  }
-
-  /// Returns drafts with different departures and, if the ego runs into the attacker or the request
-  /// has a deceleration, late braking.
-  /// `distance`: m along the route to the meeting.
-  std::vector<RouteDraft> mannersFor(const Candidate& candidate, double distance) const {
-    std::vector<RouteDraft> drafts;
-    RouteDraft draft;
-    draft.ego = candidate.draft.ego;
-    draft.contact = candidate.draft.contact;
-    draft.side = candidate.draft.side;
-    draft.heading = candidate.draft.heading;
-    const bool may_brake =
-        input_.request.deceleration ||
-        (input_.request.type == CollisionType::kRearEnd && draft.side == Side::kFront);
-    const bool is_standing = candidate.contender->drive_start.speed <= 0.0;
-    for (const double start : startsOf(candidate, distance)) {
-      draft.wait = draft.contact - start;
-      if (!is_standing || draft.wait <= 0.0) break;
-      draft.departure = start;
-      drafts.push_back(draft);
-    }
-    if (wait_range_ && wait_range_->max > 0.0 && is_standing) return drafts;
-    draft.wait = 0.0;
-    for (const double departure : kDepartures) {
-      draft.departure = departure;
-      if (!may_brake) {
-        for (const double lead : kLeads) {
-          draft.lead = lead;
-          drafts.push_back(draft);
-          // For all other types, a heading difference of a few degrees is part of the contact.
-          if (input_.request.type != CollisionType::kOppositeDirection) break;
-        }
-        continue;
-      }
-      for (const double braking : brakings_) {
-        draft.late = braking > 0.0 ? departure : 0.0;
-        draft.late_acceleration = -braking;
-        drafts.push_back(draft);
-      }
-    }
-    return drafts;
-  }
-
-  /// Returns how long (s) before the contact a standing attacker moves off.
-  std::vector<double> startsOf(const Candidate& candidate, double distance) const {
-    std::vector<double> starts;
-    if (wait_range_) {
-      for (const double wait : valuesTriedIn(*wait_range_)) {
-        if (wait < candidate.draft.contact) starts.push_back(candidate.draft.contact - wait);
-      }
-      return starts;
-    }
-    if (!isWalker(*candidate.contender)) return {std::begin(kStarts), std::end(kStarts)};
-    for (const double speed : kWalkingSpeeds) {
-      starts.push_back(std::max(0.0, distance) / speed + 0.5 * speed / kWalkingAcceleration);
-    }
-    return starts;
-  }
-
-  static bool isWalker(const Contender& contender) {
-    return contender.track->agent_class == AgentClass::kPedestrian;
   }
 
   /// Plans and drives the draft; returns false if the route does not lead there.
@@ -351,34 +250,17 @@ class ManoeuvreSearch {
     const bool may_be_any = candidate.is_underway;
     const auto broken = findBrokenDrive(points_, contender.drive_start, until, contender.limits);
     if (broken && !may_be_any) return;
-    judgeRoad(candidate);
-    candidate.objective -= kOffLaneWeight * (1.0 - candidate.road.on_lane) +
-                           kOffRoadWeight * candidate.road.off_road +
-                           kWrongWayWeight * candidate.road.wrong_way;
-    if (candidate.road.on_walkway > 0.0 && !may_be_any) return;
-    if ((!candidate.is_believable && !may_be_any) || !meetsRequest(candidate)) {
+    candidate.verdict =
+        contender.conduct->judge(whole(), contender.track->size, now + candidate.draft.contact);
+    const RoadUse& road = candidate.verdict.road;
+    candidate.objective -= kOffLaneWeight * (1.0 - road.on_lane) + kOffRoadWeight * road.off_road +
+                           kWrongWayWeight * road.wrong_way;
+    if (road.on_walkway > 0.0 && !may_be_any) return;
+    if ((!candidate.verdict.is_believable && !may_be_any) || !meetsRequest(candidate)) {
       candidate.objective -= kConstraintPenalty;
     }
     kept_.insert(std::upper_bound(kept_.begin(), kept_.end(), candidate, better), candidate);
     if (static_cast<int>(kept_.size()) > search_.kept) kept_.pop_back();
-  }
-
-  void judgeRoad(Candidate& candidate) {
-    const BelievabilityOptions& believability = options_.verification.believability;
-    const std::vector<TrajectoryPoint>& points = whole();
-    const BoxSize& size = candidate.contender->track->size;
-    const double contact = input_.snapshot.now + candidate.draft.contact;
-    if (isWalker(*candidate.contender)) {
-      candidate.road = {};
-      candidate.road.on_lane = 1.0;  // lanes are not for pedestrians
-      candidate.is_believable = !input_.request.crash.believable ||
-                                implausibleWalk(stepOutOf(points, contact, input_.lanes)).empty();
-      return;
-    }
-    candidate.road = roadUseOfAttack(points, size, contact, driven_, believability);
-    candidate.is_believable =
-        !input_.request.crash.believable ||
-        implausibilityOf(candidate.road, points, size, contact, driven_, believability).empty();
   }
 
   /// With constraints, an attacker underway must not change to a plan without a hit.
@@ -417,22 +299,16 @@ class ManoeuvreSearch {
     return miss / (miss + kNearPattern);
   }
 
-  /// Returns the cost of leaving the lane `departure` seconds before the contact.
-  double departureCost(double departure) const {
-    const double early = departure - options_.verification.believability.before_contact;
-    return kDepartureWeight * std::max(0.0, early);
-  }
-
   /// For a plan underway without a draft only the total effort is known; it counts for at most the
   /// cost of leaving the lane now.
   double effortOf(const Candidate& candidate) const {
     const double contact = candidate.draft.contact;
+    const Conduct& conduct = *candidate.contender->conduct;
     if (candidate.is_underway && !input_.underway->draft) {
-      return std::min(input_.underway->effort, departureCost(contact));
+      return std::min(input_.underway->effort, conduct.departureCost(contact));
     }
-    if (isWalker(*candidate.contender)) return kDrivingStyles[candidate.style].cost;
     return kDrivingStyles[candidate.style].cost +
-           departureCost(std::min(candidate.draft.departure, contact));
+           conduct.departureCost(std::min(candidate.draft.departure, contact));
   }
 
   static bool better(const Candidate& a, const Candidate& b) { return a.objective > b.objective; }
@@ -441,8 +317,8 @@ class ManoeuvreSearch {
     return !kept_.empty() && kept_.front().score.share >= search_.good_share &&
            (kept_.front().style == 0 || kept_.front().is_underway) &&
            (!constraints_.isNamed() || kept_.front().objective > 0.0) &&
-           kept_.front().is_believable && kept_.front().road.on_lane >= 1.0 &&
-           kept_.front().road.off_road <= search_.good_off_road &&
+           kept_.front().verdict.is_believable && kept_.front().verdict.road.on_lane >= 1.0 &&
+           kept_.front().verdict.road.off_road <= search_.good_off_road &&
            (!input_.exact || isExact(kept_.front().miss));
   }
 
@@ -459,26 +335,9 @@ class ManoeuvreSearch {
           std::min(random_.index(parents.size()), random_.index(parents.size()));
       Candidate candidate = parents[rank];
       candidate.is_underway = false;
-      move(candidate.draft, scale);
+      drafts_.perturb(candidate.draft, scale, {sampler_.earliest(), sampler_.latest()},
+                      search_.step, random_);
       consider(candidate);
-    }
-  }
-
-  void move(RouteDraft& draft, double scale) {
-    draft.contact = std::clamp(draft.contact + random_.bell(0.15 * scale), sampler_.earliest(),
-                               sampler_.latest());
-    draft.contact_position = std::clamp(draft.contact_position + random_.bell(0.4 * scale),
-                                        position_range_.min, position_range_.max);
-    draft.heading = wrapAngle(draft.heading + random_.bell(0.05 * scale));
-    draft.departure = std::max(search_.step, draft.departure + random_.bell(0.4 * scale));
-    draft.lead = std::max(0.0, draft.lead + random_.bell(0.2 * scale));
-    if (draft.wait > 0.0) {
-      draft.wait = std::max(0.0, draft.wait + random_.bell(0.3 * scale));
-      if (wait_range_) draft.wait = std::clamp(draft.wait, wait_range_->min, wait_range_->max);
-    }
-    if (draft.late > 0.0) {
-      draft.late = std::max(search_.step, draft.late + random_.bell(0.3 * scale));
-      draft.late_acceleration = std::min(0.0, draft.late_acceleration + random_.bell(1.0 * scale));
     }
   }
 
@@ -494,7 +353,7 @@ class ManoeuvreSearch {
       found.points = points_;
     }
     found.score = candidate.score;
-    found.off_road = candidate.road.off_road;
+    found.off_road = candidate.verdict.road.off_road;
     found.drafted = DraftedWay{candidate.route->path(), candidate.draft, candidate.style};
     found.objective = candidate.objective;
     found.effort = effortOf(candidate);
@@ -507,19 +366,15 @@ class ManoeuvreSearch {
   }
 
   const SearchInput& input_;
-  const LaneIndex& driven_;
   const AttackOptions& options_;
   const SearchOptions& search_;
   const RouteDriverOptions& route_;
   RequestConstraints constraints_;
+  RouteDrafts drafts_;
   FutureScorer scorer_;
   std::vector<std::unique_ptr<Contender>> contenders_;
   Random random_;
   ArrivalSampler sampler_;
-  std::vector<double> contact_positions_;  // drafted contact positions
-  Range position_range_{-kMaxContactPosition, kMaxContactPosition};
-  std::vector<double> brakings_;     // m/s2, drafted late braking
-  std::optional<Range> wait_range_;  // s, for which a standing attacker waits
   std::size_t all_points_ = 0;
   bool sketches_ = false;                  // this pass: one draft per contender
   bool has_sketches_ = false;              // that pass was done

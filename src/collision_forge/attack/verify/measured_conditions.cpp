@@ -8,7 +8,8 @@
 namespace forge {
 namespace {
 
-constexpr double kStandstill = 1e-6;  // m/s
+constexpr double kStandstill = 1e-6;   // m/s
+constexpr double kMicroseconds = 1e6;  // per s; clocks of recordings are not exact beyond
 
 /// Returns the middle of a side of a box, in the frame of the box centre.
 Vector2 middleOf(Side side, const BoxSize& size) {
@@ -32,7 +33,8 @@ double departureTime(const std::vector<TrajectoryPoint>& points, double contact)
   if (first == points.begin() || first == points.end() || first->time > contact) {
     return kNoDeparture;
   }
-  return std::prev(first)->time - points.front().time;
+  const double departure = std::prev(first)->time - points.front().time;
+  return std::round(departure * kMicroseconds) / kMicroseconds;
 }
 
 }  // namespace
