@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "attack/search/added_scene.h"
 #include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/attack/search/judge.h"
@@ -79,7 +81,7 @@ TEST(ParkedVehicle, NeedsRoomAtTheKerb) {
   scene.map->drivable_area = {rectangle(-200.0, -2.0, 200.0, 5.5)};
   scene.map->walkways = {rectangle(-200.0, -4.0, 200.0, -2.0), rectangle(-200.0, 5.5, 200.0, 7.5)};
   const Attack attack = answerIn(scene);
-  EXPECT_EQ(attack.status.code, StatusCode::kNoAttackWithinLimits);
+  EXPECT_EQ(attack.status.code, StatusCode::kRoadDoesNotAllow);
   EXPECT_NE(attack.status.message.find("no parked_vehicle can be added"), std::string::npos)
       << attack.status.message;
 }

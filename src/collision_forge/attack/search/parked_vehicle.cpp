@@ -4,6 +4,9 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <string>
+
+#include "collision_forge/base/scene/number_words.h"
 
 namespace forge {
 namespace {
@@ -39,7 +42,7 @@ class ParkingSearch {
     }
   }
 
-  std::vector<SupportVehicle> run(std::string& reason) {
+  std::vector<SupportVehicle> run(Status& refusal) {
     const std::vector<Place> places = fittingPlaces();
     std::vector<OrientedBox> chosen;
     const Place* best = nullptr;
@@ -49,7 +52,7 @@ class ParkingSearch {
       chosen.push_back(added->box);
       best = added;
     }
-    if (chosen.empty()) reason = refusal(places.size());
+    if (chosen.empty()) refusal = refusalOf(places.size());
     std::vector<SupportVehicle> supports;
     for (const OrientedBox& box : chosen) supports.push_back(parked(box, supports.size()));
     return supports;
@@ -97,7 +100,7 @@ class ParkingSearch {
     return std::nullopt;
   }
 
-  const char* whyNotAt(const OrientedBox& box) const {
+  const char* whyNotAt(const OrientedBox& box) {
     if (!search_.isOnRoad(box)) return "stand on no road";
     const LaneMap& map = input_.lanes.map();
     for (const LaneMatch& match : input_.lanes.lanesNear(box.center, kBesideJunction, M_PI)) {
@@ -112,6 +115,7 @@ class ParkingSearch {
     const RecordedTraffic& traffic = search_.traffic();
     for (int instant = traffic.firstInstant(); instant <= traffic.lastInstant(); ++instant) {
       if (traffic.touches(box.center, box.size, instant, kSupportClearance)) {
+        has_room_ = true;
         return "stand in the way of another agent";
       }
     }
@@ -177,15 +181,17 @@ class ParkingSearch {
     return {Hider::kParkedVehicle, motion};
   }
 
-  std::string refusal(std::size_t fitting) const {
+  Status refusalOf(std::size_t fitting) const {
     if (fitting > 0) {
-      return std::to_string(fitting) + " places fit, but none hides the attacker until visible_for";
+      return {StatusCode::kNoAttackWithinLimits,
+              counted(fitting, "place") + " found, but none hides the attacker until visible_for"};
     }
     std::string text;
     for (const auto& [reason, count] : reasons_) {
       text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + reason;
     }
-    return text.empty() ? "no kerb is between the ego and the attacker" : text;
+    return {has_room_ ? StatusCode::kNoAttackWithinLimits : StatusCode::kRoadDoesNotAllow,
+            text.empty() ? "no kerb is between the ego and the attacker" : text};
   }
 
   const HidingInput& input_;
@@ -193,13 +199,14 @@ class ParkingSearch {
   HidingSearch search_;
   std::vector<OrientedBox> ego_boxes_;
   std::map<std::string, int> reasons_;
+  bool has_room_ = false;  // a place is taken by other agents alone
 };
 
 }  // namespace
 
 std::vector<SupportVehicle> findParkedVehicles(const HidingInput& input,
-                                               const AttackOptions& options, std::string& reason) {
-  return ParkingSearch(input, options).run(reason);
+                                               const AttackOptions& options, Status& refusal) {
+  return ParkingSearch(input, options).run(refusal);
 }
 
 }  // namespace forge
