@@ -43,8 +43,8 @@ TEST(ParkedVehicle, HidesAPedestrianUntilItStepsOut) {
   const ContactConditions& measured = attack.report.conditions;
   EXPECT_EQ(measured.hidden_by, Hider::kParkedVehicle);
   EXPECT_EQ(measured.hidden_by_id.substr(0, 7), "parked-");
-  EXPECT_GE(measured.visible_for, kUsualSight.min);
-  EXPECT_LE(measured.visible_for, kUsualSight.max);
+  EXPECT_GE(measured.visible_for, usualSight(Hider::kParkedVehicle).min);
+  EXPECT_LE(measured.visible_for, usualSight(Hider::kParkedVehicle).max);
 }
 
 TEST(ParkedVehicle, StandsParallelToTheLaneOnTheRoadAndTouchesNobody) {
@@ -111,7 +111,6 @@ TEST(CutOutLeader, LeavesTheLaneBeforeAStandingVehicle) {
   scene.request.mode = Mode::kReplay;
   scene.request.ego_side = Side::kFront;
   scene.request.hidden_by = Hider::kLeader;
-  scene.request.visible_for = Range{0.5, 3.0};
   const Attack attack = answerIn(scene);
   ASSERT_EQ(attack.status.code, StatusCode::kOk) << attack.status.message;
   ASSERT_EQ(attack.supports.size(), 1U);

@@ -13,12 +13,13 @@ namespace forge {
 namespace {
 
 constexpr double kTimeGaps[] = {1.0, 1.3, 0.8, 1.6, 2.0};  // s between leader and ego
-constexpr double kEarly[] = {0.2, 0.5, 0.9, 1.4};  // s by which it has left before it would hit
+constexpr double kEarly[] = {0.3, 0.7, 1.1, 1.6,
+                             2.2};  // s by which it has left before it would hit
 constexpr double kDurations[] = {1.8, 2.2, 2.8,
                                  3.5};    // s of the lane change; UN R157: 0.5 to 3 m/s
 constexpr double kSides[] = {1.0, -1.0};  // left, right
 constexpr double kStep = 0.1;             // s between its points
-constexpr double kAfterwards = 6.0;       // s that it drives on after the contact
+constexpr double kAfterwards = 1.5;       // s that its motion is planned beyond the contact
 constexpr double kSpeedSpan = 0.25;       // s to either side for its speed
 constexpr double kLeastGap = 2.0;         // m to the ego at t0
 constexpr double kEgoClearance = 0.5;     // m to the ego
@@ -49,7 +50,7 @@ class LeaderSearch {
     for (const AgentState& state : input.future.ego.states) {
       if (state.time > course_.states.back().time) course_.states.push_back(state);
     }
-    end_ = std::max(input.attacker.points.back().time, input.contact + kAfterwards);
+    end_ = input.contact + kAfterwards;
   }
 
   std::optional<SupportVehicle> run(Status& refusal) {
@@ -184,7 +185,8 @@ class LeaderSearch {
   }
 
   bool endsInLane(const CutOut& cut_out, const AttackerTrajectory& leader) const {
-    const Pose2 there = poseAt(leader, cut_out.begin + cut_out.duration + kSettled);
+    const double settled = std::min(cut_out.begin + cut_out.duration + kSettled, end_);
+    const Pose2 there = poseAt(leader, settled);
     return !input_.lanes.lanesNear(there, kInLane, kSteady).empty();
   }
 

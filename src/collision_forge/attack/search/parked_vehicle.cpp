@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 
 #include "collision_forge/base/scene/number_words.h"
 
@@ -22,7 +23,7 @@ constexpr double kEgoStep = 0.1;         // s between the times at which the ego
 constexpr double kInLane = 1.2;          // m from the middle of a lane: stands in it
 constexpr double kBesideJunction = 4.0;  // m from a path through a junction
 constexpr double kLaneHeading = 0.6;     // rad
-constexpr int kLongHidden = 20;          // steps beyond which longer is not better
+constexpr int kLongHidden = 10;          // steps of kSightStep beyond which longer is not better
 constexpr std::size_t kMost = 2;         // parked vehicles
 
 /// A place where a parked vehicle fits.
@@ -139,15 +140,20 @@ class ParkingSearch {
     });
   }
 
+  /// Returns the rank of a place, smallest first: beside the lanes, long hidden, seen late.
+  static std::tuple<bool, int, double> rankOf(const Place& place, const Hiding& hiding) {
+    return {place.is_in_lane, -std::min(hiding.hidden, kLongHidden), hiding.visible_for};
+  }
+
   /// Returns the place that hides the attacker best together with the chosen ones; null if none
-  /// improves on them. A second vehicle stands as the first one, in a lane or beside.
+  /// hides it for longer than they do. A second vehicle stands as the first one, in a lane or
+  /// beside.
   const Place* bestOf(const std::vector<Place>& places, const std::vector<OrientedBox>& chosen,
                       const Place* before) const {
     const Place* best = nullptr;
-    int most = chosen.empty() ? 0 : std::min(hidingBy(chosen).hidden, kLongHidden);
-    bool is_in_lane = true;
+    std::tuple<bool, int, double> rank{true, 1, 0.0};
+    if (before) rank = rankOf(*before, hidingBy(chosen));
     for (const Place& place : places) {
-      if (before && place.is_in_lane != before->is_in_lane) continue;
       const bool is_apart = std::all_of(
           chosen.begin(), chosen.end(),
           [&](const OrientedBox& other) { return !overlaps(shrunk(other, -kBetween), place.box); });
@@ -155,13 +161,9 @@ class ParkingSearch {
       std::vector<OrientedBox> all = chosen;
       all.push_back(place.box);
       const Hiding hiding = hidingBy(all);
-      if (!search_.isInRange(hiding)) continue;
-      const int hidden = std::min(hiding.hidden, kLongHidden);
-      const bool is_better = is_in_lane != place.is_in_lane && !before ? is_in_lane : hidden > most;
-      if (!is_better) continue;
+      if (!search_.isInRange(hiding) || !(rankOf(place, hiding) < rank)) continue;
       best = &place;
-      most = hidden;
-      is_in_lane = place.is_in_lane;
+      rank = rankOf(place, hiding);
     }
     return best;
   }

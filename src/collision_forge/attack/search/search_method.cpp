@@ -35,7 +35,8 @@ bool mayBeAdded(const Attack& existing, const Moment& moment, const CollisionReq
   }
 }
 
-constexpr std::uint64_t kHiddenSeeds = 2;  // attacks per side for which a support vehicle is sought
+// s, added to the requested time; each moves the place at which a parked vehicle must stand.
+constexpr double kHiddenShifts[] = {0.0, -0.3, 0.3};
 
 /// Returns the sides from which attacks are searched for a request with hidden_by.
 std::vector<std::optional<Side>> sidesOf(const CollisionRequest& request) {
@@ -102,15 +103,15 @@ Attack SearchMethod::answer(const Moment& moment, const CollisionRequest& reques
   std::optional<Status> refusal;
   for (const std::optional<Side>& side : sidesOf(request)) {
     open.from_side = side;
-    for (std::uint64_t i = 0; i < kHiddenSeeds; ++i) {
-      open.seed = request.seed + i;
+    for (const double shift : kHiddenShifts) {
+      open.tta = request.tta + shift;
       const Found found = search(moment, open);
       const bool is_found = found.attack.status.code == StatusCode::kOk;
       const Attack answer = is_found ? hiddenBy(found, moment, request) : found.attack;
       if (answer.status.code == StatusCode::kOk) return answer;
       // An attack that nothing hides says more than a side without an attack.
       if (!refusal || is_found) refusal = answer.status;
-      if (!is_found) break;
+      if (!is_found || request.hidden_by == Hider::kLeader) break;
     }
   }
   return rejection(*refusal);
@@ -138,9 +139,10 @@ Attack SearchMethod::hiddenBy(const Found& found, const Moment& moment,
     return refuse("no " + hider + " can be added live: the ego has seen where it would have been");
   }
   Status refused{StatusCode::kNoAttackWithinLimits, ""};
-  const HidingInput input{answer.trajectory, answer.report.contact_time,
-                          *future,           *moment.past,
-                          *moment.lanes,     request.visible_for.value_or(kUsualSight)};
+  const HidingInput input{
+      answer.trajectory, answer.report.contact_time,
+      *future,           *moment.past,
+      *moment.lanes,     request.visible_for.value_or(usualSight(*request.hidden_by))};
   if (request.hidden_by == Hider::kParkedVehicle) {
     answer.supports = findParkedVehicles(input, options_, refused);
   } else if (answer.report.manoeuvre != Manoeuvre::kLeadStopped) {
