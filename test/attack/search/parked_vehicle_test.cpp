@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "attack/search/added_scene.h"
 #include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/attack/search/judge.h"
@@ -41,8 +43,8 @@ TEST(ParkedVehicle, HidesAPedestrianUntilItStepsOut) {
   const ContactConditions& measured = attack.report.conditions;
   EXPECT_EQ(measured.hidden_by, Hider::kParkedVehicle);
   EXPECT_EQ(measured.hidden_by_id.substr(0, 7), "parked-");
-  EXPECT_GE(measured.visible_for, kUsualSight.min);
-  EXPECT_LE(measured.visible_for, kUsualSight.max);
+  EXPECT_GE(measured.visible_for, usualSight(Hider::kParkedVehicle).min);
+  EXPECT_LE(measured.visible_for, usualSight(Hider::kParkedVehicle).max);
 }
 
 TEST(ParkedVehicle, StandsParallelToTheLaneOnTheRoadAndTouchesNobody) {
@@ -79,7 +81,7 @@ TEST(ParkedVehicle, NeedsRoomAtTheKerb) {
   scene.map->drivable_area = {rectangle(-200.0, -2.0, 200.0, 5.5)};
   scene.map->walkways = {rectangle(-200.0, -4.0, 200.0, -2.0), rectangle(-200.0, 5.5, 200.0, 7.5)};
   const Attack attack = answerIn(scene);
-  EXPECT_EQ(attack.status.code, StatusCode::kNoAttackWithinLimits);
+  EXPECT_EQ(attack.status.code, StatusCode::kRoadDoesNotAllow);
   EXPECT_NE(attack.status.message.find("no parked_vehicle can be added"), std::string::npos)
       << attack.status.message;
 }
@@ -109,7 +111,6 @@ TEST(CutOutLeader, LeavesTheLaneBeforeAStandingVehicle) {
   scene.request.mode = Mode::kReplay;
   scene.request.ego_side = Side::kFront;
   scene.request.hidden_by = Hider::kLeader;
-  scene.request.visible_for = Range{0.5, 3.0};
   const Attack attack = answerIn(scene);
   ASSERT_EQ(attack.status.code, StatusCode::kOk) << attack.status.message;
   ASSERT_EQ(attack.supports.size(), 1U);

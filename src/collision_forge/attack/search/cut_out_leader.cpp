@@ -13,18 +13,23 @@ namespace forge {
 namespace {
 
 constexpr double kTimeGaps[] = {1.0, 1.3, 0.8, 1.6, 2.0};  // s between leader and ego
-constexpr double kEarly[] = {0.2, 0.5, 0.9, 1.4};  // s by which it has left before it would hit
+constexpr double kEarly[] = {0.3, 0.7, 1.1, 1.6,
+                             2.2};  // s by which it has left before it would hit
 constexpr double kDurations[] = {1.8, 2.2, 2.8,
                                  3.5};    // s of the lane change; UN R157: 0.5 to 3 m/s
 constexpr double kSides[] = {1.0, -1.0};  // left, right
 constexpr double kStep = 0.1;             // s between its points
-constexpr double kAfterwards = 6.0;       // s that it drives on after the contact
+constexpr double kAfterwards = 1.5;       // s that its motion is planned beyond the contact
 constexpr double kSpeedSpan = 0.25;       // s to either side for its speed
 constexpr double kLeastGap = 2.0;         // m to the ego at t0
 constexpr double kEgoClearance = 0.5;     // m to the ego
 constexpr double kAcrossStep = 0.5;       // m between the points that look for a lane
 constexpr double kNarrowest = 2.5;        // m between the middles of neighbouring lanes
 constexpr double kWidest = 4.5;           // m
+constexpr double kSteadyBefore = 1.0;     // s in its lane before it steers
+constexpr double kSettled = 2.0;          // s after the lane change
+constexpr double kStandingStep = 0.1;     // m per step below which it stands
+constexpr double kSharpest = 0.1;         // 1/m
 constexpr double kLaneHeading = 0.3;      // rad between neighbouring lanes
 constexpr double kSteady = 0.1;           // rad to the lane at the contact
 constexpr double kInLane = 0.4;           // m from the middle of a lane
@@ -45,18 +50,23 @@ class LeaderSearch {
     for (const AgentState& state : input.future.ego.states) {
       if (state.time > course_.states.back().time) course_.states.push_back(state);
     }
-    end_ = std::max(input.attacker.points.back().time, input.contact + kAfterwards);
+    end_ = input.contact + kAfterwards;
   }
 
-  std::optional<SupportVehicle> run(std::string& reason) {
+  std::optional<SupportVehicle> run(Status& refusal) {
+    const std::vector<double> neighbours = neighbouringLanes();
+    if (neighbours.empty()) {
+      refusal = {StatusCode::kRoadDoesNotAllow, "no lane beside the ego's lane leads on"};
+      return std::nullopt;
+    }
     for (const double early : kEarly) {
       for (const double time_gap : kTimeGaps) {
         for (const double duration : kDurations) {
-          for (const double side : kSides) {
+          for (const double across : neighbours) {
             for (const AddedKind& kind : options_.added.kinds) {
               if (kind.agent_class != AgentClass::kCar) continue;
               SupportVehicle leader;
-              const char* problem = tryOne({time_gap, early, duration, side}, kind, leader);
+              const char* problem = tryOne({time_gap, early, duration, across}, kind, leader);
               if (!problem) return leader;
               ++reasons_[problem];
             }
@@ -65,7 +75,8 @@ class LeaderSearch {
       }
     }
     for (const auto& [problem, count] : reasons_) {
-      reason += (reason.empty() ? "" : ", ") + std::to_string(count) + " " + problem;
+      refusal.message +=
+          (refusal.message.empty() ? "" : ", ") + std::to_string(count) + " " + problem;
     }
     return std::nullopt;
   }
@@ -84,19 +95,23 @@ class LeaderSearch {
            (2.0 * kSpeedSpan);
   }
 
-  /// Returns m to the left, with the sign of `side`, to the middle of the neighbouring lane.
-  std::optional<double> neighbourOf(const Pose2& place, double side) const {
-    for (double across = kNarrowest; across <= kWidest; across += kAcrossStep) {
-      const Pose2 there = compose(place, {0.0, side * across, 0.0});
-      const auto lanes = input_.lanes.lanesNear(there, kAcrossStep, kLaneHeading);
-      if (lanes.empty()) continue;
-      const double offset = lanes.front().projection.lateral;
-      return side * across - offset;
+  /// Returns m to the left from the ego's path to the lanes beside it.
+  std::vector<double> neighbouringLanes() const {
+    const Pose2 place = courseAt(input_.contact);
+    std::vector<double> neighbours;
+    for (const double side : {1.0, -1.0}) {
+      for (double across = kNarrowest; across <= kWidest; across += kAcrossStep) {
+        const Pose2 there = compose(place, {0.0, side * across, 0.0});
+        const auto lanes = input_.lanes.lanesNear(there, kAcrossStep, kLaneHeading);
+        if (lanes.empty()) continue;
+        neighbours.push_back(side * across - lanes.front().projection.lateral);
+        break;
+      }
     }
-    return std::nullopt;
+    return neighbours;
   }
 
-  /// Returns the pose at `time` and sets the speed.
+  /// Returns the planned state at `time`.
   PlannedStep stepAt(const CutOut& cut_out, double time) const {
     const double u = std::clamp((time - cut_out.begin) / cut_out.duration, 0.0, 1.0);
     const double share = u * u * u * (10.0 + u * (-15.0 + 6.0 * u));
@@ -112,7 +127,7 @@ class LeaderSearch {
     double time_gap;
     double early;
     double duration;
-    double side;
+    double across;
   };
 
   const char* tryOne(const Try& tried, const AddedKind& kind, SupportVehicle& leader) const {
@@ -121,19 +136,16 @@ class LeaderSearch {
     const double speed = std::max(1.0, speedAt(input_.contact));
     const double sooner = 0.5 * (size.length - input_.future.ego.size.length) / speed;
     CutOut cut_out{tried.time_gap, reaches - sooner - tried.early - tried.duration, tried.duration,
-                   0.0};
-    if (cut_out.begin < now_) return "would have to leave before t0";
+                   tried.across};
+    if (cut_out.begin + cut_out.duration < now_) return "would have to leave before t0";
     const OrientedBox ego{courseAt(now_), input_.future.ego.size};
     if (distance(ego, {courseAt(now_ + tried.time_gap), size}) < kLeastGap) {
       return "drive too close to the ego";
     }
-    const auto across = neighbourOf(courseAt(input_.contact), tried.side);
-    if (!across) return "have no lane into which to leave";
-    cut_out.across = *across;
     leader.role = Hider::kLeader;
     leader.motion = {search_.newId("leader", 0), kind.agent_class, size, {}};
     if (!drive(cut_out, leader.motion)) return "break a limit";
-    if (!endsInLane(leader.motion)) return "miss the neighbouring lane";
+    if (!endsInLane(cut_out, leader.motion)) return "miss the neighbouring lane";
     if (const char* problem = whyNot(leader.motion)) return problem;
     const Hiding hiding = search_.hidingBy([&](double time, std::vector<OrientedBox>& boxes) {
       boxes.push_back({poseAt(leader.motion, time), size});
@@ -141,29 +153,40 @@ class LeaderSearch {
     return search_.isInRange(hiding) ? nullptr : "do not hide the attacker until visible_for";
   }
 
-  /// Sets past and points; returns false if the class cannot drive so.
+  /// Sets past and points; returns false if the class cannot drive so. The vehicle steers by itself
+  /// from shortly before the lane change on, which may begin before t0.
   bool drive(const CutOut& cut_out, AttackerTrajectory& leader) const {
-    for (const AgentState& frame : input_.past.ego.states) {
-      const PlannedStep step = stepAt(cut_out, frame.time);
-      leader.past.push_back({frame.time, step.pose(), step.speed * step.heading});
-    }
+    const auto steps = static_cast<int>(std::ceil((now_ - cut_out.begin + kSteadyBefore) / kStep));
+    const double begin = now_ - std::max(0, steps) * kStep;
     const DriveLimits limits =
         driveLimitsOf(leader.agent_class, leader.size, options_.verification.drivable);
     std::vector<PlannedStep> plan;
-    for (double time = now_; time <= end_; time += kStep) plan.push_back(stepAt(cut_out, time));
-    const double before = stepAt(cut_out, now_ - kStep).speed;
-    const double turn = angleBetween(stepAt(cut_out, now_ - kStep).pose().yaw, plan[0].pose().yaw);
-    const double metres = std::max(0.5, plan[0].speed * kStep);
-    TrajectoryPoint start{now_, plan[0].pose(), plan[0].speed, (plan[0].speed - before) / kStep,
-                          turn / metres};
-    start.curvature = std::clamp(start.curvature, -0.1, 0.1);
+    const auto count = static_cast<int>(std::lround((end_ - begin) / kStep));
+    for (int i = 0; i <= count; ++i) plan.push_back(stepAt(cut_out, begin + i * kStep));
+    const PlannedStep before = stepAt(cut_out, begin - kStep);
+    const double turn = angleBetween(before.pose().yaw, plan[0].pose().yaw);
+    const double bend = turn / std::max(kStandingStep, plan[0].speed * kStep);
+    const TrajectoryPoint start{begin, plan[0].pose(), plan[0].speed,
+                                (plan[0].speed - before.speed) / kStep,
+                                std::clamp(bend, -kSharpest, kSharpest)};
     const DriveState state = driveStateOf(start, limits);
-    TrackDriver(limits, kLimitShare, kPreview, kStep).drive(state, now_, plan, leader.points);
-    return !findBrokenDrive(leader.points, state, end_, limits);
+    std::vector<TrajectoryPoint> points;
+    TrackDriver(limits, kLimitShare, kPreview, kStep).drive(state, begin, plan, points);
+    if (findBrokenDrive(points, state, end_, limits)) return false;
+    const Track driven{leader.attacker_id, leader.agent_class, leader.size, toStates(points)};
+    for (const AgentState& frame : input_.past.ego.states) {
+      const PlannedStep step = stepAt(cut_out, frame.time);
+      const AgentState planned{frame.time, step.pose(), step.speed * step.heading};
+      leader.past.push_back(stateAt(driven, frame.time).value_or(planned));
+    }
+    leader.points.assign(points.begin() + std::max(0, steps), points.end());
+    leader.points.front().time = now_;
+    return true;
   }
 
-  bool endsInLane(const AttackerTrajectory& leader) const {
-    const Pose2 there = poseAt(leader, input_.contact);
+  bool endsInLane(const CutOut& cut_out, const AttackerTrajectory& leader) const {
+    const double settled = std::min(cut_out.begin + cut_out.duration + kSettled, end_);
+    const Pose2 there = poseAt(leader, settled);
     return !input_.lanes.lanesNear(there, kInLane, kSteady).empty();
   }
 
@@ -201,8 +224,8 @@ class LeaderSearch {
 }  // namespace
 
 std::optional<SupportVehicle> findCutOutLeader(const HidingInput& input,
-                                               const AttackOptions& options, std::string& reason) {
-  return LeaderSearch(input, options).run(reason);
+                                               const AttackOptions& options, Status& refusal) {
+  return LeaderSearch(input, options).run(refusal);
 }
 
 }  // namespace forge

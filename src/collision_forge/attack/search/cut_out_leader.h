@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "collision_forge/attack/search/hiding.h"
 #include "collision_forge/attack/search/options.h"
@@ -14,8 +13,9 @@ namespace forge {
 /// of UN R157). The vehicle drives as the ego does, a time gap earlier, from the first frame on; it
 /// keeps the limits of its class, stays on the road, and is clear of the ego and of all agents at
 /// all times. Late and quick lane changes come first. Returns an empty result if there is none;
-/// `reason` then explains it, worded to follow "no leader can be added: ".
+/// `refusal` then gets its code, kRoadDoesNotAllow without a neighbouring lane, and the reason,
+/// worded to follow "no leader can be added: ".
 std::optional<SupportVehicle> findCutOutLeader(const HidingInput& input,
-                                               const AttackOptions& options, std::string& reason);
+                                               const AttackOptions& options, Status& refusal);
 
 }  // namespace forge

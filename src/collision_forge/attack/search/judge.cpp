@@ -35,10 +35,6 @@ std::string wrongAttacker(const AttackerTrajectory& attacker, const CollisionReq
   return "";
 }
 
-bool isUsualSight(double seconds) {
-  return seconds >= kUsualSight.min && seconds <= kUsualSight.max;
-}
-
 /// Returns which of kRangeControls, `from_side` or `hidden_by` the attack misses, worded to follow
 /// the attack; empty if none.
 std::string conditionMissed(const CollisionReport& report, const CollisionRequest& request) {
@@ -61,8 +57,10 @@ std::string conditionMissed(const CollisionReport& report, const CollisionReques
   if (request.hidden_by && report.conditions.hidden_by != request.hidden_by) {
     return std::string("was not hidden by a ") + toString(*request.hidden_by);
   }
-  if (request.hidden_by && !request.visible_for && !isUsualSight(report.conditions.visible_for)) {
-    return "came into view too early or too late";
+  if (request.hidden_by && !request.visible_for) {
+    const Range usual = usualSight(*request.hidden_by);
+    const double seen = report.conditions.visible_for;
+    if (seen < usual.min || seen > usual.max) return "came into view too early or too late";
   }
   return "";
 }

@@ -14,9 +14,12 @@
 /// The only place that decides whether an attack meets its request.
 namespace forge {
 
-/// s, `visible_for` of a request with `hidden_by` that has none of its own: long enough to be seen,
-/// too short for most drivers to react and stop.
-inline constexpr Range kUsualSight{0.3, 2.0};
+/// Returns the range, s, of `visible_for` that a request with `hidden_by` has if it names none: long
+/// enough to be seen, and too short for most drivers to react and stop. A leader leaves its lane
+/// earlier than a pedestrian steps out.
+constexpr Range usualSight(Hider hider) {
+  return hider == Hider::kLeader ? Range{0.3, 3.5} : Range{0.3, 2.0};
+}
 
 /// Returns why an attack with this report violates the request, worded to follow the attack
 /// ("missed the ego"); empty if it meets the request.

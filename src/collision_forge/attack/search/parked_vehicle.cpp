@@ -4,6 +4,10 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <string>
+#include <tuple>
+
+#include "collision_forge/base/scene/number_words.h"
 
 namespace forge {
 namespace {
@@ -19,7 +23,7 @@ constexpr double kEgoStep = 0.1;         // s between the times at which the ego
 constexpr double kInLane = 1.2;          // m from the middle of a lane: stands in it
 constexpr double kBesideJunction = 4.0;  // m from a path through a junction
 constexpr double kLaneHeading = 0.6;     // rad
-constexpr int kLongHidden = 20;          // steps beyond which longer is not better
+constexpr int kLongHidden = 10;          // steps of kSightStep beyond which longer is not better
 constexpr std::size_t kMost = 2;         // parked vehicles
 
 /// A place where a parked vehicle fits.
@@ -39,7 +43,7 @@ class ParkingSearch {
     }
   }
 
-  std::vector<SupportVehicle> run(std::string& reason) {
+  std::vector<SupportVehicle> run(Status& refusal) {
     const std::vector<Place> places = fittingPlaces();
     std::vector<OrientedBox> chosen;
     const Place* best = nullptr;
@@ -49,7 +53,7 @@ class ParkingSearch {
       chosen.push_back(added->box);
       best = added;
     }
-    if (chosen.empty()) reason = refusal(places.size());
+    if (chosen.empty()) refusal = refusalOf(places.size());
     std::vector<SupportVehicle> supports;
     for (const OrientedBox& box : chosen) supports.push_back(parked(box, supports.size()));
     return supports;
@@ -97,7 +101,7 @@ class ParkingSearch {
     return std::nullopt;
   }
 
-  const char* whyNotAt(const OrientedBox& box) const {
+  const char* whyNotAt(const OrientedBox& box) {
     if (!search_.isOnRoad(box)) return "stand on no road";
     const LaneMap& map = input_.lanes.map();
     for (const LaneMatch& match : input_.lanes.lanesNear(box.center, kBesideJunction, M_PI)) {
@@ -112,6 +116,7 @@ class ParkingSearch {
     const RecordedTraffic& traffic = search_.traffic();
     for (int instant = traffic.firstInstant(); instant <= traffic.lastInstant(); ++instant) {
       if (traffic.touches(box.center, box.size, instant, kSupportClearance)) {
+        has_room_ = true;
         return "stand in the way of another agent";
       }
     }
@@ -135,15 +140,20 @@ class ParkingSearch {
     });
   }
 
+  /// Returns the rank of a place, smallest first: beside the lanes, long hidden, seen late.
+  static std::tuple<bool, int, double> rankOf(const Place& place, const Hiding& hiding) {
+    return {place.is_in_lane, -std::min(hiding.hidden, kLongHidden), hiding.visible_for};
+  }
+
   /// Returns the place that hides the attacker best together with the chosen ones; null if none
-  /// improves on them. A second vehicle stands as the first one, in a lane or beside.
+  /// hides it for longer than they do. A second vehicle stands as the first one, in a lane or
+  /// beside.
   const Place* bestOf(const std::vector<Place>& places, const std::vector<OrientedBox>& chosen,
                       const Place* before) const {
     const Place* best = nullptr;
-    int most = chosen.empty() ? 0 : std::min(hidingBy(chosen).hidden, kLongHidden);
-    bool is_in_lane = true;
+    std::tuple<bool, int, double> rank{true, 1, 0.0};
+    if (before) rank = rankOf(*before, hidingBy(chosen));
     for (const Place& place : places) {
-      if (before && place.is_in_lane != before->is_in_lane) continue;
       const bool is_apart = std::all_of(
           chosen.begin(), chosen.end(),
           [&](const OrientedBox& other) { return !overlaps(shrunk(other, -kBetween), place.box); });
@@ -151,13 +161,9 @@ class ParkingSearch {
       std::vector<OrientedBox> all = chosen;
       all.push_back(place.box);
       const Hiding hiding = hidingBy(all);
-      if (!search_.isInRange(hiding)) continue;
-      const int hidden = std::min(hiding.hidden, kLongHidden);
-      const bool is_better = is_in_lane != place.is_in_lane && !before ? is_in_lane : hidden > most;
-      if (!is_better) continue;
+      if (!search_.isInRange(hiding) || !(rankOf(place, hiding) < rank)) continue;
       best = &place;
-      most = hidden;
-      is_in_lane = place.is_in_lane;
+      rank = rankOf(place, hiding);
     }
     return best;
   }
@@ -177,15 +183,17 @@ class ParkingSearch {
     return {Hider::kParkedVehicle, motion};
   }
 
-  std::string refusal(std::size_t fitting) const {
+  Status refusalOf(std::size_t fitting) const {
     if (fitting > 0) {
-      return std::to_string(fitting) + " places fit, but none hides the attacker until visible_for";
+      return {StatusCode::kNoAttackWithinLimits,
+              counted(fitting, "place") + " found, but none hides the attacker until visible_for"};
     }
     std::string text;
     for (const auto& [reason, count] : reasons_) {
       text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + reason;
     }
-    return text.empty() ? "no kerb is between the ego and the attacker" : text;
+    return {has_room_ ? StatusCode::kNoAttackWithinLimits : StatusCode::kRoadDoesNotAllow,
+            text.empty() ? "no kerb is between the ego and the attacker" : text};
   }
 
   const HidingInput& input_;
@@ -193,13 +201,14 @@ class ParkingSearch {
   HidingSearch search_;
   std::vector<OrientedBox> ego_boxes_;
   std::map<std::string, int> reasons_;
+  bool has_room_ = false;  // a place is taken by other agents alone
 };
 
 }  // namespace
 
 std::vector<SupportVehicle> findParkedVehicles(const HidingInput& input,
-                                               const AttackOptions& options, std::string& reason) {
-  return ParkingSearch(input, options).run(reason);
+                                               const AttackOptions& options, Status& refusal) {
+  return ParkingSearch(input, options).run(refusal);
 }
 
 }  // namespace forge

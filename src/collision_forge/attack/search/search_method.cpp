@@ -35,20 +35,23 @@ bool mayBeAdded(const Attack& existing, const Moment& moment, const CollisionReq
   }
 }
 
-constexpr std::uint64_t kHiddenTries = 4;  // attacks for which a support vehicle is sought
+// s, added to the requested time; each moves the place at which a parked vehicle must stand.
+constexpr double kHiddenShifts[] = {0.0, -0.3, 0.3};
 
-/// Returns the requests whose attacks are tried one after the other for a request with hidden_by:
-/// from both sides if none is requested, with different seeds; behind a leader, a standing vehicle.
-CollisionRequest openRequest(CollisionRequest request, std::uint64_t attempt) {
-  const Hider hidden_by = *request.hidden_by;
-  request.hidden_by.reset();
-  request.visible_for.reset();
-  request.seed += attempt / 2;
-  if (hidden_by == Hider::kLeader && !request.manoeuvre) {
+/// Returns the sides from which attacks are searched for a request with hidden_by.
+std::vector<std::optional<Side>> sidesOf(const CollisionRequest& request) {
+  if (request.from_side || request.type == CollisionType::kRearEnd) return {request.from_side};
+  return {Side::kRight, Side::kLeft};
+}
+
+/// Returns the request without what the support vehicles provide; behind a leader, a vehicle
+/// stands.
+CollisionRequest openRequest(CollisionRequest request) {
+  if (request.hidden_by == Hider::kLeader && !request.manoeuvre) {
     request.manoeuvre = Manoeuvre::kLeadStopped;
   }
-  if (request.from_side || request.type == CollisionType::kRearEnd) return request;
-  request.from_side = attempt % 2 == 0 ? Side::kRight : Side::kLeft;
+  request.hidden_by.reset();
+  request.visible_for.reset();
   return request;
 }
 
@@ -96,16 +99,22 @@ SearchMethod::SearchMethod(const AttackOptions& options,
 
 Attack SearchMethod::answer(const Moment& moment, const CollisionRequest& request) const {
   if (!request.hidden_by) return search(moment, request).attack;
-  std::optional<Status> first;
-  for (std::uint64_t attempt = 0; attempt < kHiddenTries; ++attempt) {
-    const Found found = search(moment, openRequest(request, attempt));
-    Attack answer = found.attack.status.code == StatusCode::kOk ? hiddenBy(found, moment, request)
-                                                                : found.attack;
-    if (answer.status.code == StatusCode::kOk) return answer;
-    // The first attack that nothing hides says more than a side without an attack.
-    if (!first || found.attack.status.code == StatusCode::kOk) first = answer.status;
+  CollisionRequest open = openRequest(request);
+  std::optional<Status> refusal;
+  for (const std::optional<Side>& side : sidesOf(request)) {
+    open.from_side = side;
+    for (const double shift : kHiddenShifts) {
+      open.tta = request.tta + shift;
+      const Found found = search(moment, open);
+      const bool is_found = found.attack.status.code == StatusCode::kOk;
+      const Attack answer = is_found ? hiddenBy(found, moment, request) : found.attack;
+      if (answer.status.code == StatusCode::kOk) return answer;
+      // An attack that nothing hides says more than a side without an attack.
+      if (!refusal || is_found) refusal = answer.status;
+      if (!is_found || request.hidden_by == Hider::kLeader) break;
+    }
   }
-  return rejection(*first);
+  return rejection(*refusal);
 }
 
 Attack SearchMethod::hiddenBy(const Found& found, const Moment& moment,
@@ -113,11 +122,8 @@ Attack SearchMethod::hiddenBy(const Found& found, const Moment& moment,
   const auto refuse = [](const std::string& why) {
     return rejection({StatusCode::kNoAttackWithinLimits, why});
   };
-  CollisionRequest open = request;
-  open.hidden_by.reset();
-  open.visible_for.reset();
   const VerificationOptions& options = options_.verification;
-  auto future = futureHit(found.attack, found.future, moment, open, options);
+  auto future = futureHit(found.attack, found.future, moment, openRequest(request), options);
   if (!future) return refuse("the attack hits none of the ego's futures as requested");
   Attack answer = found.attack;
   const auto judge = [&] {
@@ -132,18 +138,22 @@ Attack SearchMethod::hiddenBy(const Found& found, const Moment& moment,
   if (!moment.past) {
     return refuse("no " + hider + " can be added live: the ego has seen where it would have been");
   }
-  std::string reason;
-  const HidingInput input{answer.trajectory, answer.report.contact_time,
-                          *future,           *moment.past,
-                          *moment.lanes,     request.visible_for.value_or(kUsualSight)};
+  Status refused{StatusCode::kNoAttackWithinLimits, ""};
+  const HidingInput input{
+      answer.trajectory, answer.report.contact_time,
+      *future,           *moment.past,
+      *moment.lanes,     request.visible_for.value_or(usualSight(*request.hidden_by))};
   if (request.hidden_by == Hider::kParkedVehicle) {
-    answer.supports = findParkedVehicles(input, options_, reason);
+    answer.supports = findParkedVehicles(input, options_, refused);
   } else if (answer.report.manoeuvre != Manoeuvre::kLeadStopped) {
-    reason = "the attacker does not stand in the ego's lane";
-  } else if (auto leader = findCutOutLeader(input, options_, reason)) {
+    refused.message = "the attacker does not stand in the ego's lane";
+  } else if (auto leader = findCutOutLeader(input, options_, refused)) {
     answer.supports = {std::move(*leader)};
   }
-  if (answer.supports.empty()) return refuse("no " + hider + " can be added: " + reason);
+  if (answer.supports.empty()) {
+    refused.message = "no " + hider + " can be added: " + refused.message;
+    return rejection(refused);
+  }
   addSupports(answer.supports, *future);
   const std::string shortcoming = judge();
   if (!shortcoming.empty()) return refuse("behind a " + hider + ", the attack " + shortcoming);
