@@ -20,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kMcap = "mcap";
+constexpr const char* kOpenScenario = "openscenario";
 
 struct Arguments {
   std::string format;
@@ -27,6 +28,7 @@ struct Arguments {
   std::vector<std::string> bags;
   LogSource logs;
   bool ego_free = false;
+  bool for_carla = false;
   std::string out;
   ConfigFolder config;
   int jobs = defaultJobs();
@@ -81,9 +83,9 @@ class CrashExport {
       : arguments_(arguments),
         config_(config),
         attacks_(attacks),
-        writer_(
-            makeCrashWriter(arguments.format, {arguments.out, arguments.ego_free, config.exports,
-                                               config.attack.verification.drivable})) {}
+        writer_(makeCrashWriter(arguments.format,
+                                {arguments.out, arguments.ego_free, config.exports,
+                                 config.attack.verification.drivable, arguments.for_carla})) {}
 
   int run() {
     Run run;
@@ -110,6 +112,7 @@ class CrashExport {
     options["config/export.yaml"] = fingerprintOfValues(arguments_.config, "export.yaml");
     options["format"] = arguments_.format;
     options["ego"] = arguments_.ego_free ? "free" : "recorded";
+    if (arguments_.for_carla) options["flavour"] = "carla";
     return options;
   }
 
@@ -199,7 +202,13 @@ void addExport(CommandLine& line) {
       app, "--ego", arguments->ego_free, {{"recorded", false}, {"free", true}},
       "ego motion; recorded: replays the recording; free: the importing tool drives the ego from "
       "t0, where the file starts");
+  addChoice<bool>(app, "--flavour", arguments->for_carla, {{"asam", false}, {"carla", true}},
+                  "dialect of openscenario; asam: OpenSCENARIO 1.2; carla: the part of 1.0 that "
+                  "CARLA's ScenarioRunner reads");
   app.parse_complete_callback([arguments] {
+    if (arguments->for_carla && arguments->format != kOpenScenario) {
+      throw CLI::ValidationError("--flavour", "carla is a flavour of --to openscenario");
+    }
     if (arguments->format != kMcap || arguments->scenarios.empty()) return;
     throw CLI::ValidationError("--to", "mcap needs --bag; it cannot be made from --scenarios");
   });

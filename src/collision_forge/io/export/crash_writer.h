@@ -38,6 +38,7 @@ struct ExportPlan {
   bool ego_free = false;  ///< export only the ego's start: the tool drives the ego
   ExportOptions options;
   DriveLimitOptions limits;  ///< vehicle limits by class, for formats that have them
+  bool for_carla = false;  ///< OpenSCENARIO 1.0 as CARLA's ScenarioRunner reads it; else ASAM's 1.2
 };
 
 }  // namespace forge
