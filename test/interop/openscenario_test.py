@@ -2,7 +2,6 @@
 """Exports to OpenSCENARIO are checked by ASAM's checkers, read by SUMO's netconvert and played by esmini."""
 import json
 import re
-import shutil
 import subprocess
 import tempfile
 import unittest
@@ -49,7 +48,8 @@ class OpenScenarioTest(unittest.TestCase):
                 self.assertTrue((self.out / file).exists(), file)
 
     def test_asams_rules_find_no_error(self):
-        for out in (self.out, self.exported('free', '--ego', 'free')):
+        for out in (self.out, self.exported('free', '--ego', 'free'), self.exported('carla', '--flavour', 'carla'),
+                    self.exported('free_carla', '--flavour', 'carla', '--ego', 'free')):
             result = self.check(out)
             self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
             self.assertIn('{} files checked'.format(2 * len(self.index)), result.stdout)
@@ -71,11 +71,10 @@ class OpenScenarioTest(unittest.TestCase):
         net = self.folder / 'map.net.xml'
         for entry in self.index[::5]:
             self.assertLess(farthest(python, self.out / entry['files'][0], net), 0.2, entry['name'])
+        road = self.out / self.index[0]['files'][0]
         moved = self.folder / 'moved.xodr'
-        shutil.copy(str(self.out / self.index[0]['files'][0]), str(moved))
-        text = moved.read_text()
-        moved.write_text(text.replace('<laneOffset s="0" a="', '<laneOffset s="0" a="1'))
-        self.assertGreater(farthest(python, moved, net), 0.5)
+        moved.write_text(road.read_text().replace('<laneOffset s="0" a="', '<laneOffset s="0" a="1'))
+        self.assertGreater(farthest(python, moved, net, road), 0.5)
 
     def test_esmini_plays_every_attack_as_written(self):
         program = player()
@@ -96,9 +95,7 @@ class OpenScenarioTest(unittest.TestCase):
             for entry in self.index:
                 path = out / entry['files'][1]
                 path.write_text(slowed(path.read_text(), share))
-                play = Play(program, path, self.folder)
-                self.assertEqual(play.complaints, [])
-                met += play.contact() is not None
+                met += Play(program, path, self.folder).contact() is not None
             self.assertGreater(met, 0.3 * len(self.index), share)
 
 

@@ -9,7 +9,8 @@ from virtual_environments import python_with
 
 SPACING = 0.1  # m between the points of a lane
 WORDS = ['--offset.disable-normalization', 'true', '--opendrive.internal-shapes', 'true',
-         '--opendrive.curve-resolution', '0.5', '--junctions.endpoint-shape', 'true', '--no-warnings', 'true']
+         '--opendrive.curve-resolution', '0.5', '--junctions.endpoint-shape', 'true', '--no-turnarounds', 'true',
+         '--no-warnings', 'true']
 
 
 def places(pieces, begin, end):
@@ -22,7 +23,7 @@ def places(pieces, begin, end):
         count = max(1, math.ceil(length / SPACING))
         for step in range(count + 1):
             way = length * step / count
-            if not begin <= first + way <= end:
+            if not begin - 1e-6 <= first + way <= end + 1e-6:
                 continue
             half = curvature * way / 2
             chord = way * (math.sin(half) / half if half else 1.0)
@@ -48,7 +49,7 @@ def middles(road):
             for side, sign in (('left', 1), ('right', -1)):
                 border = value(offsets, at, 's')
                 for lane in sorted(section.findall(side + '/lane'), key=lambda one: abs(int(one.get('id')))):
-                    width = sign * value(lane.findall('width'), at - begin, 'sOffset')
+                    width = sign * value(lane.findall('width'), max(at - begin, 0.0), 'sOffset')
                     if lane.get('type') == 'driving':
                         middle = border + width / 2
                         yield x - middle * math.sin(heading), y + middle * math.cos(heading)
@@ -80,10 +81,10 @@ def python_with_netconvert():
     return python_with('sumo', 'eclipse-sumo==1.28.0')
 
 
-def farthest(python, path, net):
+def farthest(python, path, net, like=None):
     """m that lanes of netconvert are off, at most; `net` is written. Raises RoadsNotRead.
 
-    `python` is that of python_with_netconvert().
+    `python` is that of python_with_netconvert(); `like` is the file with the right lanes, by default `path`.
     """
     home = next(python.parent.parent.glob('lib/python*/site-packages/sumo'))
     result = subprocess.run([python.parent / 'netconvert', '--opendrive-files', path, '-o', net, *WORDS], text=True,
@@ -92,7 +93,7 @@ def farthest(python, path, net):
     if result.returncode or not Path(net).exists():
         raise RoadsNotRead('{}: {}'.format(path, result.stdout))
     roads = list(ElementTree.parse(path).getroot().iter('road'))
-    lanes, seen, worst = Middles(roads), set(), 0.0
+    lanes, seen, worst = Middles(ElementTree.parse(like or path).getroot().iter('road')), set(), 0.0
     for edge in ElementTree.parse(net).getroot().iter('edge'):
         if edge.get('function') != 'internal':
             seen.add(edge.get('id').lstrip('-').partition('#')[0])  # one from a junction to itself is split

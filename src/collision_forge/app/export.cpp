@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kMcap = "mcap";
 constexpr const char* kRosbag2 = "rosbag2";
+constexpr const char* kOpenScenario = "openscenario";
 
 struct Arguments {
   std::string format;
@@ -28,7 +29,8 @@ struct Arguments {
   std::vector<std::string> bags;
   LogSource logs;
   bool ego_free = false;
-  bool is_ros2 = false;  // --profile
+  bool is_ros2 = false;    // --profile
+  bool for_carla = false;  // --flavour
   std::string out;
   ConfigFolder config;
   int jobs = defaultJobs();
@@ -89,7 +91,7 @@ class CrashExport {
         writer_(makeCrashWriter(
             arguments.format,
             {arguments.out, arguments.ego_free, config.exports, config.attack.verification.drivable,
-             readCatalogue(arguments.config, "all")})) {}
+             readCatalogue(arguments.config, "all"), arguments.for_carla})) {}
 
   int run() {
     Run run;
@@ -116,6 +118,7 @@ class CrashExport {
     options["config/export.yaml"] = fingerprintOfValues(arguments_.config, "export.yaml");
     options["format"] = arguments_.format;
     options["ego"] = arguments_.ego_free ? "free" : "recorded";
+    if (arguments_.for_carla) options["flavour"] = "carla";
     return options;
   }
 
@@ -212,9 +215,15 @@ void addExport(CommandLine& line) {
       app, "--ego", arguments->ego_free, {{"recorded", false}, {"free", true}},
       "ego motion; recorded: replays the recording; free: the importing tool drives the ego from "
       "t0, where the file starts");
+  addChoice<bool>(app, "--flavour", arguments->for_carla, {{"asam", false}, {"carla", true}},
+                  "dialect of openscenario; asam: OpenSCENARIO 1.2; carla: the part of 1.0 that "
+                  "CARLA's ScenarioRunner reads");
   addChoice<bool>(app, "--profile", arguments->is_ros2, {{"ros1", false}, {"ros2", true}},
                   "of mcap; ros1: messages unchanged; ros2: converted to ROS 2");
   app.parse_complete_callback([arguments] {
+    if (arguments->for_carla && arguments->format != kOpenScenario) {
+      throw CLI::ValidationError("--flavour", "carla is a flavour of --to openscenario");
+    }
     if (!isOfBags(arguments->format)) {
       if (!arguments->is_ros2) return;
       throw CLI::ValidationError("--profile", "ros2 is for mcap, not for " + arguments->format);

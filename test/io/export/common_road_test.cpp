@@ -226,6 +226,25 @@ TEST_F(CommonRoad, IdsAreUniqueAndReferencesResolve) {
   EXPECT_EQ(refOf(second, "predecessor"), first.attribute("id").value());
 }
 
+TEST_F(CommonRoad, ALightStandsAtTheEndOfTheLaneBeforeItsStopLine) {
+  CrashRecord record = slowCarRecord();
+  record.lights = {{"second", {20.0, 0.0}, {{0.0, LightColor::kGreen}, {1.0, LightColor::kRed}}}};
+  const xml_node root = written(record);
+  const xml_node light = root.child("trafficLight");
+  EXPECT_EQ(refOf(root.child("lanelet"), "trafficLightRef"), light.attribute("id").value());
+  EXPECT_EQ(root.select_nodes("lanelet/trafficLightRef").size(), 1U);
+  std::vector<std::string> colors;
+  int steps = 0;
+  for (const xml_node& part : light.child("cycle")) {
+    colors.emplace_back(part.child("color").text().get());
+    steps += part.child("duration").text().as_int();
+  }
+  EXPECT_EQ(light.child("cycle").first_child().child("duration").text().as_int(), 10);
+  EXPECT_THAT(colors, ElementsAre("green", "red"));
+  EXPECT_EQ(steps, static_cast<int>(record.ego.states.size()));
+  EXPECT_EQ(std::string(light.child("direction").text().get()), "straight");
+}
+
 TEST_F(CommonRoad, BoundsAreHalfAWidthOffTheCentreline) {
   const Lane lane = laneAlong("bend", leftBend(20.0, 1.5));
   const xml_node lanelet = laneletsOf({lane}).at(0);

@@ -18,8 +18,10 @@ class OpenScenario : public testing::Test {
  protected:
   /// Returns the file of that ending, parsed.
   pugi::xml_document written(const CrashRecord& record, const std::string& ending,
-                             bool ego_free = false) {
-    makeOpenScenarioWriter(planFor(folder_.path(), ego_free))->write(record);
+                             bool ego_free = false, bool for_carla = false) {
+    ExportPlan plan = planFor(folder_.path(), ego_free);
+    plan.for_carla = for_carla;
+    makeOpenScenarioWriter(plan)->write(record);
     pugi::xml_document document;
     EXPECT_TRUE(document.load_file((folder_.path() + "/scene-0001_17" + ending).c_str()));
     return document;
@@ -78,6 +80,22 @@ TEST_F(OpenScenario, TheAttackerOfAFreeEgoStartsByTheTimeGapOfTheEgo) {
             "relative");
   EXPECT_TRUE(document.select_node(
       "//StopTrigger//StoryboardElementStateCondition[@storyboardElementRef='drive of attacker']"));
+}
+
+TEST_F(OpenScenario, TheFlavourOfCarlaHasOnlyWhatScenarioRunnerReads) {
+  const auto document = written(slowCarRecord(), ".xosc", false, true);
+  EXPECT_EQ(at(document, "//FileHeader").attribute("revMinor").as_int(), 0);
+  EXPECT_FALSE(document.select_node("//GlobalAction"));
+  EXPECT_FALSE(document.select_node("//TrajectoryRef"));
+  // ScenarioRunner takes the last position of an entity in Init for its start.
+  EXPECT_EQ(document.select_nodes("//Init//Private").size(), 5u);
+  EXPECT_EQ(document.select_nodes("//Init//WorldPosition").size(), 5u);
+  EXPECT_EQ(document.select_nodes("//Story//FollowTrajectoryAction/Trajectory").size(), 5u);
+  EXPECT_EQ(
+      std::string(at(document, "//ScenarioObject[@name='ego']/Vehicle").attribute("name").value()),
+      "vehicle.tesla.model3");
+  EXPECT_EQ(document.select_nodes("//Property[@value='ego_vehicle']").size(), 1u);
+  EXPECT_EQ(document.select_nodes("//Center[@x='0']").size(), 5u);
 }
 
 TEST_F(OpenScenario, ParametersDescribeTheCrashAndTheStoryboardEndsWithTheRecord) {

@@ -30,11 +30,12 @@ constexpr int kDecimals = 6;         // for m, rad, m/s and s
 constexpr double kSamePoint = 1e-3;  // m; closer points of a centreline are merged
 constexpr double kLargestBendShare =
     0.9;  // largest offset of an inner bound, share of the bend's radius
-constexpr double kBesideTolerance = 0.25;  // share of the lane's width
-constexpr double kBesideHeading = 0.2;     // rad
-constexpr double kStandDistance = 0.1;     // m from the first position
-constexpr double kStandTurn = 0.05;        // rad from the first heading
-constexpr double kUnknownDegrees = 999.0;  // the format's value for an unknown place
+constexpr double kBesideTolerance = 0.25;     // share of the lane's width
+constexpr double kBesideHeading = 0.2;        // rad
+constexpr double kStandDistance = 0.1;        // m from the first position
+constexpr double kStandTurn = 0.05;           // rad from the first heading
+constexpr double kStraightTurn = M_PI / 6.0;  // rad; lanes that turn more are left or right turns
+constexpr double kUnknownDegrees = 999.0;     // the format's value for an unknown place
 constexpr const char* kUnknownGeoName = "-999";
 
 /// Returns a number as xs:decimal, which has no exponent.
@@ -212,6 +213,28 @@ const char* dynamicTypeOf(AgentClass agent_class) {
   return "unknown";
 }
 
+const char* nameOf(LightColor color) {
+  switch (color) {
+    case LightColor::kRed:
+      return "red";
+    case LightColor::kYellow:
+      return "yellow";
+    case LightColor::kGreen:
+      return "green";
+    case LightColor::kUnknown:
+      break;
+  }
+  return "inactive";
+}
+
+/// Returns the direction in which a lane turns, as a traffic light names it.
+const char* directionOf(const Lane& lane) {
+  if (lane.centerline.size() < 2) return "all";
+  const double turn = angleBetween(lane.centerline.front().yaw, lane.centerline.back().yaw);
+  if (std::abs(turn) < kStraightTurn) return "straight";
+  return turn > 0.0 ? "left" : "right";
+}
+
 bool standsStill(const Track& track) {
   const Pose2& first = track.states.front().pose;
   return std::all_of(track.states.begin(), track.states.end(), [&](const AgentState& state) {
@@ -352,11 +375,43 @@ class CommonRoadFile {
     next_number_ += static_cast<int>(lanelets.size());
     std::unordered_map<std::string, int> numbers;
     for (const Lanelet& lanelet : lanelets) numbers.emplace(lanelet.lane->id, lanelet.number);
-    for (const Lanelet& lanelet : lanelets) addLanelet(root, lanelet, numbers);
+    std::unordered_map<std::string, std::vector<int>> lights;  // by lane before the stop line
+    for (std::size_t i = 0; i < record_.lights.size(); ++i) {
+      for (const std::string& lane : laneOf(record_.lights[i]).incoming) {
+        lights[lane].push_back(next_number_ + static_cast<int>(i));
+      }
+    }
+    for (const Lanelet& lanelet : lanelets) {
+      addLanelet(root, lanelet, numbers, lights[lanelet.lane->id]);
+    }
+    for (const TrafficLight& light : record_.lights) addLight(root, light, next_number_++);
+  }
+
+  const Lane& laneOf(const TrafficLight& light) const {
+    return *std::find_if(record_.lanes.lanes.begin(), record_.lanes.lanes.end(),
+                         [&](const Lane& lane) { return lane.id == light.lane; });
+  }
+
+  /// Adds a light with its colours from step 0 to the end as one cycle.
+  void addLight(xml_node root, const TrafficLight& light, int number) const {
+    const xml_node element = addElement(root, "trafficLight", {{"id", std::to_string(number)}});
+    const xml_node cycle = addElement(element, "cycle");
+    const auto last = static_cast<long>(record_.ego.states.size());
+    for (long begin = 0, end = 0; begin < last; begin = end) {
+      const LightColor color = colorAt(light, static_cast<double>(begin) * record_.step);
+      while (end < last && colorAt(light, static_cast<double>(end) * record_.step) == color) ++end;
+      const xml_node part = addElement(cycle, "cycleElement");
+      addText(part, "duration", std::to_string(end - begin));
+      addText(part, "color", nameOf(color));
+    }
+    addPoint(addElement(element, "position"), "point", light.stop_point);
+    addText(element, "direction", directionOf(laneOf(light)));
+    addText(element, "active", "true");
   }
 
   static void addLanelet(xml_node root, const Lanelet& lanelet,
-                         const std::unordered_map<std::string, int>& numbers) {
+                         const std::unordered_map<std::string, int>& numbers,
+                         const std::vector<int>& lights) {
     const xml_node element = addElement(root, "lanelet", {{"id", std::to_string(lanelet.number)}});
     for (const auto& [name, side] : {std::pair("leftBound", 1.0), std::pair("rightBound", -1.0)}) {
       const xml_node bound = addElement(element, name);
@@ -369,6 +424,9 @@ class CommonRoadFile {
     addText(element, "laneletType", "urban");
     if (lanelet.lane->is_intersection || lanelet.lane->is_connector)
       addText(element, "laneletType", "intersection");
+    for (const int light : lights) {
+      addElement(element, "trafficLightRef", {{"ref", std::to_string(light)}});
+    }
   }
 
   static void addLinks(xml_node lanelet, const char* name, const std::vector<std::string>& lanes,

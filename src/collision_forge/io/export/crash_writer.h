@@ -40,6 +40,7 @@ struct ExportPlan {
   ExportOptions options;
   DriveLimitOptions limits;  ///< vehicle limits by class, for formats that have them
   std::vector<CatalogueEntry> catalogue = {};  ///< names of scenarios, for tags
+  bool for_carla = false;  ///< OpenSCENARIO 1.0 as CARLA's ScenarioRunner reads it; else ASAM's 1.2
 };
 
 }  // namespace forge

@@ -20,7 +20,7 @@ constexpr double kWidestMedian = 1.5;      // m between lanes of opposite direct
 constexpr double kLongestTail = 10.0;      // m of a lane beyond the end of its road
 constexpr double kLongestTailShare = 0.3;  // of the lane
 constexpr double kMostCut = 0.02;          // m of a lane that leads nowhere
-constexpr double kMostKinkShift = 0.25;    // m that a kink of the course shifts the farthest lane
+constexpr double kMostKinkShift = 0.08;    // m that a kink of the course shifts the farthest lane
 constexpr double kMostBend = 0.8;          // offset over radius of the course
 constexpr double kLeastWidth = 1.5;        // m of a lane whose borders are shared
 constexpr double kMostWidening = 1.3;      // of such a lane over its own width
@@ -229,8 +229,8 @@ class Bundler {
     for (BundleMember& member : bundle.members) {
       const RoadCourse& course = lanes_[member.lane].course;
       const auto foot = [&](double at) {
-        const Pose2 pose = course.poseAt(at);
-        return bundle.course.crossing(pose, bundle.course.roughProjection(pose.position()));
+        const Vector2 point = course.poseAt(at).position();
+        return bundle.course.projection(point, bundle.course.roughProjection(point));
       };
       member.from = foot(member.along ? 0.0 : course.length());
       member.to = foot(member.along ? course.length() : 0.0);

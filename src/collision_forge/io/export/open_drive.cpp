@@ -15,7 +15,7 @@ namespace {
 using pugi::xml_node;
 
 constexpr double kMarkWidth = 0.12;        // m, of usual lane marks
-constexpr double kSectionChange = 0.2;     // m; a lane's middle is off by half of it in SUMO
+constexpr double kSectionChange = 0.4;     // m; a lane's middle is off by half of it in SUMO
 constexpr double kShortestSection = 0.05;  // m
 
 /// Writes one network.

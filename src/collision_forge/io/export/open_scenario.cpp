@@ -57,6 +57,32 @@ const char* categoryOf(AgentClass agent_class) {
   }
 }
 
+/// Returns the blueprint of CARLA that is most like a class.
+const char* blueprintOf(AgentClass agent_class) {
+  switch (agent_class) {
+    case AgentClass::kTruck:
+    case AgentClass::kTrailer:
+    case AgentClass::kConstructionVehicle:
+      return "vehicle.carlamotors.carlacola";
+    case AgentClass::kBus:
+      return "vehicle.mitsubishi.fusorosa";
+    case AgentClass::kEmergencyVehicle:
+      return "vehicle.dodge.charger_police";
+    case AgentClass::kMotorcycle:
+      return "vehicle.kawasaki.ninja";
+    case AgentClass::kBicycle:
+      return "vehicle.bh.crossbike";
+    case AgentClass::kPedestrian:
+    case AgentClass::kAnimal:
+      return "walker.pedestrian.0001";
+    case AgentClass::kStaticObject:
+      return "static.prop.streetbarrier";
+    case AgentClass::kCar:
+      break;
+  }
+  return "vehicle.tesla.model3";
+}
+
 /// Escapes a leading '$', which readers take for a parameter.
 std::string literal(const std::string& text) {
   return !text.empty() && text.front() == '$' ? "_" + text : text;
@@ -67,7 +93,8 @@ class ScenarioWriter {
  public:
   ScenarioWriter(const CrashRecord& record, const ExportPlan& plan)
       : record_(record), plan_(plan), origin_(localOrigin(record)) {
-    addEntity("ego", record.ego, record.ego.states, record.scenario.ego.center_offset);
+    addEntity("ego", record.ego, record.ego.states,
+              plan.for_carla ? 0.0 : record.scenario.ego.center_offset);
     addTrack("attacker", record.attacker);
     for (std::size_t i = 0; i < record.other_agents.size(); ++i) {
       addTrack("other_" + std::to_string(i + 1), record.other_agents[i]);
@@ -98,7 +125,7 @@ class ScenarioWriter {
   /// Adds an entity per stretch in sight; a stretch of one state has no motion.
   void addTrack(const std::string& name, const Track& track) {
     const double ahead =
-        isVehicle(track.agent_class)
+        isVehicle(track.agent_class) && !plan_.for_carla
             ? driveLimitsOf(track.agent_class, track.size, plan_.limits).axle_to_middle
             : 0.0;
     int number = 0;
@@ -115,6 +142,16 @@ class ScenarioWriter {
 
   bool comesLater(const Entity& entity) const { return entity.states.front().time > 0.0; }
 
+  /// Entities drive from Init on if they are there from the start: an event at 0 s would interrupt
+  /// their Init actions, and a later one would miss the first step. ScenarioRunner takes the last
+  /// position in Init for the first.
+  bool drivesFromInit(const Entity& entity) const {
+    return isDriven(entity) && !waits(entity) && !comesLater(entity) && !plan_.for_carla;
+  }
+
+  /// ScenarioRunner has all entities from the start to the end.
+  bool isAlways() const { return plan_.for_carla; }
+
   bool goesEarlier(const Entity& entity) const {
     return entity.states.back().time < record_.end() - 0.5 * record_.step;
   }
@@ -126,7 +163,7 @@ class ScenarioWriter {
                              xmlNumber(request.tta) + " s, in " + record_.scenario.asked.scene;
     addElement(root, "FileHeader",
                {{"revMajor", "1"},
-                {"revMinor", "2"},
+                {"revMinor", plan_.for_carla ? "0" : "2"},
                 {"date", xmlDate(record_.scenario.asked.now)},
                 {"description", what},
                 {"author", "collision_forge"}});
@@ -154,22 +191,22 @@ class ScenarioWriter {
     xml_node object = addElement(entities, "ScenarioObject", {{"name", entity.name}});
     const AgentClass agent_class = entity.track->agent_class;
     const std::string category = categoryOf(agent_class);
+    const std::string name = plan_.for_carla ? blueprintOf(agent_class) : entity.name;
     xml_node body;
     if (isVehicle(agent_class)) {
-      body = addElement(object, "Vehicle", {{"name", entity.name}, {"vehicleCategory", category}});
+      body = addElement(object, "Vehicle", {{"name", name}, {"vehicleCategory", category}});
       addBox(body, entity);
       addPerformance(body, entity);
     } else if (agent_class == AgentClass::kStaticObject) {
-      body = addElement(object, "MiscObject",
-                        {{"mass", xmlNumber(kThingMass)},
-                         {"name", entity.name},
-                         {"miscObjectCategory", category}});
+      body = addElement(
+          object, "MiscObject",
+          {{"mass", xmlNumber(kThingMass)}, {"name", name}, {"miscObjectCategory", category}});
       addBox(body, entity);
     } else {
-      body = addElement(object, "Pedestrian",
-                        {{"mass", xmlNumber(kWalkerMass)},
-                         {"name", entity.name},
-                         {"pedestrianCategory", category}});
+      body = addElement(
+          object, "Pedestrian",
+          {{"mass", xmlNumber(kWalkerMass)}, {"name", name}, {"pedestrianCategory", category}});
+      if (plan_.for_carla) body.append_attribute("model") = name.c_str();
       addBox(body, entity);
     }
     xml_node properties = addElement(body, "Properties");
@@ -178,6 +215,9 @@ class ScenarioWriter {
     };
     add("recorded_id", literal(entity.track->id));
     add("class", toString(agent_class));
+    if (plan_.for_carla) {
+      add("type", entity.track == &record_.ego ? "ego_vehicle" : "simulation");
+    }
   }
 
   void addBox(xml_node body, const Entity& entity) const {
@@ -222,21 +262,20 @@ class ScenarioWriter {
                 {"r", "0"}});
   }
 
-  /// Entities that are there from the start drive from Init on: an event at 0 s would interrupt
-  /// their Init actions, and a later one would miss the first step.
   void addStoryboard(xml_node board) const {
     xml_node actions = addElement(addElement(board, "Init"), "Actions");
     pugi::xml_document story;
     xml_node act =
         addElement(addElement(story, "Story", {{"name", "crash"}}), "Act", {{"name", "drives"}});
     for (const Entity& entity : entities_) {
-      if (!comesLater(entity)) addStart(actions, entity);
+      if (isAlways() || !comesLater(entity)) addStart(actions, entity);
       if (waits(entity)) {
         addDrive(addWaiting(act, entity), entity);
-      } else if (comesLater(entity)) {
+      } else if (isDriven(entity) && !drivesFromInit(entity)) {
         addDrive(addEvent(act, "drive of " + entity.name, entity.name, startOf(entity)), entity);
-        addAppearance(act, entity, true);
       }
+      if (isAlways()) continue;
+      if (comesLater(entity)) addAppearance(act, entity, true);
       if (goesEarlier(entity)) addAppearance(act, entity, false);
     }
     if (act.first_child()) {
@@ -260,10 +299,11 @@ class ScenarioWriter {
     addPosition(addElement(addElement(one, "PrivateAction"), "TeleportAction"), entity, state.pose,
                 state.pose.yaw);
     if (waits(entity)) return;
-    if (isDriven(entity)) {
+    if (drivesFromInit(entity)) {
       addDrive(one, entity);
       return;
     }
+    if (plan_.for_carla && !isDriven(entity)) addExternalControl(one);
     xml_node speed = addElement(addElement(addElement(one, "PrivateAction"), "LongitudinalAction"),
                                 "SpeedAction");
     addElement(speed, "SpeedActionDynamics",
@@ -272,24 +312,39 @@ class ScenarioWriter {
                {{"value", xmlNumber(state.velocity.norm())}});
   }
 
+  /// Leaves the ego to a controller outside of ScenarioRunner.
+  static void addExternalControl(xml_node actions) {
+    xml_node control = addElement(addElement(actions, "PrivateAction"), "ControllerAction");
+    xml_node controller = addElement(addElement(control, "AssignControllerAction"), "Controller",
+                                     {{"name", "ego control"}});
+    addElement(addElement(controller, "Properties"), "Property",
+               {{"name", "module"}, {"value", "external_control"}});
+    xml_node override = addElement(control, "OverrideControllerValueAction");
+    for (const char* pedal : {"Throttle", "Brake", "Clutch", "ParkingBrake", "SteeringWheel"}) {
+      addElement(override, pedal, {{"value", "0"}, {"active", "false"}});
+    }
+    addElement(override, "Gear", {{"number", "0"}, {"active", "false"}});
+  }
+
   /// Adds a manoeuvre group with one event and returns its action.
-  static xml_node addEvent(xml_node act, const std::string& name, const std::string& actor,
-                           double time) {
+  xml_node addEvent(xml_node act, const std::string& name, const std::string& actor,
+                    double time) const {
     const auto [action, trigger] = addUntriggered(act, name, actor);
     addTrigger(trigger, "time of " + name, time);
     return action;
   }
 
   /// Adds a manoeuvre group with one event and returns its action and its empty start trigger.
-  static std::pair<xml_node, xml_node> addUntriggered(xml_node act, const std::string& name,
-                                                      const std::string& actor) {
+  std::pair<xml_node, xml_node> addUntriggered(xml_node act, const std::string& name,
+                                               const std::string& actor) const {
     xml_node group =
         addElement(act, "ManeuverGroup", {{"maximumExecutionCount", "1"}, {"name", name}});
     xml_node actors = addElement(group, "Actors", {{"selectTriggeringEntities", "false"}});
     if (!actor.empty()) addElement(actors, "EntityRef", {{"entityRef", actor}});
-    xml_node event =
-        addElement(addElement(group, "Maneuver", {{"name", name}}), "Event",
-                   {{"priority", "override"}, {"maximumExecutionCount", "1"}, {"name", name}});
+    xml_node event = addElement(addElement(group, "Maneuver", {{"name", name}}), "Event",
+                                {{"priority", plan_.for_carla ? "overwrite" : "override"},
+                                 {"maximumExecutionCount", "1"},
+                                 {"name", name}});
     xml_node action = addElement(event, "Action", {{"name", name}});
     return {action, addElement(event, "StartTrigger")};
   }
@@ -311,9 +366,13 @@ class ScenarioWriter {
     xml_node gap = addElement(addElement(condition, "EntityCondition"), "TimeToCollisionCondition",
                               {{"value", xmlNumber(distance / start.velocity.norm())},
                                {"freespace", "false"},
-                               {"coordinateSystem", "entity"},
-                               {"relativeDistanceType", "euclidianDistance"},
-                               {"rule", "lessOrEqual"}});
+                               {"rule", plan_.for_carla ? "lessThan" : "lessOrEqual"}});
+    if (plan_.for_carla) {
+      gap.append_attribute("alongRoute") = "false";
+    } else {
+      gap.append_attribute("coordinateSystem") = "entity";
+      gap.append_attribute("relativeDistanceType") = "euclidianDistance";
+    }
     addPosition(addElement(gap, "TimeToCollisionConditionTarget"), entities_.front(), contact.pose,
                 contact.pose.yaw);
     return action;
@@ -338,7 +397,7 @@ class ScenarioWriter {
     xml_node follow = addElement(addElement(addElement(parent, "PrivateAction"), "RoutingAction"),
                                  "FollowTrajectoryAction");
     xml_node trajectory =
-        addElement(addElement(follow, "TrajectoryRef"), "Trajectory",
+        addElement(plan_.for_carla ? follow : addElement(follow, "TrajectoryRef"), "Trajectory",
                    {{"name", "trajectory of " + entity.name}, {"closed", "false"}});
     addElement(trajectory, "ParameterDeclarations");
     addVertices(addElement(addElement(trajectory, "Shape"), "Polyline"), entity);
@@ -379,8 +438,9 @@ class ScenarioWriter {
     }
   }
 
-  static void addTrigger(xml_node trigger, const std::string& name, double time) {
-    addTimeCondition(addElement(trigger, "ConditionGroup"), name, time, "greaterOrEqual");
+  void addTrigger(xml_node trigger, const std::string& name, double time) const {
+    addTimeCondition(addElement(trigger, "ConditionGroup"), name, time,
+                     plan_.for_carla ? "greaterThan" : "greaterOrEqual");
   }
 
   static xml_node addCondition(xml_node group, const std::string& name) {

@@ -11,6 +11,8 @@ constexpr double kMinPiece = 1e-6;   // m; shorter pieces are rounding
 constexpr double kMinLength = 0.05;  // m, of a course
 constexpr double kMinWidth = 2.0;    // m
 constexpr double kMaxWidth = 8.0;    // m
+constexpr int kMostSteps = 50;       // of a search along a course
+constexpr double kTolerance = 1e-7;  // m, of its result
 
 void addArcs(const ArcPath& path, std::vector<RoadPiece>& pieces) {
   double begin = 0.0;
@@ -82,6 +84,17 @@ double RoadCourse::crossing(const Pose2& pose, double guess) const {
     const double rate = here.heading().dot(pose.heading());
     if (std::abs(rate) < 0.1) break;
     at -= std::clamp(ahead / rate, -kLongestStep, kLongestStep);
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+double RoadCourse::projection(const Vector2& point, double guess) const {
+  double at = guess;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const Pose2 here = poseAt(at);
+    const double ahead = (point - here.position()).dot(here.heading());
+    if (std::abs(ahead) < kTolerance) return at;
+    at += ahead;
   }
   return std::numeric_limits<double>::quiet_NaN();
 }

@@ -42,6 +42,11 @@ class RoadCourse {
   /// Returns NaN if the search does not settle. There must be a piece.
   double crossing(const Pose2& pose, double guess) const;
 
+  /// Returns the arc length (m) at which `point` lies straight to the side, searched from `guess`
+  /// (m); beyond the ends on their extensions. NaN if the search does not settle. There must be a
+  /// piece.
+  double projection(const Vector2& point, double guess) const;
+
   /// Returns the arc length (m) of the point nearest to `point`, to 1 m, for a guess.
   double roughProjection(const Vector2& point) const;
 

@@ -11,8 +11,9 @@
 namespace forge {
 namespace {
 
-constexpr double kMostTail = 0.02;  // m of a lane beyond the end of a road that is linked directly
-constexpr double kLeastGap = 0.01;  // m; narrower gaps between lanes are left out
+constexpr double kMostTail = 0.02;   // m of a lane beyond the end of a road that is linked directly
+constexpr double kLostPiece = 0.03;  // m of a lane that leads nowhere, for a fork beside it
+constexpr double kLeastGap = 0.01;   // m; narrower gaps between lanes are left out
 
 /// One of the two ends of a bundle's road.
 struct RoadEnd {
@@ -178,15 +179,21 @@ class NetworkBuilder {
   void cutForks() {
     for (std::size_t i = 0; i < bundles_.size(); ++i) {
       LaneBundle& bundle = bundles_[i];
-      const double cut = std::min(kForkPiece, (bundle.end - bundle.begin) / 3.0);
-      bool at_begin = false, at_end = false;
-      for (const BundleMember& member : bundle.members) {
-        for (const std::size_t from : previous_[member.lane]) {
-          if (isFork(from, member.lane)) (member.along ? at_begin : at_end) = true;
+      for (const bool at_end : {false, true}) {
+        double cut = std::min(kForkPiece, (bundle.end - bundle.begin) / 3.0);
+        bool is_fork = false;
+        for (const BundleMember& member : bundle.members) {
+          if (member.along == at_end ? next_[member.lane].empty()
+                                     : !lanes_[member.lane].is_entered) {
+            cut = std::min(cut, kLostPiece);
+          }
+          if (member.along == at_end) continue;
+          for (const std::size_t from : previous_[member.lane]) {
+            is_fork = is_fork || isFork(from, member.lane);
+          }
         }
+        if (is_fork) (at_end ? bundle.end : bundle.begin) += at_end ? -cut : cut;
       }
-      if (at_begin) bundle.begin += cut;
-      if (at_end) bundle.end -= cut;
     }
   }
 
