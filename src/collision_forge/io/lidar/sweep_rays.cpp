@@ -371,10 +371,15 @@ class RayRebuilder {
     const double end =
         std::max(0.0, rest - turned(seen_[reference_.front().first].azimuth, seen_[last].azimuth));
     const double steps = std::round(angle / step_);
+    const double seconds = double{sweep_.rays[reference_.back().first].time} -
+                           double{sweep_.rays[reference_.front().first].time};
     for (double i = 1.0; i < steps; i += 1.0) {
       const double along = angle * i / steps;
-      add(along <= end ? last : (first > 0 ? first - 1 : 0), seen_[last].azimuth + sense_ * along,
-          sweep_.rays[along <= end ? last : first].time);
+      const bool is_at_end = along <= end;
+      const double since = is_at_end ? along : along - angle;  // rad from the last or the first
+      add(is_at_end ? last : (first > 0 ? first - 1 : 0), seen_[last].azimuth + sense_ * along,
+          sweep_.rays[is_at_end ? last : first].time +
+              static_cast<float>(since / std::max(rest, step_) * seconds));
     }
   }
 

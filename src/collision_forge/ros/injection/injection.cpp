@@ -185,10 +185,12 @@ class Injection {
       agents.header.stamp = time;
       return agentIn(injector_->inject(agents).agents, trajectory_.attacker_id);
     };
-    setup.vacated = [this](const ros::Time& time) -> std::optional<collision_forge::Agent> {
-      if (!isChangedAt(time)) return std::nullopt;
-      return agentIn(agentsAt(recorded_, time), trajectory_.attacker_id);
-    };
+    if (attack_.attack.trajectory.past.empty()) {
+      setup.vacated = [this](const ros::Time& time) -> std::optional<collision_forge::Agent> {
+        if (!isChangedAt(time)) return std::nullopt;
+        return agentIn(agentsAt(recorded_, time), trajectory_.attacker_id);
+      };
+    }
     std::stable_sort(recorded_.begin(), recorded_.end(),
                      [](const auto& a, const auto& b) { return a.header.stamp < b.header.stamp; });
     setup.recorded = &recorded_;

@@ -106,7 +106,10 @@ void LidarInjection::learnFrom(sensor_msgs::PointCloud2& message) {
   const SweepRays sweep =
       raysOf(cloud, layout, {message.header.stamp.toSec(), setup_.options.sweep_time});
   std::vector<PosedBody> bodies;
-  for (const collision_forge::Agent& agent : agentsAt(*setup_.recorded, message.header.stamp)) {
+  const std::vector<collision_forge::Agent> agents =
+      agentsAt(*setup_.recorded, message.header.stamp);
+  if (setup_.vacated) addToBackground(cloud, layout, sweep, sensor->end, agents);
+  for (const collision_forge::Agent& agent : agents) {
     const Eigen::Vector3d position = bottomOf(agent).translation();
     if ((position - sensor->end.translation()).norm() > kLearnReach) continue;
     AgentInSweep posed{agent, agent, beginOf(sweep), 0.0};
@@ -115,6 +118,17 @@ void LidarInjection::learnFrom(sensor_msgs::PointCloud2& message) {
     bodies.push_back(bodyInCloud(posed, *sensor, sweep));
   }
   surfaces_.learn(cloud, layout, sweep, bodies);
+}
+
+void LidarInjection::addToBackground(const PointCloud& cloud, const CloudLayout& layout,
+                                     const SweepRays& sweep, const Eigen::Isometry3d& sensor,
+                                     const std::vector<collision_forge::Agent>& agents) {
+  if (agents.empty()) return;  // nobody knows what moves
+  std::vector<VacatedBox> movers;
+  for (const collision_forge::Agent& agent : agents) {
+    movers.push_back({bottomOf(agent), {agent.size.x, agent.size.y, agent.size.z}});
+  }
+  background_.add(cloud, layout, sweep, sensor, movers);
 }
 
 std::optional<SensorInSweep> LidarInjection::sensorOf(const std_msgs::Header& header,
@@ -148,7 +162,7 @@ bool LidarInjection::editCounted(sensor_msgs::PointCloud2& message, Counts& coun
   const ros::Time begin_stamp = std::max(stamp, ros::Time(setup_.options.sweep_time)) -
                                 ros::Duration(setup_.options.sweep_time);
   const auto attacker = setup_.attacker(stamp);
-  const auto vacated = setup_.vacated(stamp);
+  const auto vacated = setup_.vacated ? setup_.vacated(stamp) : std::nullopt;
   if (!attacker && !vacated) return false;
   const auto sensor = sensorOf(message.header, -setup_.options.sweep_time);
   if (!sensor) {
@@ -168,7 +182,9 @@ bool LidarInjection::editCounted(sensor_msgs::PointCloud2& message, Counts& coun
                              (begin_stamp - stamp).toSec(), 0.0};
     edit.bodies.push_back(bodyInCloud(posed, *sensor, sweep));
   }
+  const BackgroundOfSensor background(background_, sensor->end);
   if (vacated) {
+    edit.background = &background;
     const PosedBody body = bodyInCloud({*vacated, *vacated, 0.0, 0.0}, *sensor, sweep);
     edit.vacated.push_back({body.end, body.body.size});
   }

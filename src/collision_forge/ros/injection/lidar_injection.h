@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/io/lidar/background_map.h"
 #include "collision_forge/io/lidar/cloud_injection.h"
 #include "collision_forge/io/lidar/options.h"
 #include "collision_forge/ros/bags/bag_frames.h"
@@ -34,7 +35,7 @@ class LidarInjection {
     LidarOptions options;
     std::uint64_t seed = 0;
     AgentAt attacker;  ///< in the map frame
-    AgentAt vacated;   ///< the recorded attacker while it drives elsewhere
+    AgentAt vacated;   ///< the recorded attacker while it drives elsewhere; empty: there is none
     /// Recorded frames of agents, sorted by stamp: the vehicles whose returns are learnt.
     const std::vector<collision_forge::AgentArray>* recorded = nullptr;
     /// Changes the transforms that clouds refer to; empty: as recorded.
@@ -70,6 +71,9 @@ class LidarInjection {
   void chooseTopics(const rosbag::Bag& source);
   void learn(const rosbag::Bag& source);
   void learnFrom(sensor_msgs::PointCloud2& message);
+  void addToBackground(const PointCloud& cloud, const CloudLayout& layout, const SweepRays& sweep,
+                       const Eigen::Isometry3d& sensor,
+                       const std::vector<collision_forge::Agent>& agents);
   /// Returns the poses of the frame at the begin and the end of a sweep; nullopt without transform.
   std::optional<SensorInSweep> sensorOf(const std_msgs::Header& header, double begin_time) const;
   bool editCounted(sensor_msgs::PointCloud2& message, Counts& counts);
@@ -77,6 +81,7 @@ class LidarInjection {
   Setup setup_;
   BagFrames frames_;
   SurfaceReturns surfaces_;
+  BackgroundMap background_;              ///< empty unless a place is vacated
   std::map<std::string, Counts> counts_;  ///< by topic
 };
 
