@@ -22,12 +22,15 @@ BackgroundMap mapOfWall(const std::vector<VacatedBox>& movers) {
   BackgroundMap map;
   MadeUpLidar lidar;
   lidar.columns = 720;
+  lidar.rings = 60;
+  lidar.step = 0.01;
   const PointCloud cloud = madeUpCloud(lidar, wallRange);
   const CloudLayout layout(cloud);
   for (const double y : {-20.0, 0.0, 20.0}) {
     map.add(cloud, layout, raysOf(cloud, layout, kTiming),
             Eigen::Isometry3d(Eigen::Translation3d(0.0, y, 1.8)), movers);
   }
+  map.finish();
   return map;
 }
 

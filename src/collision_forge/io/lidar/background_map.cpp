@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace forge {
 namespace {
@@ -14,8 +15,10 @@ constexpr double kReach = 80.0;     // m
 constexpr double kStep = 0.1;       // m along a ray
 
 std::uint64_t keyOf(double x, double y, double z, double size) {
+  constexpr std::int64_t kMiddle = 1 << 20;  // so that no part is negative
   const auto part = [size](double value) {
-    return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value / size))) &
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(value / size)) +
+                                      kMiddle) &
            0x1FFFFF;
   };
   return part(x) << 42 | part(y) << 21 | part(z);
@@ -52,6 +55,25 @@ void BackgroundMap::add(const PointCloud& cloud, const CloudLayout& layout, cons
     if (!is_new && height < cell->second.height) cell->second = {height, intensity};
     obstacles_.try_emplace(cubeOf(point), intensity);
   }
+}
+
+void BackgroundMap::finish() {
+  std::unordered_map<std::uint64_t, Cell> lowest;
+  for (const auto& [key, cell] : ground_) {
+    constexpr std::int64_t kAround = 2;  // cells
+    for (std::int64_t x = -kAround; x <= kAround; ++x) {
+      for (std::int64_t y = -kAround; y <= kAround; ++y) {
+        const std::uint64_t near =
+            key + (static_cast<std::uint64_t>(x) << 42) + (static_cast<std::uint64_t>(y) << 21);
+        const auto [place, is_new] = lowest.try_emplace(near, cell);
+        if (!is_new && std::pair(cell.height, cell.intensity) <
+                           std::pair(place->second.height, place->second.intensity)) {
+          place->second = cell;
+        }
+      }
+    }
+  }
+  ground_ = std::move(lowest);
 }
 
 float BackgroundMap::rangeFrom(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,

@@ -18,8 +18,9 @@ class BackgroundMap {
   void add(const PointCloud& cloud, const CloudLayout& layout, const SweepRays& sweep,
            const Eigen::Isometry3d& sensor, const std::vector<VacatedBox>& movers);
 
-  /// Returns true if nothing was added.
-  bool isEmpty() const { return ground_.empty(); }
+  /// Takes the lowest height within 2 m as the ground of each cell, and of cells without points:
+  /// a cell alone may hold nothing but a wall. To be called once, after add().
+  void finish();
 
   /// Returns where a ray from `origin` (map frame) along the unit vector `direction` ends, m, from
   /// `begin` on; LidarRay::kNoReturn if it meets nothing known within 80 m. `intensity` is set for

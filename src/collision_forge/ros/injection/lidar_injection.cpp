@@ -96,6 +96,7 @@ void LidarInjection::learn(const rosbag::Bag& source) {
       }
     }
   }
+  background_.finish();
 }
 
 void LidarInjection::learnFrom(sensor_msgs::PointCloud2& message) {
