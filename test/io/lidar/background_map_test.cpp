@@ -47,7 +47,7 @@ TEST(BackgroundMap, RaysEndOnTheGroundOrOnAnObstacle) {
 }
 
 TEST(BackgroundMap, MoversAreNoBackground) {
-  const VacatedBox wall{Eigen::Isometry3d(Eigen::Translation3d(20.0, 0.0, 0.0)), {2.0, 90.0, 4.0}};
+  const VacatedBox wall{Eigen::Isometry3d(Eigen::Translation3d(20.0, 0.0, 0.0)), {2.0, 90.0, 12.0}};
   double intensity = 0.0;
   const Eigen::Vector3d level = Eigen::Vector3d(1.0, 0.0, -0.02).normalized();
   EXPECT_EQ(mapOfWall({wall}).rangeFrom({0.0, 0.0, 1.8}, level, 3.0, intensity),

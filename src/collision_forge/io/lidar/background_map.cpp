@@ -7,12 +7,13 @@
 namespace forge {
 namespace {
 
-constexpr double kCell = 1.0;       // m, of the ground
-constexpr double kCube = 0.25;      // m, of obstacles
-constexpr double kObstacle = 0.35;  // m above the ground of its cell
-constexpr double kMargin = 0.3;     // m around movers
-constexpr double kReach = 80.0;     // m
-constexpr double kStep = 0.1;       // m along a ray
+constexpr double kCell = 1.0;         // m, of the ground
+constexpr double kCube = 0.25;        // m, of obstacles
+constexpr double kObstacle = 0.35;    // m above the ground of its cell
+constexpr double kBelowSensor = 0.5;  // m; higher cells hold leaves or signs, no ground
+constexpr double kMargin = 0.3;       // m around movers
+constexpr double kReach = 80.0;       // m
+constexpr double kStep = 0.1;         // m along a ray
 
 std::uint64_t keyOf(double x, double y, double z, double size) {
   constexpr std::int64_t kMiddle = 1 << 20;  // so that no part is negative
@@ -81,7 +82,7 @@ float BackgroundMap::rangeFrom(const Eigen::Vector3d& origin, const Eigen::Vecto
   for (double range = begin; range < kReach; range += kStep) {
     const Eigen::Vector3d point = origin + range * direction;
     const auto ground = ground_.find(cellOf(point));
-    if (ground == ground_.end()) continue;
+    if (ground == ground_.end() || ground->second.height > origin.z() - kBelowSensor) continue;
     const double above = point.z() - ground->second.height;
     if (above <= 0.0) {
       intensity = ground->second.intensity;

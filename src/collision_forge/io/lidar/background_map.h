@@ -9,7 +9,7 @@
 
 namespace forge {
 
-/// What stands still in a scene, from the sweeps of all its clouds: the ground, as heights in cells
+/// The static parts of a scene, collected from sweeps: the ground, as heights in cells
 /// of 1 m, and obstacles, as cubes of 0.25 m. Frame: map, z up.
 class BackgroundMap {
  public:

@@ -282,8 +282,8 @@ class RayRebuilder {
     is_full_turn_ = angle > 0.95 * kTurn;
   }
 
-  /// Adds the rings above the highest one with returns: those of a sensor of evenly spaced rings up
-  /// to the next usual number of rings. Open sky returns nothing to them.
+  /// Adds the rings above the highest one with returns: the rings of a sensor of evenly spaced
+  /// rings up to the next usual number of rings. Open sky returns nothing to them.
   void addRingsAbove() {
     constexpr double kEven = 0.25;  // of the spacing, in the upper half of the rings
     std::vector<double> spacings;

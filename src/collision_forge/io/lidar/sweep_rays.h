@@ -31,7 +31,7 @@ enum class EmptyPoints {
   kNan,
 };
 
-/// The rays of a sweep, those of the cloud's points first, in the cloud's order.
+/// The rays of a sweep: first one per point, in the cloud's order, then the missing ones.
 struct SweepRays {
   std::vector<LidarRay> rays;
   EmptyPoints empty_points = EmptyPoints::kLeftOut;
