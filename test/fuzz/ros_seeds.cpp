@@ -8,11 +8,14 @@
 #include <collision_forge/TestPlanner.h>
 #include <nav_msgs/Odometry.h>
 #include <rosbag/bag.h>
+#include <sensor_msgs/PointCloud2.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include "attack/search/test_scenes.h"
+#include "collision_forge/io/lidar/simulated_sweep.h"
 #include "collision_forge/ros/bags/bag_file.h"
 #include "collision_forge/ros/messages/attack_request.h"
+#include "collision_forge/ros/messages/cloud_message.h"
 #include "collision_forge/ros/messages/conversions.h"
 #include "collision_forge/ros/messages/object_array.h"
 #include "collision_forge/ros/messages/ros_bytes.h"
@@ -199,6 +202,18 @@ std::vector<std::string> bagSeeds() {
     writeScene(bag);
   };
   return {bagBy(writeScene), bagBy(writeAttack), bagBy(writeForeign), bagBy(packed), embeddedBag()};
+}
+
+std::vector<std::string> cloudSeeds() {
+  SimulatedLidar lidar;
+  lidar.columns = 24;
+  sensor_msgs::PointCloud2 message;
+  message.header.stamp = stampOf(kNow);
+  putCloud(simulateSweep({}, Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, -1.8)), lidar, 0),
+           message);
+  std::string bytes;
+  appendRosBytes(bytes, message);
+  return {bytes};
 }
 
 std::vector<std::string> messageSeeds() {

@@ -223,6 +223,7 @@ const SeedMakers& seedMakers() {
                                     {"definitions", definitionSeeds},
                                     {"lanelets", laneletSeeds},
                                     {"map", mapSeeds},
+                                    {"clouds", cloudSeeds},
                                     {"messages", messageSeeds},
                                     {"numbers", numberSeeds},
                                     {"realize", realizeSeeds},

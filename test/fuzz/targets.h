@@ -16,6 +16,7 @@ struct FuzzTarget {
 
 bool fuzzBags(const std::string& input);
 bool fuzzClips(const std::string& input);
+bool fuzzClouds(const std::string& input);
 bool fuzzCommonroad(const std::string& input);
 bool fuzzConfig(const std::string& input);
 bool fuzzDefinitions(const std::string& input);
@@ -32,21 +33,14 @@ bool fuzzTables(const std::string& input);
 bool fuzzWeights(const std::string& input);
 
 inline constexpr FuzzTarget kFuzzTargets[] = {
-    {"bags", fuzzBags},
-    {"clips", fuzzClips},
-    {"commonroad", fuzzCommonroad},
-    {"config", fuzzConfig},
-    {"definitions", fuzzDefinitions},
-    {"lanelets", fuzzLanelets},
-    {"map", fuzzMap},
-    {"messages", fuzzMessages},
-    {"numbers", fuzzNumbers},
-    {"realize", fuzzRealize},
-    {"requests", fuzzRequests},
-    {"runs", fuzzRuns},
-    {"scenarios", fuzzScenarios},
-    {"speeds", fuzzSpeeds},
-    {"tables", fuzzTables},
+    {"bags", fuzzBags},         {"clips", fuzzClips},
+    {"clouds", fuzzClouds},     {"commonroad", fuzzCommonroad},
+    {"config", fuzzConfig},     {"definitions", fuzzDefinitions},
+    {"lanelets", fuzzLanelets}, {"map", fuzzMap},
+    {"messages", fuzzMessages}, {"numbers", fuzzNumbers},
+    {"realize", fuzzRealize},   {"requests", fuzzRequests},
+    {"runs", fuzzRuns},         {"scenarios", fuzzScenarios},
+    {"speeds", fuzzSpeeds},     {"tables", fuzzTables},
     {"weights", fuzzWeights},
 };
 
@@ -57,6 +51,7 @@ const SeedMakers& seedMakers();
 // Some of these functions.
 
 std::vector<std::string> bagSeeds();
+std::vector<std::string> cloudSeeds();
 std::vector<std::string> messageSeeds();
 std::vector<std::string> realizeSeeds();
 std::vector<std::string> runSeeds();

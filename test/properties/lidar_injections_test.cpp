@@ -61,7 +61,7 @@ PosedBody randomBody(Random& random) {
                   {random.uniform(0.5, 12.0), random.uniform(0.5, 3.0), random.uniform(1.0, 4.0)},
                   random.uniform(0.0, 10.0));
   const double bearing = random.uniform(-M_PI, M_PI);
-  const double distance = random.uniform(2.0, 40.0);
+  const double distance = posed.body.size.norm() / 2.0 + random.uniform(2.0, 30.0);
   posed.end = Eigen::Translation3d(distance * std::cos(bearing), distance * std::sin(bearing),
                                    random.uniform(-2.0, -1.5)) *
               Eigen::AngleAxisd(random.uniform(-M_PI, M_PI), Eigen::Vector3d::UnitZ());
@@ -105,7 +105,8 @@ class PointsByPulse {
       const int ring =
           static_cast<int>(std::lround((std::asin(direction.z()) - lidar.lowest) / lidar.step));
       const double turned = (3.0 - std::atan2(direction.y(), direction.x())) / (2.0 * M_PI);
-      const int column = static_cast<int>(std::lround(turned * lidar.columns)) % lidar.columns;
+      const auto steps = static_cast<int>(std::lround(turned * lidar.columns));
+      const int column = (steps + lidar.columns) % lidar.columns;
       const Eigen::Vector3d pulse = lidar.direction(column, ring);
       EXPECT_LT(std::acos(std::min(1.0, pulse.dot(direction))), 0.3 * M_PI / 180.0);
       EXPECT_EQ(layout_.ring->get(cloud.pointAt(i)), ring);
@@ -180,16 +181,24 @@ void checkInjection(const MadeUpLidar& lidar, const RangeOf& world, bool is_thor
     if (is_same) kept[recorded->second] = place;
     const double since = 0.1 * pulse.first / lidar.columns;
     const double time = lidar.time_type == 6 ? since : since - 0.1;
+    // Where a turn ends and the next begins is unknown to within the points that are left out.
+    constexpr int kSeam = 5;  // columns
+    const bool is_seam = lidar.empty == EmptyPoints::kLeftOut &&
+                         (pulse.first < kSeam || pulse.first >= lidar.columns - kSeam);
     if (!is_same) {
       ++on_bodies;
-      if (was_there) EXPECT_LE(end.norm(), old_points.range(recorded->second) + 1e-3);
+      if (was_there) {
+        EXPECT_LE(end.norm(), old_points.range(recorded->second) + 1e-3);
+      }
       double nearest = INFINITY;
       for (const PosedBody& posed : bodies) {
         nearest = std::min(nearest, std::abs(depthIn(posed.body, inBody(posed, time, end))));
       }
-      EXPECT_LT(nearest, kMostNoise * kNoise / 0.8 + 0.03);
+      if (!is_seam) {
+        EXPECT_LT(nearest, kMostNoise * kNoise / 0.8 + 0.03);
+      }
     }
-    if (is_thorough) expectFree(bodies, time, end);
+    if (is_thorough && !is_seam) expectFree(bodies, time, end);
   }
   EXPECT_EQ(on_bodies, change.on_bodies);
   for (const auto& [old_place, new_place] : kept) {

@@ -491,11 +491,12 @@ TEST_F(InjectIntoBagTest, NonFiniteEntriesAreDroppedWithAWarning) {
     }
     bag.commit();
   }
-  const auto warnings = injectIntoBag(
+  const auto [warnings, lidar] = injectIntoBag(
       spoilt, out_, attack_, {ego_, 0.0, config_.attack.verification, config_.attacked_bag});
   EXPECT_EQ(warnings, (std::vector<std::string>{"4 entries of /agents are not finite and left out",
                                                 "2 entries of /odom are not finite and left out",
                                                 "2 entries of /tf are not finite and left out"}));
+  EXPECT_TRUE(lidar.empty());
   for (const auto& message : read<collision_forge::AgentArray>(bagTopic(names::kAgents))) {
     for (const auto& agent : message.agents) {
       EXPECT_NE(agent.id, "spoilt");

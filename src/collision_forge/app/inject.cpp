@@ -186,7 +186,7 @@ collision_forge::AttackRequest requestMessage(const TestedAttack& attack,
   return message;
 }
 
-/// What was written into a bag.
+/// The messages and notes of a written bag.
 struct WrittenBag {
   BagAttack attack;
   std::vector<std::string> lidar;  ///< lines on the changed clouds

@@ -148,7 +148,9 @@ TEST(EditCloud, UnknownFieldsAndRingsOfAddedPointsFollowTheirRay) {
 
 TEST(EditCloud, IntensitiesAndReturnsAreLearntFromVehicles) {
   // A dark car that returns every ray, and another place.
-  PointCloud recorded = ground();
+  MadeUpLidar lidar;
+  lidar.columns = 1440;
+  PointCloud recorded = madeUpCloud(lidar, groundRangeOf);
   edited(recorded, {{carAt(8.0, 3.0)}, {}, nullptr, 0.0, 1});
   const CloudLayout layout(recorded);
   for (std::size_t i = 0; i < recorded.pointCount(); ++i) {

@@ -22,7 +22,7 @@ class CloudBackground {
   virtual float rangeBehind(const LidarRay& ray, double& intensity) const = 0;
 };
 
-/// What is put into one cloud, and what is taken out.
+/// The changes to make in one cloud.
 struct CloudEdit {
   std::vector<PosedBody> bodies;
   std::vector<VacatedBox> vacated;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace forge {
@@ -15,6 +16,9 @@ constexpr float kOwnVehicle = 1.0F;     // m; nearer points may be zero ranges m
 constexpr float kFar = 5.0F;            // m; from here on, corrected ego motion bends no ray much
 constexpr double kRingScatter = 0.026;  // rad, of the elevations within a ring
 constexpr int kMaxRings = 512;
+constexpr int kRingCounts[] = {16, 32, 40, 64, 128};  // of usual sensors
+constexpr double kLongestSweep = 10.0;                // s; times of points beyond it are wrong
+constexpr double kMostTurns = 1.1;                    // of rays that are added to a ring
 
 /// A table of evenly spaced elevations (ros-drivers/velodyne, params/VLP16db.yaml, 32db.yaml).
 struct ElevationTable {
@@ -108,7 +112,7 @@ bool setRingsFromField(const PointCloud& cloud, const CloudLayout& layout,
 
 /// Rings of clouds whose points come column by column, one per ring.
 bool setRingsFromOrder(std::vector<Seen>& seen) {
-  for (const int rings : {16, 32, 40, 64, 128}) {
+  for (const int rings : kRingCounts) {
     if (seen.empty() || seen.size() % static_cast<std::size_t>(rings) != 0) continue;
     for (std::size_t i = 0; i < seen.size(); ++i) {
       seen[i].ring = static_cast<std::int32_t>(i % static_cast<std::size_t>(rings));
@@ -248,6 +252,7 @@ class RayRebuilder {
     step_ = std::abs(*step);
     sense_ = *step > 0.0 ? 1.0 : -1.0;
     findReference();
+    addRingsAbove();
     for (std::size_t ring = 0; ring < rings_.size(); ++ring) rebuildRing(ring);
   }
 
@@ -277,6 +282,30 @@ class RayRebuilder {
     is_full_turn_ = angle > 0.95 * kTurn;
   }
 
+  /// Adds the rings above the highest one with returns: the rings of a sensor of evenly spaced
+  /// rings up to the next usual number of rings. Open sky returns nothing to them.
+  void addRingsAbove() {
+    constexpr double kEven = 0.25;  // of the spacing, in the upper half of the rings
+    std::vector<double> spacings;
+    for (std::size_t ring = rings_.size() / 2 + 1; ring < rings_.size(); ++ring) {
+      spacings.push_back(elevations_.mean[ring] - elevations_.mean[ring - 1]);
+    }
+    if (spacings.size() < 2) return;
+    const double mean = std::accumulate(spacings.begin(), spacings.end(), 0.0) /
+                        static_cast<double>(spacings.size());
+    const bool is_even = std::all_of(spacings.begin(), spacings.end(), [=](double spacing) {
+      return std::abs(spacing - mean) < kEven * std::abs(mean);
+    });
+    const auto count = std::lower_bound(std::begin(kRingCounts), std::end(kRingCounts),
+                                        static_cast<int>(rings_.size()));
+    if (!is_even || count == std::end(kRingCounts)) return;
+    const std::size_t known = rings_.size();
+    rings_.resize(static_cast<std::size_t>(*count));
+    for (std::size_t ring = known; ring < rings_.size(); ++ring) {
+      elevations_.mean[ring] = elevations_.mean[ring - 1] + mean;
+    }
+  }
+
   /// Returns the angle from one azimuth to another in the sense of turning, 0 to 2 pi; steps back
   /// by up to 3 steps count as none.
   double turned(double from, double to) const {
@@ -303,6 +332,7 @@ class RayRebuilder {
     const auto elevation = elevationOf(ring);
     if (!elevation) return;
     elevation_ = *elevation;
+    may_still_add_ = static_cast<std::size_t>(kMostTurns * kTurn / step_);
     ring_ = static_cast<std::int32_t>(ring);
     const auto returns = std::count_if(rings_[ring].begin(), rings_[ring].end(),
                                        [this](std::uint32_t point) { return isReturn(point); });
@@ -371,10 +401,15 @@ class RayRebuilder {
     const double end =
         std::max(0.0, rest - turned(seen_[reference_.front().first].azimuth, seen_[last].azimuth));
     const double steps = std::round(angle / step_);
+    const double seconds = double{sweep_.rays[reference_.back().first].time} -
+                           double{sweep_.rays[reference_.front().first].time};
     for (double i = 1.0; i < steps; i += 1.0) {
       const double along = angle * i / steps;
-      add(along <= end ? last : (first > 0 ? first - 1 : 0), seen_[last].azimuth + sense_ * along,
-          sweep_.rays[along <= end ? last : first].time);
+      const bool is_at_end = along <= end;
+      const double since = is_at_end ? along : along - angle;  // rad from the last or the first
+      add(is_at_end ? last : (first > 0 ? first - 1 : 0), seen_[last].azimuth + sense_ * along,
+          sweep_.rays[is_at_end ? last : first].time +
+              static_cast<float>(since / std::max(rest, step_) * seconds));
     }
   }
 
@@ -420,7 +455,8 @@ class RayRebuilder {
   }
 
   void add(std::uint32_t after, double azimuth, float time) {
-    if (!may_add_) return;
+    if (!may_add_ || may_still_add_ == 0) return;
+    --may_still_add_;
     LidarRay ray;
     ray.direction = directionTo(azimuth);
     ray.time = time;
@@ -431,7 +467,7 @@ class RayRebuilder {
   }
 
   const std::vector<Seen>& seen_;
-  const RingElevations& elevations_;
+  RingElevations elevations_;
   SweepRays& sweep_;
   bool may_add_;
   std::vector<std::vector<std::uint32_t>> rings_;  ///< indices of points, by ring
@@ -440,6 +476,7 @@ class RayRebuilder {
   std::size_t reference_ring_ = 0;
   std::vector<std::pair<std::uint32_t, double>> reference_;  ///< point, angle from the first
   bool is_full_turn_ = false;
+  std::size_t may_still_add_ = 0;  ///< rays, to the current ring
   double elevation_ = 0.0;
   std::int32_t ring_ = -1;
 };
@@ -478,7 +515,9 @@ std::vector<float> timesOf(const PointCloud& cloud, const CloudLayout& layout,
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (layout.time) {
       const double time = layout.timeOf(cloud.pointAt(i), timing.stamp);
-      times[i] = std::isfinite(time) ? static_cast<float>(time) : 0.0F;
+      times[i] = std::isfinite(time)
+                     ? static_cast<float>(std::clamp(time, -kLongestSweep, kLongestSweep))
+                     : 0.0F;
       continue;
     }
     double share = static_cast<double>(i) / count;

@@ -31,7 +31,7 @@ enum class EmptyPoints {
   kNan,
 };
 
-/// The rays of a sweep, those of the cloud's points first, in the cloud's order.
+/// The rays of a sweep: first one per point, in the cloud's order, then the missing ones.
 struct SweepRays {
   std::vector<LidarRay> rays;
   EmptyPoints empty_points = EmptyPoints::kLeftOut;
@@ -48,9 +48,10 @@ struct SweepTiming {
 /// direction to the point. Rays without return are reconstructed from the rays before and after
 /// them in their ring: where the cloud has a point for them (NaN, zero range, or, in clouds whose
 /// ego motion was corrected, zero range moved by that motion), and else, in unorganised clouds, in
-/// gaps of the ring's azimuths. Rings come from the ring field if the elevations agree with it,
-/// else from the order of the points, else from the elevations of a VLP-16 or HDL-32E. Times come
-/// from the time field, else from the place in the sweep, which ends at the stamp.
+/// gaps of the ring's azimuths. Evenly spaced rings without any return are added up to the next
+/// usual number of rings, 16 to 128. Rings come from the ring field if the elevations agree with
+/// it, else from the order of the points, else from the elevations of a VLP-16 or HDL-32E. Times
+/// come from the time field, else from the place in the sweep, which ends at the stamp.
 SweepRays raysOf(const PointCloud& cloud, const CloudLayout& layout, const SweepTiming& timing);
 
 /// Returns the height of the ground above the xy plane of the frame `pose` (in the cloud's frame),

@@ -24,7 +24,8 @@ std::string scenePanel() {
         ")" +
          bagTopic(names::kCrashMap) + R"(": {"visible": true},
         ")" +
-         bagTopic(names::kCrashScene) + R"(": {"visible": true}
+         bagTopic(names::kCrashScene) + R"(": {"visible": true},
+        "/lidar_top": {"visible": true, "pointSize": 2, "colorMode": "colormap", "colorField": "z"}
       },
       "layers": {},
       "transforms": {}

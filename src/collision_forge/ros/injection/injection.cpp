@@ -187,20 +187,13 @@ class Injection {
       agents.header.stamp = time;
       return injected(agents).agents;
     };
-    setup.vacated = [this](const ros::Time& time) {
-      std::vector<collision_forge::Agent> agents;
-      if (!isChangedAt(time)) return agents;
-      agents = agentsAt(recorded_, time);
-      const auto stays = [this](const collision_forge::Agent& agent) {
-        const auto& supports = attack_.attack.supports;
-        return agent.id != trajectory_.attacker_id &&
-               std::none_of(supports.begin(), supports.end(), [&](const auto& support) {
-                 return support.motion.attacker_id == agent.id;
-               });
-      };
-      agents.erase(std::remove_if(agents.begin(), agents.end(), stays), agents.end());
-      return agents;
-    };
+    const auto is_recorded = [](const auto& motion) { return motion.past.empty(); };
+    const auto& supports = attack_.attack.supports;
+    if (is_recorded(attack_.attack.trajectory) ||
+        std::any_of(supports.begin(), supports.end(),
+                    [&](const auto& support) { return is_recorded(support.motion); })) {
+      setup.vacated = [this](const ros::Time& time) { return vacatedAt(time); };
+    }
     std::stable_sort(recorded_.begin(), recorded_.end(),
                      [](const auto& a, const auto& b) { return a.header.stamp < b.header.stamp; });
     setup.recorded = &recorded_;
@@ -210,6 +203,21 @@ class Injection {
       };
     }
     lidar_.emplace(source_, std::move(setup));
+  }
+
+  /// Returns the attacker and its supports as recorded, while they drive elsewhere.
+  std::vector<collision_forge::Agent> vacatedAt(const ros::Time& time) const {
+    if (!isChangedAt(time)) return {};
+    std::vector<collision_forge::Agent> agents = agentsAt(recorded_, time);
+    const auto stays = [this](const collision_forge::Agent& agent) {
+      const auto& supports = attack_.attack.supports;
+      return agent.id != trajectory_.attacker_id &&
+             std::none_of(supports.begin(), supports.end(), [&](const auto& support) {
+               return support.motion.attacker_id == agent.id;
+             });
+    };
+    agents.erase(std::remove_if(agents.begin(), agents.end(), stays), agents.end());
+    return agents;
   }
 
   /// Returns the boxes of other agents near the contact from now on; the text avoids them.

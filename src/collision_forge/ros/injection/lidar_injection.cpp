@@ -96,6 +96,7 @@ void LidarInjection::learn(const rosbag::Bag& source) {
       }
     }
   }
+  background_.finish();
 }
 
 void LidarInjection::learnFrom(sensor_msgs::PointCloud2& message) {
@@ -106,7 +107,10 @@ void LidarInjection::learnFrom(sensor_msgs::PointCloud2& message) {
   const SweepRays sweep =
       raysOf(cloud, layout, {message.header.stamp.toSec(), setup_.options.sweep_time});
   std::vector<PosedBody> bodies;
-  for (const collision_forge::Agent& agent : agentsAt(*setup_.recorded, message.header.stamp)) {
+  const std::vector<collision_forge::Agent> agents =
+      agentsAt(*setup_.recorded, message.header.stamp);
+  if (setup_.vacated) addToBackground(cloud, layout, sweep, sensor->end, agents);
+  for (const collision_forge::Agent& agent : agents) {
     const Eigen::Vector3d position = bottomOf(agent).translation();
     if ((position - sensor->end.translation()).norm() > kLearnReach) continue;
     AgentInSweep posed{agent, agent, beginOf(sweep), 0.0};
@@ -115,6 +119,17 @@ void LidarInjection::learnFrom(sensor_msgs::PointCloud2& message) {
     bodies.push_back(bodyInCloud(posed, *sensor, sweep));
   }
   surfaces_.learn(cloud, layout, sweep, bodies);
+}
+
+void LidarInjection::addToBackground(const PointCloud& cloud, const CloudLayout& layout,
+                                     const SweepRays& sweep, const Eigen::Isometry3d& sensor,
+                                     const std::vector<collision_forge::Agent>& agents) {
+  if (agents.empty()) return;  // nobody knows what moves
+  std::vector<VacatedBox> movers;
+  for (const collision_forge::Agent& agent : agents) {
+    movers.push_back({bottomOf(agent), {agent.size.x, agent.size.y, agent.size.z}});
+  }
+  background_.add(cloud, layout, sweep, sensor, movers);
 }
 
 std::optional<SensorInSweep> LidarInjection::sensorOf(const std_msgs::Header& header,
@@ -148,7 +163,7 @@ bool LidarInjection::editCounted(sensor_msgs::PointCloud2& message, Counts& coun
   const ros::Time begin_stamp = std::max(stamp, ros::Time(setup_.options.sweep_time)) -
                                 ros::Duration(setup_.options.sweep_time);
   const auto placed = setup_.placed(stamp);
-  const auto vacated = setup_.vacated(stamp);
+  const auto vacated = setup_.vacated ? setup_.vacated(stamp) : Agents();
   if (placed.empty() && vacated.empty()) return false;
   const auto sensor = sensorOf(message.header, -setup_.options.sweep_time);
   if (!sensor) {
@@ -171,6 +186,8 @@ bool LidarInjection::editCounted(sensor_msgs::PointCloud2& message, Counts& coun
                              (begin_stamp - stamp).toSec(), 0.0};
     edit.bodies.push_back(bodyInCloud(posed, *sensor, sweep));
   }
+  const BackgroundOfSensor background(background_, sensor->end);
+  if (!vacated.empty()) edit.background = &background;
   for (const collision_forge::Agent& agent : vacated) {
     const PosedBody body = bodyInCloud({agent, agent, 0.0, 0.0}, *sensor, sweep);
     edit.vacated.push_back({body.end, body.body.size});

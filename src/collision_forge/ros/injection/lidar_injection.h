@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/io/lidar/background_map.h"
 #include "collision_forge/io/lidar/cloud_injection.h"
 #include "collision_forge/io/lidar/options.h"
 #include "collision_forge/ros/bags/bag_frames.h"
@@ -28,14 +29,16 @@ inline constexpr char kAllClouds[] = "auto";
 class LidarInjection {
  public:
   /// Returns the agents that are there at a time.
-  using AgentsAt = std::function<std::vector<collision_forge::Agent>(const ros::Time&)>;
+  using Agents = std::vector<collision_forge::Agent>;
+  using AgentsAt = std::function<Agents(const ros::Time&)>;
 
   struct Setup {
     std::vector<std::string> topics;  ///< or kAllClouds
     LidarOptions options;
     std::uint64_t seed = 0;
-    AgentsAt placed;   ///< the attacker and its supports, in the map frame
-    AgentsAt vacated;  ///< the same as recorded, while they drive elsewhere
+    AgentsAt placed;  ///< the attacker and its supports, in the map frame
+    AgentsAt
+        vacated;  ///< the same as recorded, while they drive elsewhere; empty: none is recorded
     /// Recorded frames of agents, sorted by stamp: the vehicles whose returns are learnt.
     const std::vector<collision_forge::AgentArray>* recorded = nullptr;
     /// Changes the transforms that clouds refer to; empty: as recorded.
@@ -71,6 +74,9 @@ class LidarInjection {
   void chooseTopics(const rosbag::Bag& source);
   void learn(const rosbag::Bag& source);
   void learnFrom(sensor_msgs::PointCloud2& message);
+  void addToBackground(const PointCloud& cloud, const CloudLayout& layout, const SweepRays& sweep,
+                       const Eigen::Isometry3d& sensor,
+                       const std::vector<collision_forge::Agent>& agents);
   /// Returns the poses of the frame at the begin and the end of a sweep; nullopt without transform.
   std::optional<SensorInSweep> sensorOf(const std_msgs::Header& header, double begin_time) const;
   bool editCounted(sensor_msgs::PointCloud2& message, Counts& counts);
@@ -78,6 +84,7 @@ class LidarInjection {
   Setup setup_;
   BagFrames frames_;
   SurfaceReturns surfaces_;
+  BackgroundMap background_;              ///< empty unless a place is vacated
   std::map<std::string, Counts> counts_;  ///< by topic
 };
 

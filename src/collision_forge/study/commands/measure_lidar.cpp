@@ -2,8 +2,8 @@
 #include <sensor_msgs/PointCloud2.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <iostream>
 #include <iterator>
 #include <map>
@@ -50,17 +50,17 @@ std::vector<VehicleInCloud> vehiclesIn(const collision_forge::AgentArray& agents
   return vehicles;
 }
 
-/// Returns how long, ms, one car in a cloud takes, from the message's cloud to the changed one.
+/// Returns the processor time, ms, that one car in a cloud takes, from the message's cloud to the
+/// changed one.
 double timeOfCar(PointCloud cloud, const SweepTiming& timing) {
   PosedBody car;
   car.body = lidarBodyOf(AgentClass::kCar, {4.6, 1.9, 1.5});
   car.end = Eigen::Isometry3d(Eigen::Translation3d(0.0, 12.0, -1.8));
   car.begin = car.end;
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   const CloudLayout layout(cloud);
   editCloud(cloud, layout, raysOf(cloud, layout, timing), {{car}, {}, nullptr, 0.02, 0}, {});
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-      .count();
+  return 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 /// The outcome over a bag.
@@ -72,7 +72,7 @@ struct Measured {
 
 /// Replaces the vehicles of all clouds that have the stamp of a frame of agents.
 Measured measureIn(const rosbag::Bag& bag, const Arguments& arguments,
-                                       const LidarOptions& options) {
+                   const LidarOptions& options) {
   BagFrames frames(names::kMapFrame, names::kBaseFrame, 1e5);
   for (const char* topic : {names::kStaticTf, names::kTf}) {
     for (const auto& instance : rosbag::View(bag, rosbag::TopicQuery(topic))) {
@@ -141,9 +141,9 @@ void printRow(const std::string& name, const std::vector<ReplacedVehicle>& vehic
 int measure(Arguments arguments) {
   const Config config = loadConfig(arguments.config);
   arguments.options.range_noise = config.lidar.range_noise;
-  const Measured measured =
-      readOpened(arguments.bag,
-                 [&](const rosbag::Bag& bag) { return measureIn(bag, arguments, config.lidar); });
+  const Measured measured = readOpened(arguments.bag, [&](const rosbag::Bag& bag) {
+    return measureIn(bag, arguments, config.lidar);
+  });
   std::cout << "class, range m             n recorded injected change%  |change|% rings  share_rec "
                "share_inj chamfer floor intensity rec inj\n";
   constexpr double kRanges[] = {0.0, 10.0, 20.0, 30.0, 50.0, 200.0};  // m
@@ -166,10 +166,10 @@ int measure(Arguments arguments) {
   std::vector<double> milliseconds = measured.milliseconds;
   if (milliseconds.empty()) return kExitOk;
   std::sort(milliseconds.begin(), milliseconds.end());
-  std::cout << formatted("one car in a cloud: p50 %.1f ms, p99 %.1f ms of %zu clouds of %zu points\n",
-                         milliseconds[milliseconds.size() / 2],
-                         milliseconds[milliseconds.size() * 99 / 100], milliseconds.size(),
-                         measured.points / milliseconds.size());
+  std::cout << formatted(
+      "one car in a cloud: p50 %.1f ms, p99 %.1f ms of %zu clouds of %zu points\n",
+      milliseconds[milliseconds.size() / 2], milliseconds[milliseconds.size() * 99 / 100],
+      milliseconds.size(), measured.points / milliseconds.size());
   return kExitOk;
 }
 
