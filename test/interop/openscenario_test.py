@@ -59,8 +59,7 @@ class OpenScenarioTest(unittest.TestCase):
         broken.mkdir()
         road, scenario = (self.out / name for name in self.index[0]['files'])
         (broken / road.name).write_text(road.read_text().replace('<planView', '<plan').replace('</planView', '</plan'))
-        (broken / scenario.name).write_text(scenario.read_text().replace('EntityRef entityRef="attacker"',
-                                                                        'EntityRef entityRef="nobody"'))
+        (broken / scenario.name).write_text(scenario.read_text().replace('entityRef="attacker"', 'entityRef="nobody"'))
         result = self.check(broken)
         self.assertEqual(result.returncode, 1)
         for path in (road, scenario):

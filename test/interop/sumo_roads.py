@@ -21,10 +21,8 @@ def places(pieces, begin, end):
         arc = piece.find('arc')
         curvature = float(arc.get('curvature')) if arc is not None else 0.0
         count = max(1, math.ceil(length / SPACING))
-        for step in range(count + 1):
-            way = length * step / count
-            if not begin - 1e-6 <= first + way <= end + 1e-6:
-                continue
+        ways = {length * step / count for step in range(count + 1)} | {begin - first, end - first}
+        for way in sorted(way for way in ways if 0 <= way <= length and begin - 1e-9 <= first + way <= end + 1e-9):
             half = curvature * way / 2
             chord = way * (math.sin(half) / half if half else 1.0)
             found.append((first + way, x + chord * math.cos(heading + half), y + chord * math.sin(heading + half),

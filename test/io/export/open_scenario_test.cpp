@@ -70,7 +70,7 @@ TEST_F(OpenScenario, TheAttackerOfAFreeEgoStartsByTheTimeGapOfTheEgo) {
   const auto document = written(record, ".xosc", true);
   EXPECT_EQ(document.select_nodes("//Init//Private[@entityRef='ego']//SpeedAction").size(), 1u);
   EXPECT_FALSE(document.select_node(driveOf("ego").c_str()));
-  const xml_node event = at(document, "//Event[@name='drive of attacker']");
+  const xml_node event = at(document, "//Event[@name='start of drive of attacker']");
   // The ego drives at 10 m/s, so the time gap at the start is the time to the contact.
   EXPECT_NEAR(
       event.select_node(".//TimeToCollisionCondition").node().attribute("value").as_double(),
@@ -79,7 +79,8 @@ TEST_F(OpenScenario, TheAttackerOfAFreeEgoStartsByTheTimeGapOfTheEgo) {
                 event.select_node(".//Timing").node().attribute("domainAbsoluteRelative").value()),
             "relative");
   EXPECT_TRUE(document.select_node(
-      "//StopTrigger//StoryboardElementStateCondition[@storyboardElementRef='drive of attacker']"));
+      "//StopTrigger//StoryboardElementStateCondition[@storyboardElementRef='start of drive of "
+      "attacker']"));
 }
 
 TEST_F(OpenScenario, TheFlavourOfCarlaHasOnlyWhatScenarioRunnerReads) {

@@ -217,7 +217,7 @@ class OpenDriveWriter {
     xml_node link = addElement(node, "link");
     const auto addLink = [&](const char* name, bool is_outer, const std::optional<int>& outer) {
       const std::optional<int> id = is_outer ? outer : lane.id;
-      if (id) addElement(link, name, {{"id", std::to_string(*id)}});
+      if (id && !lane.lane.empty()) addElement(link, name, {{"id", std::to_string(*id)}});
     };
     addLink("predecessor", section.is_first, lane.before);
     addLink("successor", section.is_last, lane.after);

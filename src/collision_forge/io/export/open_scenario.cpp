@@ -24,6 +24,7 @@ constexpr double kThingMass = 100.0;       // kg
 constexpr double kSlowEgo = 1.0;       // m/s; a slower ego has no meaningful time to a place
 constexpr double kLongestWait = 30.0;  // s that the attacker waits for a free ego, at most
 constexpr const char* kAttackerDrive = "drive of attacker";
+constexpr const char* kEventPrefix = "start of ";
 
 /// An entity of the scenario: a stretch of a track without a gap.
 struct Entity {
@@ -344,7 +345,7 @@ class ScenarioWriter {
     xml_node event = addElement(addElement(group, "Maneuver", {{"name", name}}), "Event",
                                 {{"priority", plan_.for_carla ? "overwrite" : "override"},
                                  {"maximumExecutionCount", "1"},
-                                 {"name", name}});
+                                 {"name", kEventPrefix + name}});
     xml_node action = addElement(event, "Action", {{"name", name}});
     return {action, addElement(event, "StartTrigger")};
   }
@@ -389,7 +390,7 @@ class ScenarioWriter {
                           "ByValueCondition"),
                "StoryboardElementStateCondition",
                {{"storyboardElementType", "event"},
-                {"storyboardElementRef", kAttackerDrive},
+                {"storyboardElementRef", std::string(kEventPrefix) + kAttackerDrive},
                 {"state", "completeState"}});
   }
 
