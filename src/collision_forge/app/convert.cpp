@@ -22,6 +22,7 @@
 #include "collision_forge/io/logs/nuscenes_sensors.h"
 #include "collision_forge/planner_test/settings/config.h"
 #include "collision_forge/ros/bags/bag_writer.h"
+#include "collision_forge/ros/bags/copied_sensors.h"
 #include "collision_forge/ros/bags/foreign_logs.h"
 #include "collision_forge/ros/bags/log_sources.h"
 
@@ -117,10 +118,26 @@ std::string sensorWords(const SensorCounts& counts) {
   return words;
 }
 
+/// Writes a scene of a bag of another stack, with its sensors.
+void writeForeignBag(const Arguments& arguments, const NuScenesRecording& recording,
+                     const LaneMap& map, const EgoVehicle& ego) {
+  const std::filesystem::path source = arguments.logs.path;
+  const std::filesystem::path bag =
+      std::filesystem::is_directory(source) ? source / (recording.name + ".bag") : source;
+  const OpenedBag opened(bag.string());
+  writeBag(resultPath(arguments, recording.name), recording, map, nullptr, [&](NewBag& target) {
+    copySensors(opened.bag(), readTopicMapping(arguments.topics), ego, target);
+  });
+}
+
 void writeSceneBag(const Arguments& arguments, const LoggedScene& logged, const LaneMap& map,
-                   const SensorScenes& sensors) {
+                   const SensorScenes& sensors, const EgoVehicle& ego) {
   const NuScenesRecording& recording = logged.recording;
   const std::string path = resultPath(arguments, recording.name);
+  if (arguments.sensors == SensorOrigin::kFiles && !arguments.topics.empty()) {
+    writeForeignBag(arguments, recording, map, ego);
+    return;
+  }
   if (arguments.sensors == SensorOrigin::kSimulated) {
     const NuScenesSensorScene simulated = simulatedSensors(recording);
     writeBag(path, recording, map, &simulated);
@@ -137,7 +154,7 @@ void convertScene(const Arguments& arguments, const LoggedScene& logged, const C
                   const SensorScenes& sensors, PickleWorkers& workers) {
   LaneMap map = mapAround(logged.recording, logged.lanes->map(), config.conversion.map_radius);
   if (!arguments.to_scenario_net) {
-    writeSceneBag(arguments, logged, map, sensors);
+    writeSceneBag(arguments, logged, map, sensors, config.ego_vehicle);
     return;
   }
   const Scene scene = toScene(logged.recording, config.ego_vehicle,
@@ -161,10 +178,12 @@ std::unique_ptr<SceneReader> openLogs(const Arguments& arguments, const Config& 
 
 /// Reads which sensor files the scenes have, and prints their number and size.
 SensorScenes readSensors(const Arguments& arguments, const std::vector<std::string>& scenes) {
-  if (arguments.sensors != SensorOrigin::kFiles) return {};
+  if (arguments.sensors != SensorOrigin::kFiles || !arguments.topics.empty()) return {};
   if (arguments.logs.format != &nuScenesFormat()) {
-    throw std::runtime_error(arguments.logs.described() +
-                             ": --sensors files needs a nuScenes root; simulated works with all");
+    throw std::runtime_error(
+        arguments.logs.described() +
+        ": --sensors files needs a nuScenes root, or --topics; simulated works "
+        "with all");
   }
   SensorScenes sensors =
       readNuScenesSensors(arguments.logs.path, versionOf(arguments.logs), scenes);
@@ -258,7 +277,8 @@ void addConvert(CommandLine& line) {
                            {"files", SensorOrigin::kFiles},
                            {"simulated", SensorOrigin::kSimulated}},
                           "sensor data in the bags; files: lidar sweeps and pictures of a nuScenes "
-                          "root; simulated: a lidar among the annotated objects (docs/lidar.md)");
+                          "root, or the sensors of bags with --topics; simulated: a lidar among "
+                          "the annotated objects (docs/lidar.md)");
   addChoice<RowTimes>(
       app, "--rows", arguments->rows,
       {{"even", RowTimes::kEveryStep}, {"recorded", RowTimes::kAsRecorded}},

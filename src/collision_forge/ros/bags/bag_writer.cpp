@@ -104,7 +104,8 @@ std::set<double> changesOf(const std::vector<TrafficLight>& lights) {
 }  // namespace
 
 SensorCounts writeBag(const std::string& path, const NuScenesRecording& recording,
-                      const LaneMap& map, const NuScenesSensorScene* sensors) {
+                      const LaneMap& map, const NuScenesSensorScene* sensors,
+                      const std::function<void(NewBag&)>& write_more) {
   if (recording.ego_poses.empty() || recording.frames.empty()) {
     throw BagError(path + ": scene " + recording.name + " has no ego poses or no frames");
   }
@@ -146,6 +147,7 @@ SensorCounts writeBag(const std::string& path, const NuScenesRecording& recordin
   }
   writeFramesUpTo(recording.frames.back().timestamp_us);
   sensor_writer.writeUpTo(std::numeric_limits<std::int64_t>::max());
+  if (write_more) write_more(bag);
   bag.commit();
   return sensor_writer.counts();
 }
