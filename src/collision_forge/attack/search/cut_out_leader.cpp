@@ -14,25 +14,23 @@ namespace {
 
 constexpr double kTimeGaps[] = {1.0, 1.3, 0.8, 1.6, 2.0};  // s between leader and ego
 constexpr double kEarly[] = {0.3, 0.7, 1.1, 1.6,
-                             2.2};  // s by which it has left before it would hit
-constexpr double kDurations[] = {1.8, 2.2, 2.8,
-                                 3.5};    // s of the lane change; UN R157: 0.5 to 3 m/s
-constexpr double kSides[] = {1.0, -1.0};  // left, right
-constexpr double kStep = 0.1;             // s between its points
-constexpr double kAfterwards = 1.5;       // s that its motion is planned beyond the contact
-constexpr double kSpeedSpan = 0.25;       // s to either side for its speed
-constexpr double kLeastGap = 2.0;         // m to the ego at t0
-constexpr double kEgoClearance = 0.5;     // m to the ego
-constexpr double kAcrossStep = 0.5;       // m between the points that look for a lane
-constexpr double kNarrowest = 2.5;        // m between the middles of neighbouring lanes
-constexpr double kWidest = 4.5;           // m
-constexpr double kSteadyBefore = 1.0;     // s in its lane before it steers
-constexpr double kSettled = 2.0;          // s after the lane change
-constexpr double kStandingStep = 0.1;     // m per step below which it stands
-constexpr double kSharpest = 0.1;         // 1/m
-constexpr double kLaneHeading = 0.3;      // rad between neighbouring lanes
-constexpr double kSteady = 0.1;           // rad to the lane at the contact
-constexpr double kInLane = 0.4;           // m from the middle of a lane
+                             2.2};                     // s by which it has left before it would hit
+constexpr double kDurations[] = {2.8, 2.2, 3.5, 1.8};  // s of the lane change
+constexpr double kStep = 0.1;                          // s between its points
+constexpr double kAfterwards = 1.5;    // s that its motion is planned beyond the contact
+constexpr double kSpeedSpan = 0.25;    // s to either side for its speed
+constexpr double kLeastGap = 2.0;      // m to the ego at t0
+constexpr double kEgoClearance = 0.5;  // m to the ego
+constexpr double kAcrossStep = 0.5;    // m between the points that look for a lane
+constexpr double kNarrowest = 2.5;     // m between the middles of neighbouring lanes
+constexpr double kWidest = 4.5;        // m
+constexpr double kSteadyBefore = 1.0;  // s in its lane before it steers
+constexpr double kSettled = 2.0;       // s after the lane change
+constexpr double kStandingStep = 0.1;  // m per step below which it stands
+constexpr double kSharpest = 0.1;      // 1/m
+constexpr double kLaneHeading = 0.3;   // rad between neighbouring lanes
+constexpr double kSteady = 0.1;        // rad to the lane at the contact
+constexpr double kInLane = 0.4;        // m from the middle of a lane
 
 /// A lane change that is tried.
 struct CutOut {

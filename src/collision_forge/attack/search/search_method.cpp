@@ -110,7 +110,7 @@ Attack SearchMethod::answer(const Moment& moment, const CollisionRequest& reques
       const Attack answer = is_found ? hiddenBy(found, moment, request) : found.attack;
       if (answer.status.code == StatusCode::kOk) return answer;
       // An attack that nothing hides says more than a side without an attack.
-      if (!refusal || is_found) refusal = answer.status;
+      if (!refusal || (is_found && shift == 0.0)) refusal = answer.status;
       if (!is_found || request.hidden_by == Hider::kLeader) break;
     }
   }
