@@ -10,9 +10,11 @@ import xml.etree.ElementTree as ElementTree
 
 STEP = 0.02  # s of simulated time
 COLUMNS = 31  # of the CSV for each entity, from its name on; X and Y are columns 11 and 12
-# esmini drops trajectory points closer than 0.1 m by default. Models of cars are no part of esmini's core.
-WORDS = ['--headless', '--disable_stdout', '--collision', '--fixed_timestep', str(STEP), '--traj_filter', '0']
-MODELS = re.compile(r'3D model .* not located')
+# By default esmini drops trajectory points closer than 0.1 m and turns at corners only.
+WORDS = ['--headless', '--disable_stdout', '--collision', '--fixed_timestep', str(STEP), '--traj_filter', '0',
+         '--pline_interpolation', 'segment']
+# Missing pictures of cars, and agents that disappear while they touch another one.
+HARMLESS = re.compile(r'3D model .* not located|Unregister collision between .* vanished entity')
 TOUCH = re.compile(r'\[([\d.]+)\] \[warn\] Collision between (\S+) and (\S+)$')
 
 
@@ -73,7 +75,7 @@ class Play:
         touches = [match for match in map(TOUCH.search, lines) if match]
         self.touches = [(float(match[1]), {match[2], match[3]}) for match in touches]
         self.complaints = [line for line in lines if ('[warn]' in line or '[error]' in line) and
-                           not MODELS.search(line) and 'Collision between' not in line]
+                           not HARMLESS.search(line) and 'Collision between' not in line]
         self.places = {}  # by entity: (time, x, y)
         for line in table.read_text().splitlines():
             fields = [field.strip() for field in line.split(',')]
