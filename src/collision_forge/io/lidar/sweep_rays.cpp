@@ -253,7 +253,10 @@ class RayRebuilder {
     sense_ = *step > 0.0 ? 1.0 : -1.0;
     findReference();
     addRingsAbove();
-    for (std::size_t ring = 0; ring < rings_.size(); ++ring) rebuildRing(ring);
+    rebuildRing(reference_ring_);
+    for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
+      if (ring != reference_ring_) rebuildRing(ring);
+    }
   }
 
  private:
@@ -417,13 +420,11 @@ class RayRebuilder {
   void rebuildFromReference(const std::vector<std::uint32_t>& slots) {
     const float start = seen_[reference_.front().first].azimuth;
     if (!slots.empty()) {
-      for (const std::uint32_t slot : slots) {
-        if (isReturn(slot)) continue;
-        const auto after = std::lower_bound(
-            reference_.begin(), reference_.end(), slot,
-            [](const auto& entry, std::uint32_t point) { return entry.first < point; });
-        const auto& nearest = after == reference_.end() ? reference_.back() : *after;
-        put(slot, start + sense_ * nearest.second);
+      const std::vector<std::uint32_t>& columns = rings_[reference_ring_];
+      for (std::size_t i = 0; i < slots.size() && slots.size() == columns.size(); ++i) {
+        if (isReturn(slots[i])) continue;
+        const Eigen::Vector3f& direction = sweep_.rays[columns[i]].direction;
+        put(slots[i], std::atan2(direction.y(), direction.x()));
       }
       return;
     }
