@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -196,7 +197,7 @@ void markMovedZeros(std::vector<Seen>& seen) {
 std::optional<double> stepOf(const std::vector<std::vector<std::uint32_t>>& rings,
                              const std::vector<Seen>& seen) {
   constexpr std::size_t kLeast = 16;
-  constexpr double kLeastRegular = 0.6;  // share of steps near the median
+  constexpr double kLeastRegular = 0.4;  // share of single steps
   std::vector<double> steps;
   for (const auto& ring : rings) {
     if (ring.size() <= steps.size()) continue;
@@ -213,16 +214,18 @@ std::optional<double> stepOf(const std::vector<std::vector<std::uint32_t>>& ring
     if (found.size() > steps.size()) steps = std::move(found);
   }
   if (steps.size() < kLeast) return std::nullopt;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  const double median = *middle;
-  const auto regular = std::count_if(steps.begin(), steps.end(), [=](double step) {
-    return std::abs(step - median) < 0.4 * std::abs(median);
-  });
-  const bool is_regular =
-      static_cast<double>(regular) >= kLeastRegular * static_cast<double>(steps.size());
-  if (!is_regular || std::abs(median) < 1e-4) return std::nullopt;
-  return median;
+  // Gaps are multiples of the step, so that the smaller steps tell it.
+  std::sort(steps.begin(), steps.end(),
+            [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const double small = steps[steps.size() / 5];
+  std::vector<double> regular;
+  std::copy_if(steps.begin(), steps.end(), std::back_inserter(regular),
+               [=](double step) { return std::abs(step - small) < 0.4 * std::abs(small); });
+  if (static_cast<double>(regular.size()) < kLeastRegular * static_cast<double>(steps.size())) {
+    return std::nullopt;
+  }
+  const double step = regular[regular.size() / 2];
+  return std::abs(step) < 1e-4 ? std::nullopt : std::optional(step);
 }
 
 /// Rebuilds the rays without return of all rings.
@@ -253,7 +256,10 @@ class RayRebuilder {
     sense_ = *step > 0.0 ? 1.0 : -1.0;
     findReference();
     addRingsAbove();
-    for (std::size_t ring = 0; ring < rings_.size(); ++ring) rebuildRing(ring);
+    rebuildRing(reference_ring_);
+    for (std::size_t ring = 0; ring < rings_.size(); ++ring) {
+      if (ring != reference_ring_) rebuildRing(ring);
+    }
   }
 
  private:
@@ -417,13 +423,11 @@ class RayRebuilder {
   void rebuildFromReference(const std::vector<std::uint32_t>& slots) {
     const float start = seen_[reference_.front().first].azimuth;
     if (!slots.empty()) {
-      for (const std::uint32_t slot : slots) {
-        if (isReturn(slot)) continue;
-        const auto after = std::lower_bound(
-            reference_.begin(), reference_.end(), slot,
-            [](const auto& entry, std::uint32_t point) { return entry.first < point; });
-        const auto& nearest = after == reference_.end() ? reference_.back() : *after;
-        put(slot, start + sense_ * nearest.second);
+      const std::vector<std::uint32_t>& columns = rings_[reference_ring_];
+      for (std::size_t i = 0; i < slots.size() && slots.size() == columns.size(); ++i) {
+        if (isReturn(slots[i])) continue;
+        const Eigen::Vector3f& direction = sweep_.rays[columns[i]].direction;
+        put(slots[i], std::atan2(direction.y(), direction.x()));
       }
       return;
     }
