@@ -16,7 +16,7 @@ TEXTS = ['', ' ', 'nobody', '../x', '\x1b[2J', 'x' * 10000, '0.' + 400 * '0' + '
 BAD_FIELDS = [('collision_type', TEXTS), ('tta', NUMBERS), ('attacker_id', TEXTS[1:]), ('mode', TEXTS[1:]),
               ('choice', TEXTS[1:]), ('manoeuvre', TEXTS[1:]), ('attacker_class', ['pedestrian'] + TEXTS[1:]),
               ('ego_side', TEXTS[1:]), ('min_overlap', NUMBERS), ('max_impact_speed', NUMBERS), ('max_gap', NUMBERS),
-              ('turning', TEXTS[1:]), ('from_side', TEXTS[1:]), ('limits', TEXTS[1:]),
+              ('turning', TEXTS[1:]), ('from_side', TEXTS[1:]), ('hidden_by', TEXTS[1:]), ('limits', TEXTS[1:]),
               ('believable', TEXTS[1:]), ('alternatives', [17, 2 ** 32 - 1])]
 SCENARIOS = TEXTS[1:] + ['1', '{}', '{"format":', '[' * 5000, '{"format": 0.' + 348 * '0' + '1}']
 

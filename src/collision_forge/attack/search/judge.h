@@ -14,9 +14,9 @@
 /// The only place that decides whether an attack meets its request.
 namespace forge {
 
-/// Returns the range, s, of `visible_for` that a request with `hidden_by` has if it names none: long
-/// enough to be seen, and too short for most drivers to react and stop. A leader leaves its lane
-/// earlier than a pedestrian steps out.
+/// Returns the range, s, of `visible_for` that a request with `hidden_by` has if it names none:
+/// long enough to be seen, and too short for most drivers to react and stop. A leader leaves its
+/// lane earlier than a pedestrian steps out.
 constexpr Range usualSight(Hider hider) {
   return hider == Hider::kLeader ? Range{0.3, 3.5} : Range{0.3, 2.0};
 }
