@@ -274,7 +274,7 @@ class CollisionForge:
             raise ForgeError('no bag is open: call play() first')
         return self.player
 
-    def _call(self, name: str, **fields: Any) -> Any:
+    def _call(self, name: str, /, **fields: Any) -> Any:
         service = SERVICES[name]
         try:
             answer = rospy.ServiceProxy(name, service)(service._request_class(**fields))

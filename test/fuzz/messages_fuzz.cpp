@@ -24,6 +24,7 @@
 #include "collision_forge/planner_test/trials/planner_grid.h"
 #include "collision_forge/ros/injection/finite_parts.h"
 #include "collision_forge/ros/messages/conversions.h"
+#include "collision_forge/ros/messages/named_requests.h"
 #include "collision_forge/ros/messages/planner_messages.h"
 #include "collision_forge/ros/messages/possible_collisions.h"
 #include "collision_forge/ros/messages/ros_bytes.h"
@@ -100,7 +101,14 @@ void take(tf2_msgs::TFMessage message) { keepFinite(message); }
 
 void take(const nav_msgs::Odometry& message) { keepFinite(message); }
 
-void take(const collision_forge::GenerateCollision::Request& message) { take(requestIn(message)); }
+void take(const collision_forge::GenerateCollision::Request& message) {
+  static const RequestVocabulary vocabulary =
+      readVocabulary(std::string(COLLISION_FORGE_SOURCE_DIR "/config"));
+  collision_forge::GenerateCollision::Response response;
+  const auto requests = requestsOf(message, vocabulary, configuration().crash, response);
+  if (const auto* refusal = std::get_if<Status>(&requests)) throw MessageError(refusal->message);
+  take(requestIn(message));
+}
 
 /// For each type and time.
 template <typename Asked>

@@ -124,6 +124,15 @@ class ClientTest(road.RoadTest):
         self.assertAlmostEqual(player.instant_of(attack.now), NOW, 6)
         self.forge.tested(attack)
 
+    def test_a_name_or_words_replace_the_type(self):
+        self.play(NOW)
+        told = self.forge.generate(text='{} in {} s'.format(TYPE, TTA))
+        self.assert_close(told.message, self.forge.generate(TYPE, TTA).message)
+        with self.assertRaisesRegex(Declined, 'did you mean CCRb'):
+            self.forge.generate(name='CCRx', tta=TTA)
+        with self.assertRaisesRegex(TypeError, 'one of them only'):
+            self.forge.generate(TYPE, TTA, name='CCRb')
+
     def test_plays_and_requests_in_a_namespace(self):
         with unittest.mock.patch.dict(os.environ, ROS_NAMESPACE='front'):
             self.path('front').mkdir()

@@ -97,7 +97,7 @@ class ControlsTest(unittest.TestCase):
     def test_controls_cover_all_fields_of_a_request(self):
         beside = {'collision_type', 'tta'}
         self.assertEqual(set(control_fields()), set(msg.CollisionRequest.__slots__) - beside)
-        beside |= {'stamp', 'adaptive', 'method', 'alternative'}
+        beside |= {'stamp', 'adaptive', 'method', 'alternative', 'name', 'text'}
         self.assertEqual(set(control_fields()), set(srv.GenerateCollisionRequest.__slots__) - beside)
 
     def test_ranges_and_booleans(self):

@@ -36,19 +36,19 @@ const std::vector<PhraseRule> kFixedRules = {
      "ignored"},
     {"(?:lateral|laterally)(?: speed| velocity)?(?: of| at| is)? {v}", "lateral_speed"},
     {"(?:at )?{v}(?: of)? (?:lateral|laterally|sideways)(?: speed| velocity)?", "lateral_speed"},
+    {"(?:at |with )?(?:a )?{v} (?:closing|relative|impact|difference|speed difference)(?: speed| "
+     "velocity)?",
+     "impact_speed"},
     {"(?:closing in|closing|closes? in|closes?|relative|approach|impact|crash|collision)(?: speed| "
      "velocity)?(?: of| at| is)? {v}",
      "impact_speed"},
     {"(?:speed difference|difference in speed|delta ?v)(?: of| is)? {v}", "impact_speed"},
-    {"(?:at |with )?(?:a )?{v} (?:closing|relative|impact|difference|speed difference)(?: speed| "
-     "velocity)?",
-     "impact_speed"},
     {"(?:going |driving )?{v} (?:slower|less)(?: than " US ")?", "impact_speed pace=slow"},
     {"(?:going |driving )?{v} faster(?: than " US ")?", "impact_speed pace=fast"},
     {"(?:ego|we) (?:hits?|strikes?) [a-z ]{0,40}?(?:at|with) {v}", "impact_speed keep=hit"},
     {"(?:headway|time gap|time headway)(?: of| is)? {t}", "headway"},
     {"(?:a )?{t} (?:headway|time gap|time headway|behind|ahead)", "headway"},
-    {"(?:gap|distance)(?: of| is)? {l}", "gap"},
+    {"(?:at )?(?:a )?(?:gap|(?:following )?distance)(?: of| is)? {l}", "gap"},
     {"(?:a )?{l}(?: of)? (?:gap|ahead|away|distance|in front(?: of " US ")?)", "gap"},
     {"{l}", "gap"},
     {"(?:(?:with )?(?:a )?deceleration(?: of| at| with| is)?|at|with) {a}", "deceleration"},
@@ -74,7 +74,9 @@ const std::vector<PhraseRule> kFixedRules = {
     {"(?:ego|we|ego vehicle) (?:(?:turns?|turning|is turning|makes a) left(?: turn)?|turns "
      "(?=across))(?: ?(?:across|in front of|into)(?: the)?(?: path of)?)?",
      "type=ltap turning=ego"},
-    {"(?:our|ego's|the ego's) left turn", "type=ltap turning=ego"},
+    {"(?:our|ego's|the ego's) left turn|left turn(?: crash| collision)? (?:where|while|with) "
+     "(?:the )?(?:ego|we)(?: is| are)? turning",
+     "type=ltap turning=ego"},
     {"(?:with )?(?:the )?ego turning|turning ego", "type=ltap turning=ego"},
     {"left turn across (?:the )?path(?: of)?(?: opposite direction)?|ltap(?:[ /]od)?", "type=ltap"},
     {"(?:turns?|turning|makes a|making a) left(?: turn)?(?: cuts)?(?: (?:across|in front of)(?: "
@@ -88,7 +90,8 @@ const std::vector<PhraseRule> kFixedRules = {
      "manoeuvre=same_direction_turn"},
     {"(?:left |right )?(?:turns?|turning)(?: left| right| at an? (?:junction|intersection))? "
      "?(?:into|onto) (?:our|the ego's|ego's|the) (?:path|lane|road)|(?:left|right) turning|enters "
-     "(?:our|the ego's) path|shoots out of|(?:comes|pulls|pulling) out of (?:a|the) side "
+     "(?:our|the ego's) path|pulls into (?:our|the ego's) path|shoots out "
+     "of|(?:comes|pulls|pulling) out of (?:a|the) side "
      "(?:road|street)|turn into path",
      "manoeuvre=turn_into_path"},
     // Vehicles ahead and behind.
@@ -99,7 +102,8 @@ const std::vector<PhraseRule> kFixedRules = {
      "type=angle_opposite_direction"},
     {"(?:slams?|slamming)(?: on)?(?: the)? brakes|(?:brakes?|braking) "
      "(?:hard|heavily|sharply|fully)|(?:emergency|hard|full|harsh) "
-     "brak(?:es|ing)|(?:suddenly|abruptly) (?:stops|brakes)|(?:stops|brakes) (?:suddenly|abruptly)",
+     "(?:brak(?:es|ing)|stop)|(?:suddenly|abruptly) (?:stops|brakes)|(?:stops|brakes) "
+     "(?:suddenly|abruptly)",
      "manoeuvre=lead_brakes deceleration=hard"},
     {"does not brake|doesn't brake|fails to (?:stop|brake)|rear ended|rear ends "
      "us|tailgat(?:ing|er|es)|(?:the )?follow(?:er|ing)(?: vehicle)?(?: closes)?(?: in)?|(?:driver "
@@ -141,8 +145,8 @@ const std::vector<PhraseRule> kFixedRules = {
     {"side ?swip(?:e|es|ed|ing)|scrap(?:e|es|ing)|sideswipe same direction",
      "type=sideswipe_same_direction"},
     {"pull(?:s|ing)? (?:out|away|off)(?: (?:in front of|into|of|from the "
-     "stop|from|onto))?|leav(?:es|ing) (?:a|the) (?:parking (?:space|place|bay|lot)|parked "
-     "position)|parking (?:space|bay|place)|from the kerb",
+     "stop|from|onto))?|leav(?:es|ing) (?:a|the) (?:parking (?:space|place|bay|lot|spot)|parked "
+     "position)|parking (?:space|bay|place|spot)|from the kerb",
      "manoeuvre=pull_out"},
     {"parked", "hint=lane_change"},
     {"merg(?:e|es|ing)", "manoeuvre=merge"},
@@ -199,7 +203,7 @@ const std::vector<PhraseRule> kFixedRules = {
      "attacker_class=construction_vehicle"},
     {"motor ?cycl(?:e|es|ist|ists)|motor ?bikes?", "attacker_class=motorcycle"},
     {"(?:bi)?cycl(?:e|es|ist|ists)|bikes?", "attacker_class=bicycle"},
-    {"pedestrians?|peds?|persons?|adults?|walkers?|joggers?|jaywalkers?|on foot",
+    {"pedestrians?|peds?|persons?|adults?|walkers?|joggers?|runners?|jaywalkers?|on foot",
      "attacker_class=pedestrian"},
     {"cars?|taxi|cab|van|sedan|suv|hatchback", "attacker_class=car"},
     // Choices.
@@ -226,7 +230,7 @@ constexpr const char* kFillers =
     "there happens "
     "collides collide meets meet place t0 now can you then he she they something's while's overlap "
     "side's euro ncap 2026 2023 euroncap limits gap off vru ramp carriageway another travelling "
-    "traveling straight proceeds rides riding runs t target both decel";
+    "traveling straight proceeds rides riding runs t target both decel suddenly";
 
 }  // namespace
 
