@@ -214,7 +214,7 @@ std::optional<double> stepOf(const std::vector<std::vector<std::uint32_t>>& ring
     if (found.size() > steps.size()) steps = std::move(found);
   }
   if (steps.size() < kLeast) return std::nullopt;
-  // Gaps are multiples of the step, so that the smaller steps tell it.
+  // Gaps are multiples of the step, so the smaller differences are single steps.
   std::sort(steps.begin(), steps.end(),
             [](double a, double b) { return std::abs(a) < std::abs(b); });
   const double small = steps[steps.size() / 5];
