@@ -181,10 +181,11 @@ void checkInjection(const MadeUpLidar& lidar, const RangeOf& world, bool is_thor
     if (is_same) kept[recorded->second] = place;
     const double since = 0.1 * pulse.first / lidar.columns;
     const double time = lidar.time_type == 6 ? since : since - 0.1;
-    // Where a turn ends and the next begins is unknown to within the points that are left out.
-    constexpr int kSeam = 5;  // columns
+    // Where a turn ends and the next begins is unknown to within the points that are left out,
+    // which are many in rings above the horizon.
+    const int seam = lidar.columns / 4;
     const bool is_seam = lidar.empty == EmptyPoints::kLeftOut &&
-                         (pulse.first < kSeam || pulse.first >= lidar.columns - kSeam);
+                         (pulse.first < seam || pulse.first >= lidar.columns - seam);
     if (!is_same) {
       ++on_bodies;
       if (was_there) {

@@ -47,7 +47,7 @@ double rearOf(sensor_msgs::PointCloud2 message) {
   double rear = INFINITY;
   for (std::size_t i = 0; i < cloud.pointCount(); ++i) {
     const Eigen::Vector3d point = layout.position(cloud.pointAt(i));
-    if (point.z() > -1.6) rear = std::min(rear, point.x());
+    if (point.z() > -1.5) rear = std::min(rear, point.x());
   }
   return rear;
 }

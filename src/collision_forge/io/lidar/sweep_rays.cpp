@@ -214,7 +214,7 @@ std::optional<double> stepOf(const std::vector<std::vector<std::uint32_t>>& ring
     if (found.size() > steps.size()) steps = std::move(found);
   }
   if (steps.size() < kLeast) return std::nullopt;
-  // Gaps are multiples of the step, so that the smaller steps tell it.
+  // Gaps are multiples of the step, so the smaller differences are single steps.
   std::sort(steps.begin(), steps.end(),
             [](double a, double b) { return std::abs(a) < std::abs(b); });
   const double small = steps[steps.size() / 5];
@@ -404,8 +404,10 @@ class RayRebuilder {
     const std::uint32_t first = rings_[ring].front();
     const double angle = turned(seen_[last].azimuth, seen_[first].azimuth);
     const double rest = reference_.back().second;  // after the last return up to the sweep's end
-    const double end =
-        std::max(0.0, rest - turned(seen_[reference_.front().first].azimuth, seen_[last].azimuth));
+    const double before = std::fmod(
+        (seen_[last].azimuth - seen_[reference_.front().first].azimuth) * sense_ + 2.0 * kTurn,
+        kTurn);
+    const double end = std::max(0.0, rest - before);
     const double steps = std::round(angle / step_);
     const double seconds = double{sweep_.rays[reference_.back().first].time} -
                            double{sweep_.rays[reference_.front().first].time};
