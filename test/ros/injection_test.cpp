@@ -254,7 +254,9 @@ TEST_F(InjectIntoBagTest, SupportsAreAgentsFromTheirFirstFrameToTheEndOfTheBag) 
                                     [](const auto& agent) { return agent.id == "parked-1"; });
     const bool is_there = frame.header.stamp >= parked.past.front().stamp;
     ASSERT_EQ(found != frame.agents.end(), is_there) << frame.header.stamp;
-    if (is_there) EXPECT_NEAR(found->pose.position.y, -6.0, 1e-9);
+    if (is_there) {
+      EXPECT_NEAR(found->pose.position.y, -6.0, 1e-9);
+    }
   }
 }
 
