@@ -64,7 +64,7 @@ class LidarInjectionTest : public testing::Test {
     setup_.topics = {kAllClouds};
     setup_.options.sweep_time = 0.05;
     setup_.recorded = &agents_;
-    setup_.attacker = [](const ros::Time&) { return carAt(9.0, 5.0); };
+    setup_.placed = [](const ros::Time&) { return LidarInjection::Agents{carAt(9.0, 5.0)}; };
   }
   void TearDown() override {
     bag_.close();
@@ -113,7 +113,7 @@ TEST_F(LidarInjectionTest, TheAttackerIsInTheCloudWhereTheTransformsPutIt) {
 }
 
 TEST_F(LidarInjectionTest, ItsRecordedPlaceIsEmptiedAndFilled) {
-  setup_.vacated = [](const ros::Time&) { return carAt(12.0, 0.0); };
+  setup_.vacated = [](const ros::Time&) { return LidarInjection::Agents{carAt(12.0, 0.0)}; };
   LidarInjection injection(bag_, setup_);
   sensor_msgs::PointCloud2 cloud = firstCloud();
   ASSERT_GT(pointsAt(cloud, 12.0, 0.0), 15u);
