@@ -18,6 +18,9 @@ namespace {
 
 // The order matters: longer and more specific phrases precede their parts.
 const std::vector<PhraseRule> kFixedRules = {
+    {"(?:from )?behind (?:(?:a|an|the|two|some) )?(?:parked|standing|stationary) "
+     "(?:cars?|vans?|vehicles?)",
+     "hidden_by=parked_vehicle"},
     // Would be read as road users, vehicles behind or ahead, or signs.
     {"(?:from )?behind (?:(?:a|an|the|two|some) )?(?:(?:large|small|parked|standing|stationary) "
      ")*(?:cars?|vans?|trucks?|bus|vehicles?|obstacles?|obstruction)",
