@@ -168,6 +168,18 @@ TEST_F(OpenScenario, LeftHandRoadsHaveTheirLaneOnTheLeft) {
   EXPECT_FALSE(road.select_node("lanes/laneSection/right"));
 }
 
+TEST_F(OpenScenario, ACrosswalkIsAnObjectOfTheRoadThatItCrosses) {
+  CrashRecord record = slowCarRecord();
+  record.lanes.features = {{FeatureKind::kCrosswalk, {{0, -4}, {3, -4}, {3, 4}, {0, 4}}}};
+  const auto document = written(record, ".xodr");
+  const xml_node object = at(document, "//road[1]/objects/object[@type='crosswalk']");
+  EXPECT_NEAR(object.attribute("s").as_double(), 51.5, 1e-6);  // the road begins at x = -50 m
+  EXPECT_NEAR(object.attribute("t").as_double(), 0.0, 1e-6);
+  const xml_node corner = object.select_node("outlines/outline/cornerLocal").node();
+  EXPECT_NEAR(corner.attribute("u").as_double(), -1.5, 1e-6);
+  EXPECT_NEAR(corner.attribute("v").as_double(), -4.0, 1e-6);
+}
+
 TEST_F(OpenScenario, ForksAreJunctionsWithTheirLaneLinks) {
   CrashRecord record = slowCarRecord();
   record.lanes.lanes[0].outgoing = {"second", "other"};

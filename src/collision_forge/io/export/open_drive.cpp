@@ -14,9 +14,10 @@ namespace {
 
 using pugi::xml_node;
 
-constexpr double kMarkWidth = 0.12;        // m, of usual lane marks
-constexpr double kSectionChange = 0.4;     // m; a lane's middle is off by half of it in SUMO
-constexpr double kShortestSection = 0.05;  // m
+constexpr double kMarkWidth = 0.12;          // m, of usual lane marks
+constexpr double kSectionChange = 0.4;       // m; a lane's middle is off by half of it in SUMO
+constexpr double kShortestSection = 0.05;    // m
+constexpr double kFarthestCrosswalk = 20.0;  // m from a reference line
 
 /// Writes one network.
 class OpenDriveWriter {
@@ -25,7 +26,11 @@ class OpenDriveWriter {
       : record_(record),
         network_(roadNetwork(record.lanes, record.arcs, options.lane_width)),
         origin_(localOrigin(record)),
-        is_left_(record.lanes.driving_side == DrivingSide::kLeft) {}
+        is_left_(record.lanes.driving_side == DrivingSide::kLeft) {
+    for (const MapFeature& feature : record.lanes.features) {
+      if (feature.kind == FeatureKind::kCrosswalk && feature.points.size() > 2) place(feature);
+    }
+  }
 
   std::size_t unbundled() const { return network_.unbundled; }
 
@@ -81,6 +86,60 @@ class OpenDriveWriter {
     if (const auto limit = commonLimit(road)) addLimit(type, {}, *limit);
     addCourse(node, road);
     addLanes(addElement(node, "lanes"), road);
+    addCrosswalks(node, road);
+  }
+
+  /// A crosswalk and its place on the road nearest to its middle.
+  struct Crosswalk {
+    const MapFeature* feature;
+    int road;
+    double arc_length;  // m, on the reference line
+    double lateral;     // m from the reference line, positive to the left
+  };
+
+  void place(const MapFeature& feature) {
+    Vector2 middle = Vector2::Zero();
+    for (const Vector2& point : feature.points) {
+      middle += point / static_cast<double>(feature.points.size());
+    }
+    std::optional<Crosswalk> nearest;
+    for (const Road& road : network_.roads) {
+      const double at = road.course.projection(middle, road.course.roughProjection(middle));
+      if (!(at >= 0.0 && at <= road.course.length())) continue;
+      const double lateral = relativeTo(road.course.poseAt(at), {middle.x(), middle.y(), 0.0}).y;
+      if (nearest && std::abs(nearest->lateral) <= std::abs(lateral)) continue;
+      nearest = Crosswalk{&feature, road.id, at, lateral};
+    }
+    if (nearest && std::abs(nearest->lateral) <= kFarthestCrosswalk) {
+      crosswalks_.push_back(*nearest);
+    }
+  }
+
+  void addCrosswalks(xml_node road_node, const Road& road) const {
+    for (std::size_t i = 0; i < crosswalks_.size(); ++i) {
+      const Crosswalk& crosswalk = crosswalks_[i];
+      if (crosswalk.road != road.id) continue;
+      xml_node objects = road_node.child("objects");
+      if (!objects) objects = addElement(road_node, "objects");
+      xml_node object = addElement(objects, "object",
+                                   {{"type", "crosswalk"},
+                                    {"id", std::to_string(i + 1)},
+                                    {"s", xmlNumber(crosswalk.arc_length)},
+                                    {"t", xmlNumber(crosswalk.lateral)},
+                                    {"zOffset", "0"},
+                                    {"hdg", "0"},
+                                    {"orientation", "none"}});
+      xml_node outline = addElement(addElement(object, "outlines"), "outline",
+                                    {{"id", "0"}, {"outer", "true"}, {"closed", "true"}});
+      const Pose2 middle =
+          compose(road.course.poseAt(crosswalk.arc_length), {0.0, crosswalk.lateral, 0.0});
+      for (const Vector2& point : crosswalk.feature->points) {
+        const Pose2 corner = relativeTo(middle, {point.x(), point.y(), 0.0});
+        addElement(
+            outline, "cornerLocal",
+            {{"u", xmlNumber(corner.x)}, {"v", xmlNumber(corner.y)}, {"z", "0"}, {"height", "0"}});
+      }
+    }
   }
 
   static void addJoint(xml_node link, const char* name, const RoadJoint& joint) {
@@ -281,6 +340,7 @@ class OpenDriveWriter {
   const RoadNetwork network_;
   const Vector2 origin_;
   const bool is_left_;
+  std::vector<Crosswalk> crosswalks_;
 };
 
 }  // namespace
