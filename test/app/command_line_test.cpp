@@ -65,6 +65,7 @@ const std::map<std::string, std::string> kComplete = {
     {"possible", " --bag a.bag --now 4 --config " + kConfig},
     {"inject", " --bag a.bag --type ltap --tta 4 --now 4 --out b.bag --config " + kConfig},
     {"requests", kLogs + " --out requests.jsonl"},
+    {"ask", " cut-in"},
     {"generate", kLogs + " --requests requests.jsonl --out scenarios.jsonl"},
     {"export", kLogs + " --to openscenario --scenarios " + kFile + " --out out"},
     {"study evaluate", kLogs + " --requests " + kFile + " --out out"},
@@ -78,6 +79,7 @@ const std::map<std::string, std::string> kComplete = {
     {"study train", kLogs + " --out out"},
     {"study speeds fit", kLogs + " --out model.jsonl"},
     {"study measure latency", ""},
+    {"study measure lidar", " --bag " + kFile},
     {"study measure patterns",
      " --collide " + kDataroot + " --dataroot " + kDataroot + " --config " + kConfig},
     {"study test",
@@ -346,7 +348,7 @@ TEST(BashCompletion, CompletesCommandsOptionsAndValues) {
   EXPECT_THAT(script, HasSubstr("complete -o default -F _forge_complete forge\n"));
   EXPECT_THAT(script, HasSubstr("'forge generate --mode') words='history replay adaptive'"));
   EXPECT_THAT(script, HasSubstr("'forge generate --requests') words=''"));
-  EXPECT_THAT(script, HasSubstr("'forge study measure') words='latency patterns "));
+  EXPECT_THAT(script, HasSubstr("'forge study measure') words='latency lidar patterns "));
   EXPECT_THAT(script, HasSubstr("--scenarios"));
   EXPECT_THAT(script, Not(HasSubstr("'forge convert --force')")));
   EXPECT_THAT(script, HasSubstr("'forge report --dataroot') words=''"));
