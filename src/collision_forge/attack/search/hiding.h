@@ -15,16 +15,16 @@ namespace forge {
 struct HidingInput {
   const AttackerTrajectory& attacker;
   double contact = 0.0;    ///< s, scene clock
-  const Future& future;    ///< with the ego that the attacker hits
-  const Snapshot& past;    ///< frames in which the vehicles are, up to t0
+  const Future& future;    ///< of the ego that the attacker hits and of the recorded agents
+  const Snapshot& past;    ///< recorded frames up to t0; support vehicles must fit into these, too
   const LaneIndex& lanes;  ///< map
-  Range visible_for;       ///< s
+  Range visible_for;       ///< s, requested time from the first sight of the attacker to contact
 };
 
-/// How long the attacker is hidden before it comes into view for the rest.
+/// When the attacker comes into view until the contact, and how long it was hidden right before.
 struct Hiding {
-  double visible_for = 0.0;  ///< s
-  int hidden = 0;            ///< steps of kSightStep before, without a break
+  double visible_for = 0.0;  ///< s from then to the contact; since t0 if it was never hidden
+  int hidden = 0;            ///< consecutive steps of kSightStep, right before, without sight
 };
 
 /// m between support vehicles and all agents but the ego.
@@ -46,8 +46,8 @@ class HidingSearch {
   /// input's range.
   bool isInRange(const Hiding& hiding) const;
 
-  /// Returns true if the box alone hides the attacker at a time at which it may come into view, or
-  /// shortly before.
+  /// Returns true if the box (map frame), standing there, hides the attacker by itself at a step
+  /// within the input's range before the contact, or at most two steps earlier.
   bool mayHide(const OrientedBox& box) const;
 
   /// Returns the motion of all agents with the attacker, and of the ego up to t0, every 0.2 s from

@@ -39,7 +39,7 @@ struct AddedVehicleOptions {
   double preference = 0.0;     ///< scoreOf() by which an added attacker must exceed a recorded one
   double sensing_range = 0.0;  ///< m from the ego, beyond which a vehicle may appear
   double least_past = 0.0;     ///< s before t0 for which an added vehicle is visible, at least
-  std::vector<double> speeds;  ///< m/s, tried in this order
+  std::vector<double> speeds;  ///< m/s of an added vehicle, tried in this order
 };
 
 /// config/search.yaml, section search; fields with a default are not in the file. The study and
@@ -50,7 +50,9 @@ struct SearchOptions {
   double time_margin = 0.0;  ///< s kept to either end of the time tolerance
   int max_attackers = 0;     ///< candidates that are searched
   double good_share = 0.0;   ///< share 0..1 of the futures at which a candidate ends the search
-  std::vector<double> confidence_curve;  ///< at shares evenly spread over [0, 1]
+  /// Confidence, 0..1, of an attack that hits a share of the ego's sampled futures; for shares
+  /// evenly spread over [0, 1], linear between them.
+  std::vector<double> confidence_curve;
 
   /// m; attacker and ego overlap by at least twice this, other agents are passed with it to spare.
   double overlap_margin = 0.04;
@@ -60,12 +62,14 @@ struct SearchOptions {
   // A candidate that is better than good_share ends the search unless ...
   double good_off_road = 0.05;  ///< ... a greater share of its box is off the drivable area
   double good_steering = 0.6;   ///< ... or its curvature changes faster, 1/(m s)
-  double max_lead = 0.6;        ///< s straight on before the contact at most, in half of the draws
+  /// s; in half of the draws the attacker drives straight on for a random time up to this before
+  /// the contact.
+  double max_lead = 0.6;
   // Budget:
   int ego_poses = 3;    ///< poses of the ego at impact that are aimed at, spread along its path
   int draws = 16;       ///< arrivals per pattern, the pattern's own first
   int homed = 3;        ///< best candidates whose arrival is shifted by the error of their contact
-  int corrections = 3;  ///< per candidate
+  int corrections = 3;  ///< shifts of the arrival per such candidate
   int kept = 10;        ///< best candidates that are perturbed
   int rounds = 4;       ///< of perturbation
   int perturbations = 60;    ///< per round

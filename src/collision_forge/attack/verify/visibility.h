@@ -23,14 +23,16 @@ struct BoxView {
 };
 
 /// Returns the view from `from` (m, map frame) of `target` among `others`. Boxes are opaque, on the
-/// ground plane and apart from each other; one that contains `from` covers nothing. Exact: unites
-/// the angles that the boxes before `target` cover.
+/// ground plane and apart from each other; one of `others` that contains `from` covers nothing.
+/// Exact: unites the angles that the boxes before `target` cover.
 BoxView viewOf(const Vector2& from, const OrientedBox& target,
                const std::vector<OrientedBox>& others);
 
 /// Since when the ego sees the attacker.
 struct Sight {
-  double seen_from = 0.0;  ///< s, same clock: from then on to the contact without a break
+  /// s, clock of the trajectory: from then on the attacker is seen at every step until the contact;
+  /// t0 if always, the contact if it is hidden at the last step.
+  double seen_from = 0.0;
   /// Agent that covered most of the attacker one step before; empty if it was seen since t0.
   std::string hidden_by_id = {};
   std::optional<Hider> hidden_by = {};  ///< its kind; empty for an agent of another kind

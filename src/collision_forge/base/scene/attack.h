@@ -99,7 +99,7 @@ struct CollisionReport {
   Side ego_side = Side::kRear;        ///< side of the ego's box that the attacker touches
   Side attacker_side = Side::kFront;  ///< side of the attacker's box that the ego touches
   double impact_speed = 0.0;          ///< m/s, norm of the relative velocity at contact
-  double overlap = 0.0;               ///< sideOverlap() of `ego_side`, share 0..1
+  double overlap = 0.0;               ///< share 0..1 of `ego_side` that the attacker covers
   CrashSeverity severity;             ///< severityOf(); set by verify() if `contact`
   std::vector<CarefulDrive> careful_drivers;  ///< driveCarefully(); empty if not requested
   bool type_kept = false;       ///< keeps the definition of the requested type (CrashDefinition)
@@ -112,7 +112,7 @@ struct CollisionReport {
   double confidence = 0.0;      ///< share of the ego's predicted futures that pass all checks, 0..1
   ContactConditions conditions;                      ///< valid if `contact`
   Manoeuvre manoeuvre = Manoeuvre::kFollowerCloses;  ///< detected; valid if `contact`
-  double manoeuvre_begin = 0.0;                      ///< s, same clock; when the manoeuvre begins
+  double manoeuvre_begin = 0.0;                      ///< s, same clock; valid if `contact`
   /// Until contact; `on_lane` and `wrong_way` leave out the last moments before it.
   RoadUse road;
   std::string unbelievable;  ///< why drivers do not drive so; empty if the motion is plausible

@@ -14,7 +14,7 @@ using LaneArcs = std::unordered_map<std::string, std::vector<ArcPath>>;
 
 /// A piece of a road's reference line: a line if the curvature is 0, else an arc.
 struct RoadPiece {
-  Pose2 start;
+  Pose2 start;             ///< at the beginning of the piece, heading in driving direction
   double length = 0.0;     ///< m, > 0
   double curvature = 0.0;  ///< 1/m, positive to the left
 };
@@ -23,6 +23,7 @@ struct RoadPiece {
 class RoadCourse {
  public:
   RoadCourse() = default;
+  /// Each piece should begin at the end of the one before; not checked.
   explicit RoadCourse(std::vector<RoadPiece> pieces);
 
   const std::vector<RoadPiece>& pieces() const { return pieces_; }
@@ -50,7 +51,7 @@ class RoadCourse {
   /// Returns the arc length (m) of the point nearest to `point`, to 1 m, for a guess.
   double roughProjection(const Vector2& point) const;
 
-  /// Appends another course.
+  /// Appends the pieces of another course, unmoved; it should begin where this one ends.
   void append(const RoadCourse& other);
 
  private:

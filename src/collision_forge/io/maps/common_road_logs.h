@@ -13,13 +13,13 @@ const LogFormat& commonRoadFormat();
 
 /// Reads one scenario.
 /// - Ego: the dynamic obstacle with the id `ego`. If `ego` is empty: the car, truck or bus that is
-///   at the start of a planning problem (to 1 m, at its step); else the one in sight for the
+///   at the start of a planning problem (to 1 m, at its step); else the one with states for the
 ///   longest time, with a warning; among equals the one whose first state is nearest to a start.
-/// - Frames: the steps at which the ego is in sight, from 1 s on: a bag cannot hold time 0.
+/// - Frames: the steps with a state of the ego. Step 0 is at 1 s, because a bag cannot hold time 0.
 /// - Agents: the other obstacles; static ones are in all frames.
 ///
 /// Throws as readCommonRoadFile(), MapError for a scenario without an ego, and InputError for
-/// values beyond the limits.
+/// values beyond the limits of `options`. `warnings` may be null.
 LoggedScene readCommonRoadScenario(const std::string& path, const std::string& ego,
                                    const DataOptions& options,
                                    std::vector<std::string>* warnings = nullptr);

@@ -24,7 +24,8 @@ std::vector<Vector2> middleOf(const LaneBounds& bounds);
 /// for a line with a length of 0 and for a line that would have more than `max_poses` poses.
 std::vector<Pose2> posesAlong(const std::vector<Vector2>& line, double spacing, int max_poses);
 
-/// Returns the outline of the area between the bounds.
+/// Returns the outline of the area between the bounds as an open ring: the left bound, then the
+/// right bound backwards.
 std::vector<Vector2> outlineOf(const LaneBounds& bounds);
 
 /// Returns the bounds of the opposite direction.

@@ -32,7 +32,8 @@ class Ros2Message {
   /// Returns the definition of the type and its nested types, as ros2msg.
   const std::string& definition() const { return text_; }
 
-  /// Returns a serialised ROS 1 message as CDR. Throws ros::serialization::StreamOverrunException
+  /// Returns a serialised ROS 1 message as CDR, from the encapsulation header of 4 bytes on, as
+  /// MCAP files store it. Throws ros::serialization::StreamOverrunException
   /// if `bytes` ends within a field, and BagError if it continues after the last one.
   std::string cdrOf(std::string_view bytes) const;
 

@@ -18,8 +18,9 @@ Message between(const Message& before, const Message& after, double ratio) {
   return message;
 }
 
-/// Returns the frame at `ratio`, in (0, 1), of the time between two recorded frames. It has the
-/// agents in both frames, with linearly interpolated positions and the shorter rotation.
+/// Returns the frame at `ratio`, in (0, 1), of the time between two recorded frames, with the stamp
+/// of that time. It has only the agents that are in both frames: positions and velocities are
+/// interpolated linearly, headings along the shorter rotation; all else is from `before`.
 collision_forge::AgentArray frameBetween(const collision_forge::AgentArray& before,
                                          const collision_forge::AgentArray& after, double ratio);
 

@@ -22,7 +22,7 @@ class MarkerList {
   /// Adds a solid box that stands on the ground, with an arrow head on top for its heading.
   void addBox(const std::string& name_space, const OrientedBox& box, double height,
               const colors::MarkerColor& color);
-  /// Adds a flat box.
+  /// Adds a flat box whose bottom is at height `z` (m).
   void addSlab(const std::string& name_space, const OrientedBox& box, double z,
                const colors::MarkerColor& color);
   /// Adds a flat disc. `diameter` in m.
