@@ -23,11 +23,11 @@ double cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() 
 /// Returns the directions of a box that does not contain `from`, relative to `reference`.
 Angles anglesOf(const OrientedBox& box, const Vector2& from, const Vector2& reference) {
   const Vector2 middle = box.center.position() - from;
-  const double toMiddle = std::atan2(cross(reference, middle), reference.dot(middle));
-  Angles angles{toMiddle, toMiddle};
+  const double to_middle = std::atan2(cross(reference, middle), reference.dot(middle));
+  Angles angles{to_middle, to_middle};
   for (const Vector2& corner : corners(box)) {
     const Vector2 way = corner - from;
-    const double angle = toMiddle + std::atan2(cross(middle, way), middle.dot(way));
+    const double angle = to_middle + std::atan2(cross(middle, way), middle.dot(way));
     angles.low = std::min(angles.low, angle);
     angles.high = std::max(angles.high, angle);
   }
