@@ -21,12 +21,12 @@
 namespace forge {
 namespace {
 
-constexpr double kMostTolerance = 100.0;  // in the unit of the field
-constexpr double kRounding = 1000.0;      // bounds are rounded to 0.001
-constexpr double kHardBraking = 5.0;      // m/s2; UN R157, 5.3: emergency above it
-constexpr double kGravity = 9.80665;      // m/s2
-constexpr double kMile = 1609.344;        // m
-constexpr double kFoot = 0.3048;          // m
+constexpr double kMostTolerance = 100.0;      // in the unit of the field
+constexpr double kRounding = 1000.0;          // bounds are rounded to 0.001
+constexpr double kHardBraking = 5.0;          // m/s2; UN R157, 5.3: emergency above it
+constexpr double kStandardGravity = 9.80665;  // m/s2, the unit g
+constexpr double kMile = 1609.344;            // m
+constexpr double kFoot = 0.3048;              // m
 
 /// A unit of a quantity; `kind` is the letter of the quantity in PhraseRule::pattern.
 struct Unit {
@@ -58,7 +58,7 @@ constexpr Unit kUnits[] = {
     {"percent", 'p', 0.01},
     {"per cent", 'p', 0.01},
     {"share", 'p', 1.0},
-    {"g", 'a', kGravity},
+    {"g", 'a', kStandardGravity},
     {"s", 't', 1.0},
     {"m", 'l', 1.0},
 };

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "collision_forge/io/lidar/lidar_ray.h"
 #include "collision_forge/io/lidar/point_cloud.h"
-#include "collision_forge/io/lidar/sweep_rays.h"
 
 /// Steps of raysOf(): the points of a sweep as the sensor saw them, and their rings.
 namespace forge {
