@@ -71,6 +71,18 @@ TEST_F(ExportMcapTest, SkipsExistingFiles) {
   EXPECT_TRUE(fs::exists(made("b.mcap")));
 }
 
+TEST_F(ExportMcapTest, RejectsExistingFilesOfTheOtherProfileAndContinues) {
+  run({bagOf("a")}, BagExport::kMcap);
+  const std::string before = bytesOf(made("a.mcap"));
+  EXPECT_THAT(run({bagOf("a"), bagOf("b")}, BagExport::kRos2Mcap),
+              testing::AllOf(testing::StartsWith(std::to_string(kExitError)),
+                             HasSubstr("a.mcap exists with profile ros1, not ros2"),
+                             HasSubstr("1 of 2 bags exported")));
+  EXPECT_EQ(bytesOf(made("a.mcap")), before);
+  EXPECT_THAT(run({bagOf("b")}, BagExport::kMcap),
+              HasSubstr("b.mcap exists with profile ros2, not ros1"));
+}
+
 TEST_F(ExportMcapTest, ReportsFailedBagsAndContinues) {
   const std::string missing = bagOf("missing");
   const std::string printed = run({missing, bagOf("b")});

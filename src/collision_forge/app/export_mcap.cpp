@@ -14,6 +14,7 @@
 #include "collision_forge/planner_test/settings/config.h"
 #include "collision_forge/ros/bags/foxglove_layout.h"
 #include "collision_forge/ros/bags/mcap_export.h"
+#include "collision_forge/ros/bags/mcap_writer.h"
 #include "collision_forge/ros/bags/ros2_folder.h"
 
 namespace forge {
@@ -42,6 +43,16 @@ std::vector<fs::path> filesOf(const std::vector<std::string>& bags, const fs::pa
 /// Returns the file that is written last.
 fs::path lastFileOf(const fs::path& mcap, BagExport format) {
   return format == BagExport::kRosbag2 ? mcap.parent_path() / kRosbag2Metadata : mcap;
+}
+
+/// Returns the error message if an existing file has the other profile, else "". The content of a
+/// file that is not MCAP is left to its reader.
+std::string profileProblem(const fs::path& existing, BagExport format) {
+  const std::string profile = mcapProfileOf(existing.string());
+  const std::string wanted = format == BagExport::kMcap ? "ros1" : "ros2";
+  if (profile.empty() || profile == wanted) return "";
+  return existing.string() + " exists with profile " + profile + ", not " + wanted +
+         ": delete it, or choose another --out";
 }
 
 /// Returns "" on success, else the error message.
@@ -76,15 +87,15 @@ int exportBags(const std::vector<std::string>& bags, const std::string& out, Bag
   std::size_t written = 0;
   std::size_t before = 0;
   for (std::size_t i = 0; i < bags.size(); ++i) {
-    if (fs::exists(lastFileOf(files[i], format))) {
-      ++before;
-      continue;
-    }
-    const std::string failure = exportOne(bags[i], files[i], out, format, config);
-    if (failure.empty()) {
-      ++written;
-    } else {
+    const bool exists = fs::exists(lastFileOf(files[i], format));
+    const std::string failure = exists ? profileProblem(files[i], format)
+                                       : exportOne(bags[i], files[i], out, format, config);
+    if (!failure.empty()) {
       printLine("not exported: " + failure);
+    } else if (exists) {
+      ++before;
+    } else {
+      ++written;
     }
   }
   const fs::path layout = fs::path(out) / "layout.json";

@@ -70,6 +70,15 @@ TEST(SupportVehicles, JoinAFutureFromT0On) {
   EXPECT_NEAR(future.agents.front().states.back().time, kNow + 10.0, 1e-9);
 }
 
+TEST(SupportVehicles, AMovingOneThatEndedBeforeAFutureBeginsIsNotAdded) {
+  SupportVehicle leader = parkedCar();
+  for (TrajectoryPoint& point : leader.motion.points) point.speed = 5.0;
+  Future future;
+  future.ego = straightTrack("ego", {}, kNow + 6.0, kNow + 10.0);
+  addSupports({leader}, future);
+  EXPECT_TRUE(future.agents.empty());
+}
+
 TEST(SupportVehicles, ReplaceTheAgentOfTheirIdFromT0On) {
   Scene scene = recordedScene();
   scene.agents = {straightTrack("leader", {20.0, 0.0, 0.0}, kNow - 3.5, kNow + 10.0)};

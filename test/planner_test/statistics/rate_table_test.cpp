@@ -1,6 +1,7 @@
 #include "collision_forge/planner_test/statistics/rate_table.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 
 namespace forge {
 namespace {
@@ -28,6 +29,32 @@ TEST(RateTable, AnotherUnitHasItsNameAndScale) {
   table.rates = {{{3, 7.25, Interval{5.0, 9.0}}}};
   EXPECT_EQ(toMarkdown(table, {"m/s", 1.0}),
             "Speed, m/s\n\n| method | all |\n|---|---|\n| a | 7.2 [5, 9] |\n| of | 3 |\n");
+}
+
+TEST(RateTable, MethodsWithoutTrialsOfATypeHaveAnEmptyCellInItsColumn) {
+  const Trial rear_end{"s", CollisionType::kRearEnd, 4.0, 1.0};
+  const Trial sideswipe{"s", CollisionType::kSideswipeSameDirection, 4.0, 0.0};
+  for (const MethodTrials& trials :
+       {MethodTrials{{"a", {rear_end}}, {"b", {rear_end, sideswipe}}},
+        MethodTrials{{"b", {rear_end, sideswipe}}, {"a", {rear_end}}}, MethodTrials{}}) {
+    const RateTable table = tabulateTrials({"hits", "Hits", {}}, trials);
+    const auto count = [&](const std::string& method, const std::string& group) {
+      const auto place = [](const std::vector<std::string>& names, const std::string& name) {
+        return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) -
+                                        names.begin());
+      };
+      return table.rates.at(place(table.methods, method)).at(place(table.groups, group)).trials;
+    };
+    EXPECT_NE(toMarkdown(table).find("| method | LC |"), std::string::npos);
+    if (trials.empty()) continue;
+    const std::string sideswipe_title = "sideswipe same direction";
+    EXPECT_EQ(count("a", "RE"), 1);
+    EXPECT_EQ(count("b", "RE"), 1);
+    EXPECT_EQ(count("a", sideswipe_title), 0);
+    EXPECT_EQ(count("b", sideswipe_title), 1);
+    EXPECT_EQ(count("a", "all"), 1);
+    EXPECT_EQ(count("b", "all"), 2);
+  }
 }
 
 TEST(RateTable, CsvHasALinePerMethodAndGroup) {

@@ -1,6 +1,7 @@
 #include "collision_forge/planner_test/trials/planner_report.h"
 
 #include <gtest/gtest.h>
+#include <set>
 
 namespace forge {
 namespace {
@@ -52,6 +53,13 @@ Rate rateOf(const std::vector<PlannerTestResult>& all, const std::string& measur
     if (entry.table.measure.name == measure) return entry.table.rates.at(method).back();
   }
   throw std::out_of_range(measure);
+}
+
+TEST(PlannerReport, TablesHaveDistinctNames) {
+  std::set<std::string> names;
+  for (const PlannerTable& entry : plannerTables(results(), {"idm"})) {
+    EXPECT_TRUE(names.insert(entry.table.measure.name).second) << entry.table.measure.name;
+  }
 }
 
 TEST(PlannerReport, CountsContactsWithTheAttacker) {

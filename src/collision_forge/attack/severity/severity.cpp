@@ -90,7 +90,7 @@ void addVulnerable(AgentClass person, const CrashedVehicle& vehicle, double clos
   effect.mais3 = std::min(share(curves.mais3), effect.mais2);
   effect.curve = curves.curve + ", " + toString(person);
   const bool is_grave = effect.mais3 >= kClassShare;
-  effect.least_class = share(curves.fatal) >= kClassShare ? 3 : is_grave ? 2 : 1;
+  effect.least_class = is_grave && share(curves.fatal) >= kClassShare ? 3 : is_grave ? 2 : 1;
   effect.most_class = is_grave ? 3 : 1;
 }
 

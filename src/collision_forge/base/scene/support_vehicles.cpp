@@ -64,7 +64,7 @@ void addSupports(const std::vector<SupportVehicle>& supports, Future& future) {
     states.erase(states.begin(),
                  std::find_if(states.begin(), states.end(),
                               [=](const AgentState& state) { return state.time >= begin; }));
-    replace(future.agents, std::move(track));
+    if (!states.empty()) replace(future.agents, std::move(track));
   }
 }
 

@@ -1,5 +1,4 @@
 #include "collision_forge/planner_test/report/scene_record.h"
-#include "collision_forge/base/geometry/simplified_line.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -27,13 +27,21 @@ bool sameTrials(const std::vector<Rate>& a, const std::vector<Rate>& b) {
 
 RateTable tabulateTrials(const Measure& measure, const MethodTrials& trials) {
   RateTable table{measure, {}, {}, {}};
+  std::vector<Trial> of_all;
   for (const auto& [method, of_method] : trials) {
+    of_all.insert(of_all.end(), of_method.begin(), of_method.end());
+  }
+  for (const TrialGroup& group : groupTrials(of_all)) table.groups.push_back(group.title);
+  for (const auto& [method, of_method] : trials) {
+    const std::vector<TrialGroup> groups = groupTrials(of_method);
     table.methods.push_back(method);
-    table.groups.clear();
     table.rates.emplace_back();
-    for (const TrialGroup& group : groupTrials(of_method)) {
-      table.groups.push_back(group.title);
-      table.rates.back().push_back(pooledRate(group.trials));
+    for (const std::string& title : table.groups) {
+      // A method without trials of an additional type has no group of this type.
+      const auto group = std::find_if(groups.begin(), groups.end(),
+                                      [&](const TrialGroup& own) { return own.title == title; });
+      table.rates.back().push_back(
+          pooledRate(group != groups.end() ? group->trials : std::vector<Trial>()));
     }
   }
   return table;
@@ -67,7 +75,8 @@ std::string toMarkdown(const RateTable& table, const TableUnit& unit) {
   const bool same = std::all_of(table.rates.begin(), table.rates.end(), [&](const auto& rates) {
     return sameTrials(rates, table.rates.front());
   });
-  for (std::size_t i = 0; i < (same ? 1 : table.methods.size()); ++i) {
+  for (std::size_t i = 0;
+       i < (same ? std::min<std::size_t>(1, table.methods.size()) : table.methods.size()); ++i) {
     writeRow(out, same ? "of" : "of, " + table.methods[i], table.rates[i], count);
   }
   return out.str();

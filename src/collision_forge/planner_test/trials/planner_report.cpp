@@ -285,8 +285,6 @@ std::vector<PlannerTable> avoidabilityTables(const std::vector<PlannerTestResult
                 isAny, results),
       caseTable({"avoidable", "Avoidable crashes", {}}, {{"avoidable", isAvoidable}}, isAny,
                 results),
-      caseTable({"avoidable", "Avoidable crashes", {}}, {{"avoidable", isAvoidable}}, isAny,
-                results),
       caseTable({"avoidable_strict", "Avoidable crashes, of strict ones", {}},
                 {{"avoidable", isAvoidable}}, isStrict, results),
       caseTable({"careful", "Crashes that a careful driver avoids", {}}, drivers, isAny, results),

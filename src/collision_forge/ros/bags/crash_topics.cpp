@@ -86,10 +86,10 @@ void CrashTopics::take(const rosbag::MessageInstance& instance) {
     const auto map = readMessage<collision_forge::LaneMap>(instance);
     if (map) takeMap(*map, instance.getTime());
   } else if (topic == bagTopic(names::kAttack)) {
-    const auto attack = instance.instantiate<collision_forge::Attack>();
+    const auto attack = readMessage<collision_forge::Attack>(instance);
     if (attack) takeAttack(*attack);
   } else if (topic == bagTopic(names::kTestedReport)) {
-    const auto tested = instance.instantiate<collision_forge::CollisionReport>();
+    const auto tested = readMessage<collision_forge::CollisionReport>(instance);
     if (tested) tested_ = *tested;
   }
 }

@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <fstream>
 #include <limits>
 #include <ostream>
 #include <stdexcept>
@@ -116,6 +117,23 @@ std::uint16_t checkedNumber(std::size_t number, const char* what) {
 }
 
 }  // namespace
+
+std::string mcapProfileOf(const std::string& path) {
+  constexpr std::size_t kOpcode = kMagic.size();
+  constexpr std::size_t kSize = kOpcode + 1 + sizeof(std::uint64_t);
+  constexpr std::size_t kText = kSize + sizeof(std::uint32_t);
+  constexpr std::size_t kLongest = 64;  // bytes of a profile's name
+  std::string begin(kText + kLongest, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(file.gcount()));
+  if (begin.size() < kText || begin.compare(0, kMagic.size(), kMagic) != 0 ||
+      begin[kOpcode] != static_cast<char>(Opcode::kHeader)) {
+    return "";
+  }
+  const auto length = static_cast<std::uint8_t>(begin[kSize]);
+  return length <= kLongest ? begin.substr(kText, length) : "";
+}
 
 McapWriter::McapWriter(std::ostream& stream, const std::string& profile, const std::string& library)
     : stream_(stream) {

@@ -33,6 +33,10 @@ struct McapChannel {
   std::map<std::string, std::string> metadata;  ///< for ROS 1: header of the connection
 };
 
+/// Returns the profile in the header of an MCAP file, "ros1" or "ros2"; empty if the file does not
+/// exist or is not an MCAP file.
+std::string mcapProfileOf(const std::string& path);
+
 /// Writes an MCAP file (mcap.dev/spec): messages in chunks, each an LZ4 frame, with their indexes,
 /// and a summary with its offsets. A CRC-32 covers each chunk, the data and the summary. Keeps one
 /// chunk and the summary in memory. Check the stream for write errors.

@@ -96,10 +96,12 @@ class PlannerTesterNodelet : public QueuedNodelet {
         own.param<std::string>("scenarios", ""), own.param<std::string>("recording", "")};
     for (const auto& [name, path] :
          {std::pair<const char*, std::string>{"source", sources.logs.path},
-          {"scenarios", sources.scenarios}}) {
+          {"scenarios", sources.scenarios},
+          {"recording", sources.recording}}) {
       requireAbsolute(name, path);
     }
     std::vector<std::string> warnings;
+    const std::string recording = sources.recording;
     try {
       scenarios_ = std::make_unique<TrialScenarios>(sources, config_, &warnings);
     } catch (const std::exception& error) {
@@ -108,7 +110,7 @@ class PlannerTesterNodelet : public QueuedNodelet {
       scenarios_ = std::make_unique<TrialScenarios>(sources, config_, nullptr);
     }
     for (const std::string& warning : warnings) {
-      NODELET_WARN_STREAM(printable(sources.recording + ": " + warning));
+      NODELET_WARN_STREAM(printable(recording + ": " + warning));
     }
   }
 
