@@ -26,20 +26,27 @@ class AttackSource {
   virtual std::string where(std::size_t index) const = 0;
   /// Returns a summary of the whole source, as "12 scenarios" or "1 bag".
   virtual std::string described() const = 0;
-  /// Returns the fingerprints of the inputs, by name; a changed input invalidates an earlier run.
+  /// Returns the fingerprint of each input (logs and scenario file, or each bag), keyed by a name
+  /// for messages. A resumed run is rejected if one has changed. Throws std::runtime_error for an
+  /// unreadable bag.
   virtual std::map<std::string, std::string> fingerprints() const = 0;
-  /// Returns the record of one attack, which starts `history` s before t0. Called once per attack
-  /// and history. Throws std::runtime_error if the attack or its scene is invalid.
+  /// Returns the record of one attack, which starts `history` s before t0; its number is
+  /// numberOf(). Reads the scene or the bag anew if it is not cached. Throws std::runtime_error
+  /// (BagError, InputError, ...) if the attack or its scene cannot be read or is invalid.
   virtual CrashRecord record(std::size_t index, double history) = 0;
 };
 
-/// Reads the solved requests (status OK) of the scenario file `path`; their scenes are loaded from
-/// `logs` on demand. Throws JsonLineError for a malformed line, std::runtime_error for a file
-/// without attacks, and the exceptions of SceneSource. `config` must outlive the result.
+/// Reads the solved requests (status OK) of the scenario file `path`, in the file's order; their
+/// scenes are loaded from `logs` on demand. `jobs`: number of threads that call record(); jobs + 1
+/// scenes are cached. Throws JsonLineError for a malformed line, std::runtime_error for a file that
+/// cannot be read or has no attacks, and the exceptions of SceneSource. `config` must outlive the
+/// result.
 std::unique_ptr<AttackSource> openScenarioAttacks(const std::string& path, const LogSource& logs,
                                                   int jobs, const Config& config);
 
-/// Opens bags written by forge inject, one attack per bag. `config` must outlive the result.
+/// Returns the attacks of bags that forge inject wrote, one per bag, in the order of `paths`.
+/// record() opens the bag, so this call throws nothing for a missing one. `config` must outlive the
+/// result.
 std::unique_ptr<AttackSource> openBagAttacks(const std::vector<std::string>& paths,
                                              const Config& config);
 

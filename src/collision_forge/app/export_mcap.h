@@ -7,18 +7,21 @@ namespace forge {
 
 struct Config;
 
-/// File that `forge export` makes of a bag.
+/// File that `forge export` makes of a bag. NAME: the bag's file name without extension.
 enum class BagExport {
   kMcap,      ///< OUT/NAME.mcap of profile ros1
   kRos2Mcap,  ///< OUT/NAME.mcap of profile ros2
   kRosbag2,   ///< the folder OUT/NAME with NAME.mcap of profile ros2 and metadata.yaml
 };
 
-/// Exports each bag, and writes OUT/layout.json for Foxglove and Lichtblick. With ROS 2 also
-/// writes the interface package of the own message types into OUT. Skips bags that are exported: a
-/// file gets its name only when it is complete. Reports bags that cannot be converted on stderr and
-/// continues with the next one. Returns kExitError if any bag failed, else kExitOk. Throws
-/// std::invalid_argument for two bags of the same name.
+/// Exports each bag (path) into the folder `out`, which is created and locked. Also writes
+/// OUT/layout.json for Foxglove and Lichtblick, unless it exists, and for ROS 2 the interface
+/// package of collision_forge's message types (writeRos2Package()). Skips bags whose output file
+/// exists, of either profile: a file gets its name only when it is complete. Reports bags that
+/// cannot be converted on stderr and continues with the next one; prints the number of exported
+/// bags on stdout. Returns kExitError if any bag failed, else kExitOk. Throws std::invalid_argument
+/// for two bags of the same name, and std::runtime_error if another process holds the folder's
+/// lock.
 int exportBags(const std::vector<std::string>& bags, const std::string& out, BagExport format,
                const Config& config);
 

@@ -9,10 +9,11 @@ namespace forge {
 
 /// Returns the time (s, the scene's clock) of the last frame at or before `now`, which is in s from
 /// the scene's first frame. Throws std::invalid_argument, naming --now, for a `now` outside the
-/// recording.
+/// recording: before the first or after the last frame. The scene must have a frame.
 double frameTimeOf(const Scene& scene, double now);
 
-/// Reads a bag and indexes its lanes; prints warnings on stderr. Throws BagError.
+/// Reads the bag at path `bag` and indexes its lanes; prints warnings on stderr. Throws BagError
+/// and InputError as readBag().
 IndexedScene readRecording(const std::string& bag, const Config& config);
 
 }  // namespace forge

@@ -19,8 +19,11 @@
 #include "collision_forge/planner_test/settings/config.h"
 #include "collision_forge/planner_test/trials/traffic.h"
 
-/// Command-line options that several commands share. Each function adds the options named in its
-/// comment and stores parsed values in the argument, which must outlive the parsing.
+/// Command-line options that several commands share. Each function add...() adds the options named
+/// in its comment to the command `app`. Parsing stores the values in the function's reference
+/// arguments, which must live until the command has run; their content before is the default.
+/// `text` is the help of the option. Functions that return an option return the first one that they
+/// add.
 namespace forge {
 
 /// Returns a case-insensitive CLI11 validator for an option whose value is one of `words`. Used as
@@ -28,8 +31,9 @@ namespace forge {
 /// `words` and suggests the nearest one.
 CLI::Validator oneOf(const std::vector<std::string>& words);
 
-/// Adds an option that accepts one of the words of `choices` (case-insensitive) and stores the
-/// value paired with it. The current content of `value` is the default.
+/// Adds the option `name` ("--mode"), which accepts one of the words of `choices` (lower case;
+/// case-insensitive on the command line) and stores the value paired with it. The current content
+/// of `value` is the default; the help shows its word, if it has one.
 template <typename Value>
 CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value,
                        const std::vector<std::pair<std::string, Value>>& choices,
@@ -49,38 +53,41 @@ CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value,
       ->default_str(default_word);
 }
 
-/// Request fields that the command line overrides. Empty fields leave the request unchanged.
+/// Request fields that the command line overrides; they are fields of CollisionRequest
+/// (`believable` and `limits`: of its crash definition). Empty fields leave the request unchanged.
 struct RequestControls {
-  std::string attacker;            ///< agent id, or "any", "existing", "new"; empty: unchanged
+  std::string attacker;            ///< agent id, or an AttackerChoice as "any", "existing", "new"
   std::optional<bool> believable;  ///< attacker must drive plausibly until it attacks
   std::optional<LimitSet> limits;  ///< vehicle limits of the attacker
-  std::optional<AgentClass> attacker_class;
-  std::optional<Manoeuvre> manoeuvre;  ///< of the attacker
-  std::optional<Side> ego_side;        ///< side of the ego that is hit
-  std::optional<Range> impact_speed;   ///< m/s, relative speed at contact
-  std::optional<Range> overlap;        ///< share 0..1 of the ego's hit side that is covered
-  std::optional<Turning> turning;      ///< vehicle that turns, of type ltap
-  std::optional<Side> from_side;       ///< side from which the attacker comes
-  std::optional<Hider> hidden_by;      ///< what hides the attacker
-  std::vector<std::pair<const RangeControl*, Range>> ranges;  ///< given ones of kRangeControls
-  std::optional<int> alternatives;                            ///< number of attacks per request
+  std::optional<AgentClass> attacker_class;  ///< class that the attacker must have
+  std::optional<Manoeuvre> manoeuvre;        ///< manoeuvre that the attacker must drive
+  std::optional<Side> ego_side;              ///< side of the ego's box that is hit
+  std::optional<Range> impact_speed;         ///< m/s, relative speed at contact
+  std::optional<Range> overlap;              ///< share 0..1 of the ego's hit side that is covered
+  std::optional<Turning> turning;            ///< vehicle that turns, of type ltap
+  std::optional<Side> from_side;   ///< kLeft or kRight of the ego: where the attacker comes from
+  std::optional<Hider> hidden_by;  ///< vehicle that hides the attacker until it comes into view
+  /// Elements of kRangeControls with the interval given for each, in the element's unit.
+  std::vector<std::pair<const RangeControl*, Range>> ranges;
+  std::optional<int> alternatives;  ///< number of attacks per request, from 1
 
-  /// Overwrites the fields of `request` for which a value was given.
+  /// Overwrites the fields of `request` for which a value was given; unchecked, see
+  /// checkControls().
   void applyTo(CollisionRequest& request) const;
 };
 /// --attacker.
 void addAttacker(CLI::App& app, RequestControls& controls);
 /// --believable, --limits, --attacker-class, --manoeuvre, --ego-side, --impact-speed, --overlap,
-/// --turning, --from-side and an option for each of kRangeControls.
+/// --turning, --from-side, --hidden-by and an option for each of kRangeControls.
 void addControls(CLI::App& app, RequestControls& controls);
 
 /// --alternatives.
 void addAlternatives(CLI::App& app, RequestControls& controls);
 
-/// --source (older name: --dataroot) and --version. Returns the option --source, which is optional;
-/// a command that needs it calls required() on it. `text` begins its help.
+/// --source (older name: --dataroot), --version and --ego-obstacle. Returns the option --source,
+/// which is optional; a command that needs it calls required() on it. `text` begins its help.
 CLI::Option* addSource(CLI::App& app, LogSource& logs, const std::string& text = "recorded scenes");
-/// --scene, the names of scenes; empty: all.
+/// --scene, the names of one or several scenes; empty: all.
 CLI::Option* addScenes(CLI::App& app, std::vector<std::string>& scenes);
 
 /// Returns the configuration that is installed with the package, or nullopt if ROS does not find
@@ -89,76 +96,82 @@ std::optional<ConfigFolder> installedConfig();
 /// --config, a folder whose files and keys override installedConfig(). Without an installed
 /// configuration the option is required and names a complete folder.
 void addConfig(CLI::App& app, ConfigFolder& config);
-/// --out, required.
+/// --out, the output file or folder; required.
 void addOut(CLI::App& app, std::string& out, const std::string& text);
 /// --jobs, number of threads, 1 to 256.
 void addJobs(CLI::App& app, int& jobs, const std::string& text);
-/// --seed.
+/// --seed, a random seed.
 CLI::Option* addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text);
-/// CLI11 validator: returns "" for the name of a collision type, else the error message.
+/// CLI11 validator: returns "" for the name of a collision type or "any", else the error message.
 std::string checkType(const std::string& name);
-/// Returns the types that `names`, which passed checkType(), mean in a list of types, each once:
-/// "any" means all.
+/// Returns the types that `names` mean, each once, in order of first use; "any" means all types.
+/// The names must have passed checkType(). Returns none for no names.
 std::vector<CollisionType> typesNamed(const std::vector<std::string>& names);
-/// --attacker-policy; `fallback`: the default in words.
+/// --attacker-policy, "fixed", "adaptive" or both; `fallback`: words of the help on the default.
 void addPolicies(CLI::App& app, std::vector<std::string>& policies, const std::string& fallback);
 /// --mode; the current content of `mode` is the default. Commands that make collisions default to
 /// replay, commands that measure methods to history. `may_adapt`: adaptive is allowed, too.
 void addMode(CLI::App& app, Mode& mode, bool may_adapt);
-/// The scenarios of a catalogue that a command is for.
+/// Scenarios of a catalogue, selected on the command line.
 struct CatalogueChoice {
-  std::string name;                    ///< of the catalogue, or "all"; empty without one
-  std::vector<std::string> scenarios;  ///< empty: all
+  std::string name;                    ///< of the catalogue, or "all"; empty: no catalogue selected
+  std::vector<std::string> scenarios;  ///< names of entries, as in namedEntries(); empty: all
 
-  /// Returns the chosen entries. Throws as readCatalogue() and namedEntries().
+  /// Returns the selected entries of the configuration. `name` must not be empty. Throws as
+  /// readCatalogue() and namedEntries().
   std::vector<CatalogueEntry> entries(const ConfigFolder& folder) const;
 };
 
-/// --catalogue, which excludes the option `types`, and --name.
+/// --catalogue and --name. The command line may not have both --catalogue and `types`, the option
+/// for collision types.
 void addCatalogue(CLI::App& app, CLI::Option* types, CatalogueChoice& choice);
-/// --method, checked by checkMethod() when all options are parsed; empty: the built-in default.
+/// --method, the name of an attack method; empty: the built-in default. When all options are
+/// parsed, checkMethod() checks it with `config`, which --config may have set.
 CLI::Option* addMethod(CLI::App& app, std::string& method, const ConfigFolder& config);
 /// Throws CLI::ValidationError, naming `option` and the known methods, if `method` is neither built
 /// in nor listed in methods.yaml. Ignores an invalid configuration, which the run itself reports.
 void checkMethod(const std::string& option, const std::string& method, const ConfigFolder& config);
-/// Planners of the user; empty texts: none was given.
+/// Planners of the user; empty texts: none was given. At most one of `command` and `node` is set.
 struct OwnPlanners {
-  std::string file;     ///< TorchScript file that replaces the file in planners.yaml
-  std::string command;  ///< of a process that uses the line protocol
-  std::string node;     ///< command that starts a ROS node
+  std::string file;     ///< planner torchscript: file that replaces the file in planners.yaml
+  std::string command;  ///< planner external: shell command of a process with the line protocol
+  std::string node;     ///< planner external: shell command that starts a ROS node
 };
 /// --planner-file, --planner-command, --planner-node.
 void addOwnPlanners(CLI::App& app, OwnPlanners& own);
-/// Stores the user's planners in config.planners after checking that the licence of the file is
-/// allowed. Starts each of `planners` that runs outside this process once, so that an unusable one
-/// throws PlannerFileError before the work begins.
+/// Stores the user's planners in config.planners, with "" for a file whose licence the
+/// configuration excludes (allowedWeights()). `planners`: names of the planners under test. Starts
+/// each of them that runs outside this process once, so that an unusable one throws
+/// PlannerFileError before the work begins.
 void useOwnPlanners(const OwnPlanners& own, const std::vector<std::string>& planners,
                     Config& config);
-/// Adds the fingerprints of the user's planners that are in `planners` to `options`: of the
-/// TorchScript file, and of the command with the files that it names.
+/// Adds the fingerprints of the user's planners that are in `planners` (names) to `options`: of the
+/// TorchScript file, and of the command with the files that it names. `settings`: config.planners
+/// after useOwnPlanners().
 void addPlannerFingerprints(ResumableFile::Options& options,
                             const std::vector<std::string>& planners,
                             const PlannerOptions& settings);
-/// How other agents move in a planner test.
+/// How other agents move in a planner test; each case is tested with each background.
 struct BackgroundChoice {
-  std::vector<Background> backgrounds = {Background::kReplay};
-  std::string model;  ///< TorchScript file of Background::kModel
+  std::vector<Background> backgrounds = {Background::kReplay};  ///< at least one, each once
+  std::string model;  ///< TorchScript file of Background::kModel; empty without kModel
 
-  /// Returns the names, separated by commas.
+  /// Returns the names, as "replay,idm".
   std::string text() const;
 };
-/// --background: at most `most` of replay, idm and model:FILE, separated by commas.
+/// --background: at most `most` of replay, idm and model:FILE (sets `model`), separated by commas.
 void addBackground(CLI::App& app, BackgroundChoice& choice, std::size_t most);
-/// Stores the model's file in config.planners after checking its licence, and loads it once, so
-/// that an unusable file throws PlannerFileError before the work begins.
+/// Stores the model's file in config.planners.traffic_model, or "" if the configuration excludes
+/// its licence, and loads it once, so that an unusable file throws PlannerFileError before the work
+/// begins. Does nothing without a model.
 void useBackground(const BackgroundChoice& choice, Config& config);
-/// Adds the fingerprints of the choice to `options`.
+/// Adds the names of the backgrounds and the fingerprint of the model's file to `options`.
 void addBackgroundFingerprints(ResumableFile::Options& options, const BackgroundChoice& choice);
 
 /// Returns the fingerprints of all inputs of a run over logs: configuration, models, logs. A run is
 /// resumed only if they are unchanged.
 ResumableFile::Options inputsOf(const Config& config, const LogSource& logs);
-/// Adds the fingerprint of the weights of `method` if it is a learned baseline.
+/// Adds the fingerprint of the weights of `method` to `options` if it is a learned baseline.
 void addWeightsOf(const std::string& method, const Config& config, ResumableFile::Options& options);
 
 /// Returns a callback that shows the progress of reading nuScenes tables on stderr.

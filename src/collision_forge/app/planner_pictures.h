@@ -8,19 +8,19 @@
 #include "collision_forge/planner_test/settings/config.h"
 #include "collision_forge/planner_test/trials/planner_result.h"
 
-/// Pictures (PNG and GIF) of planner tests.
+/// Pictures (PNG and GIF) of planner tests. `one`: the case; `row`: the result of a planner in it,
+/// with its motions (KeptDrives::rowOf()).
 namespace forge {
 
 /// Returns the view of a collision in a planner test: ego and attacker as driven up to the contact,
-/// then their post-crash motion. `row.outcome` must hold a contact with the attacker and the driven
-/// motions (see KeptDrives).
+/// then their post-crash motion. `row.outcome` must have a contact with the attacker.
 ScenarioView viewOfCollision(const PlannerCase& one, const PlannerRow& row, const Config& config);
 
 /// Returns the view of the evasive manoeuvre that would have avoided the collision, with the
 /// attacker's reaction to it. `row.evasion_drive` must be set.
 ScenarioView viewOfEvasiveManoeuvre(const PlannerCase& one, const PlannerRow& row);
 
-/// Writes PATH.png and PATH.gif.
+/// Writes PATH.png and PATH.gif. Throws as drawScenarioPng().
 void drawView(const std::string& path, const ScenarioView& view, const DrawingOptions& drawing);
 
 }  // namespace forge

@@ -20,17 +20,17 @@ namespace forge {
 
 /// The command-line arguments of a planner test.
 struct PlannerTestArguments {
-  LogSource logs;
+  LogSource logs;  ///< recordings of the cases; only fingerprinted here
   std::vector<std::string> planners = {"idm", "rule_based", "pdm"};  ///< names of plannerNames()
-  OwnPlanners own_planners;
+  OwnPlanners own_planners;                       ///< files and commands of the user's planners
   std::vector<std::string> policies = {"fixed"};  ///< attacker policies: "fixed", "adaptive"
   BackgroundChoice background;                    ///< motion of other agents
-  std::size_t worst = 3;                          ///< pictures per planner and policy
-  std::string out;                                ///< output folder
-  std::string report;                             ///< folder of the HTML report; empty: none
-  std::vector<Criterion> criteria;                ///< the planners fail if one of these holds
-  std::string junit;                              ///< JUnit XML file; empty: none
-  bool steps = false;                             ///< write measures of every step
+  std::size_t worst = 3;            ///< drawn hits per row (rowKeys()), hardest impact first
+  std::string out;                  ///< output folder
+  std::string report;               ///< folder of the HTML report; empty: none
+  std::vector<Criterion> criteria;  ///< --fail-if: the planners fail if one of these holds
+  std::string junit;                ///< path of the JUnit XML file; empty: none
+  bool steps = false;               ///< writes OUT/steps/N.csv: measures of every step of case N
   ConfigFolder config;
   int jobs = defaultJobs();  ///< threads
 };
@@ -39,13 +39,16 @@ struct PlannerTestArguments {
 /// --fail-if, --junit and --config.
 void addPlannerTestOptions(CLI::App& app, PlannerTestArguments& arguments);
 
-/// Returns whether any case was tested.
+/// Returns true if at least one result isTested().
 bool anyTested(const std::vector<PlannerTestResult>& results);
 
-/// One run of a planner test. Holds the configuration and the locks of the output folders.
+/// One run of a planner test. Holds the configuration and the locks of the output folders until its
+/// destruction. Not thread-safe.
 class PlannerTestRun {
  public:
-  /// Throws ConfigError, PlannerFileError, and the exceptions of lockFolders().
+  /// Loads the configuration, starts the user's planners once (useOwnPlanners()) and locks the
+  /// folders `out` and `report`. Throws ConfigError, PlannerFileError, and the exceptions of
+  /// lockFolders().
   explicit PlannerTestRun(PlannerTestArguments arguments);
 
   /// The configuration, with the user's planners.
@@ -57,25 +60,31 @@ class PlannerTestRun {
 
   /// Tests the planners on all cases; resumes an interrupted run. `fingerprints`: inputs of the
   /// results besides configuration, logs, cases and planners. Writes tables and pictures to OUT,
-  /// prints the summary and returns the results, without motions. If no case could be tested,
-  /// throws std::runtime_error, or returns the results if `may_be_untested`.
+  /// prints the summary and returns one result per case, in order, without motions. If no case
+  /// could be tested, writes no tables and throws std::runtime_error, or returns the results if
+  /// `may_be_untested`. Also throws as testCases().
   std::vector<PlannerTestResult> run(const PlannerCases& cases,
                                      const ResumableFile::Options& fingerprints = {},
                                      bool may_be_untested = false) const;
 
-  /// Applies the criteria to the results: prints the verdicts, writes the JUnit file. Returns
-  /// kExitFailed if a criterion holds, else `code`.
+  /// Applies the criteria of the arguments to the results: prints the verdicts, writes the JUnit
+  /// file if one was asked for. Returns kExitFailed if a criterion holds for any row, else `code`.
   int judged(const std::vector<PlannerTestResult>& results, int code) const;
 
-  /// Writes the HTML report of the results and of `attacks` (scenario files over `logs`, maps of
-  /// sweeps) if --report was given.
+  /// Writes the HTML report of results.jsonl and of the files `attacks` (scenario files over
+  /// `logs`, map.png of sweeps) to the folder `report`; does nothing without one. Throws as
+  /// writeReport().
   void writePage(const std::vector<std::string>& attacks, const LogSource& logs) const;
 
  private:
+  /// Returns the fingerprints of configuration, logs, cases and planners.
   ResumableFile::Options runOptions(const PlannerCases& cases) const;
+  /// Writes OUT/steps/N.csv; N is the position, from 1, of the case in `names` (all cases).
   void writeSteps(const PlannerCase& one, const PlannerTestResult& result,
                   const std::vector<std::string>& names) const;
+  /// Writes results.csv, table.csv and table.md.
   void writeTables(const std::vector<PlannerTestResult>& results) const;
+  /// Draws the hardest hits of each row into OUT/worst, which is emptied first.
   void drawWorst(const PlannerCases& cases, const std::vector<PlannerTestResult>& results,
                  const KeptDrives& drives) const;
 

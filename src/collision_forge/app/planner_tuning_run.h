@@ -22,30 +22,36 @@ struct TuningArguments {
   std::string planner = "pdm";  ///< one of plannerNames()
   OwnPlanners own_planners;     ///< files and commands of the user's planners
   std::string grid;  ///< YAML file with the values; empty: tuning.yaml of the configuration
-  LogSource logs;
-  BackgroundChoice background;  ///< motion of other agents, one
+  LogSource logs;    ///< recordings of the cases, for fingerprints and the HTML report
+  BackgroundChoice background;  ///< motion of other agents; only the first background is used
   std::string out;              ///< output folder
   std::string report;           ///< folder of the HTML report; empty: none
   ConfigFolder config;
   int jobs = defaultJobs();  ///< threads
 };
 
-/// Training and test cases of a tuning run. No scene may be in both.
+/// Training and test cases of a tuning run. No scene may be in both; the caller checks this
+/// (checkHeldOut()). Neither pointer is null.
 struct TuningCases {
   std::unique_ptr<PlannerCases> train;       ///< used to choose the best variant
   std::unique_ptr<PlannerCases> test;        ///< used to compare it with the default
   std::vector<std::string> test_files = {};  ///< scenario files of `test`, for the HTML report
-  ResumableFile::Options fingerprints = {};  ///< further inputs of the results
+  ResumableFile::Options fingerprints = {};  ///< inputs of the results besides these cases
 };
 
-/// Tunes a planner on the cases that `open` returns; resumes an interrupted run. Writes the tuned
-/// planners.yaml, tables and the HTML report to the folders of `arguments`. Returns an ExitCode.
-/// Throws ConfigError, PlannerFileError and the exceptions of lockFolders() and `open`.
+/// Tunes a planner on the cases that `open` returns; resumes an interrupted run. Tests every
+/// variant of the grid on the training cases, then the default and the best one on the test cases.
+/// Writes planners.yaml with the best values, variants.csv, tables and the results of the cases to
+/// `arguments.out`, the HTML report to `arguments.report`. Returns kExitOk.
+///
+/// `open` is called once, with the loaded configuration, after the folders are locked. Throws
+/// ConfigError, PlannerFileError, the exceptions of lockFolders(), testCases() and `open`, and
+/// std::runtime_error if the training cases have no avoidable collision.
 int tunePlanner(const TuningArguments& arguments,
                 const std::function<TuningCases(const Config&)>& open);
 
-/// Adds --planner, addOwnPlanners(), --grid, --source, --background, --out, --jobs, --report,
-/// --config.
+/// Adds --planner, addOwnPlanners(), --grid, addSource() (required), --background, --out, --jobs,
+/// --report and --config; `arguments` must live until the command has run.
 void addTuningOptions(CLI::App& app, TuningArguments& arguments);
 
 }  // namespace forge

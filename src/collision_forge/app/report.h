@@ -9,7 +9,8 @@
 /// The HTML report, for forge report and for commands with the option --report.
 namespace forge {
 
-/// Calls writeReportPage() and prints the number of rows on stdout.
+/// Writes FOLDER/index.html (writeReportPage()) and prints its number of table rows on stdout.
+/// Throws as writeReportPage().
 void writeReport(const ReportInputs& inputs, const std::string& folder, const Config& config);
 
 /// Adds --report, the folder of the HTML report; `folder` stays empty if it is not given.

@@ -11,19 +11,21 @@
 
 namespace forge {
 
-/// Requests whose results are written to a scenario file.
+/// Requests whose results are written to a scenario file, one line per request in their order.
 struct ScenarioRun {
-  std::string path;  ///< scenario file
+  std::string path;  ///< scenario file; until complete PATH.part (ResumableFile)
   std::string list;  ///< file or option that the requests come from, for messages
-  const std::vector<SceneRequest>& requests;
-  std::string method;  ///< "": the built-in default
-  Mode mode = Mode::kReplay;
-  int jobs = 1;
+  const std::vector<SceneRequest>& requests;  ///< must outlive this object
+  std::string method;                         ///< name of the attack method; "": built-in default
+  Mode mode = Mode::kReplay;  ///< mode that all `requests` have; an option of the resumable run
+  int jobs = 1;               ///< threads
 };
 
-/// Solves the requests and passes each scenario, in order, to `take`; resumes an interrupted run.
-/// `logs` are the source of `scenes`. Throws as carryOut(), and std::runtime_error for a scenario
-/// in the file that belongs to another request.
+/// Solves the requests, writes the scenario file and passes each scenario (also rejected requests,
+/// and scenarios of an earlier run) to `take`, in order, in the calling thread; resumes an
+/// interrupted run. `logs`: the source of `scenes`, for the fingerprints. Throws as carryOut(), and
+/// std::runtime_error for a request that cannot be processed (naming `list` and its line) and for a
+/// scenario in the file that belongs to another request.
 void writeScenarios(const ScenarioRun& asked, const LogSource& logs, SceneSource& scenes,
                     const Config& config, const std::function<void(const Scenario&)>& take);
 

@@ -9,13 +9,17 @@
 
 namespace forge {
 
-/// Reports the weaknesses of the planners (findWeaknesses()) in `results`, which were obtained on
-/// `cases`; `drives` holds the driven motions. Prints the worst ones and writes to `folder` (throws
-/// std::runtime_error if a file cannot be written):
-/// - weaknesses.md: a table of all, worst first;
-/// - weaknesses.jsonl: for each weakness its hardest collision, as a line of a scenario file;
-/// - witnesses.jsonl: for each the evasive manoeuvre that proves it was avoidable;
-/// - weaknesses/N.png, .gif and weaknesses/N_escape.png, .gif: pictures of both.
+/// Reports the weaknesses of the planners (findWeaknesses()) in `results`, one per case of `cases`
+/// in the same order; `drives` holds their driven motions. Prints the five worst ones on stdout and
+/// writes to `folder`, which must exist (throws std::runtime_error if a file cannot be written):
+/// - weaknesses.md: a table of all, the most severe first;
+/// - weaknesses.jsonl: the hardest collision of each weakness, as a line of a scenario file; a case
+///   that several weaknesses share is written once;
+/// - witnesses.jsonl: for each weakness the evasive manoeuvre that avoids its hardest collision;
+/// - weaknesses/N.png, .gif and weaknesses/N_escape.png, .gif: pictures of both; N: rank, from 1.
+///
+/// Empties the folder weaknesses/ first. Takes as long as one request per weakness, because the
+/// attacker's first plan is generated again.
 void reportWeaknesses(const RequestCases& cases, const std::vector<PlannerTestResult>& results,
                       const KeptDrives& drives, const std::string& folder, const Config& config);
 

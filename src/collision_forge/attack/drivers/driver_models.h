@@ -29,12 +29,12 @@ struct DriverOptions {
   double risk_evaluation = 0.4;   ///< s from the start of a cut-in or of hard braking until the
                                   ///< driver perceives the risk
   double cc_delay = 0.75;         ///< s from perceiving the risk until the driver brakes
-  double release = 0.4;  ///< m/s2, deceleration during cc_delay, with the accelerator released
+  double release = 0.4;           ///< m/s2, deceleration during cc_delay: accelerator released
   double full_braking = 0.774 * kGravity;  ///< m/s2, also of RSS; no model brakes harder
   double jerk = 12.65;                     ///< m/s3 at which braking builds up, also of RSS and FSM
   double critical_ttc = 2.0;      ///< s; a cut-in with a larger time to collision is no risk
   double critical_headway = 2.0;  ///< s; hard braking ahead is a risk at smaller time headways
-  double hard_braking = 5.0;      ///< m/s2; deceleration of the vehicle ahead that counts as hard
+  double hard_braking = 5.0;      ///< m/s2; the vehicle ahead brakes hard from this deceleration on
   // System
   double system_lateral_gap = 0.5;  ///< m beside the ego's box; a nearer agent has cut in
   double system_delay = 0.35;       ///< s from the cut-in to the start of braking
@@ -42,8 +42,8 @@ struct DriverOptions {
   double system_margin = 0.1;       ///< s that JRC-FSM adds to the time of the regulation
   // RSS
   double rss_delay = 0.75;  ///< s, response time
-  double rss_acceleration =
-      3.0;                       ///< m/s2, acceleration of the ego assumed during the response time
+  /// m/s2, acceleration of the ego assumed during the response time
+  double rss_acceleration = 3.0;
   double rss_braking = 6.0;      ///< m/s2, deceleration assumed of both vehicles
   double rss_lateral_gap = 0.3;  ///< m, lateral gap that must remain
   double rss_lateral = 1.0;  ///< m/s2, lateral acceleration assumed during the response time, and
@@ -57,52 +57,62 @@ struct DriverOptions {
   double fsm_passing_margin = 0.1;  ///< s by which the ego must have passed before the other
                                     ///< vehicle reaches its path
   // Choices of this project, for what the models leave open
-  double same_direction =
-      0.785;  ///< rad between headings, up to which an agent drives the same way
-  double conflict_horizon = 3.0;  ///< s to a contact with crossing or oncoming agents; see Approach
+  /// rad between the headings of agent and path, up to which the agent drives the same way
+  double same_direction = 0.785;
+  /// s to a contact with crossing or oncoming agents; see Approach::is_conflict
+  double conflict_horizon = 3.0;
 };
 
-/// Observation of one other agent by a driver, along and across the ego's path.
+/// Observation of one other agent by a driver, along and across the ego's path. Boxes are projected
+/// on the path; "ego" is the vehicle that the driver drives.
 struct Approach {
   double gap = 0.0;            ///< m between the boxes along the path, < 0 side by side
-  double lengths = 0.0;        ///< m, sum of the lengths of both boxes
-  bool is_ahead = true;        ///< its middle is ahead of the ego's
-  double lateral_gap = 0.0;    ///< m between the boxes across the path, < 0 if it is in the way
-  double lateral_speed = 0.0;  ///< m/s towards the path
-  double deviation = 0.0;      ///< m from the middle of its lane towards the path
-  double speed = 0.0;          ///< m/s along the path
-  double braking = 0.0;        ///< m/s2 along the path
+  double lengths = 0.0;        ///< m, sum of the lengths of both boxes along the path
+  bool is_ahead = true;        ///< true: the centre of its box is ahead of the ego's
+  double lateral_gap = 0.0;    ///< m between the boxes across the path, <= 0 if it is in the way
+  double lateral_speed = 0.0;  ///< m/s towards the path, < 0 away from it
+  /// m by which it is nearer to the path than at its farthest so far: stands for its distance from
+  /// the middle of its own lane
+  double deviation = 0.0;
+  double speed = 0.0;    ///< m/s along the path, negative if oncoming
+  double braking = 0.0;  ///< m/s2, deceleration along the path
+  /// true: no pedestrian, and its heading is within DriverOptions::same_direction of the path's
   bool is_same_direction = true;
   /// For agents of other directions: at constant velocities there is a contact within
   /// `conflict_horizon`. All models react to it, with their own delay and full braking.
   bool is_conflict = false;
 };
 
-/// Returns the least following distance (m) at `speed` (m/s): UN R157 5.2.3.3.
+/// Returns the least following distance (m) at `speed` (m/s): UN R157 5.2.3.3; at least 2 m.
 double r157Distance(double speed);
 
-/// Returns the proactive fuzzy safety metric, 0 (safe) to 1; `gap` in m, speeds in m/s.
+/// Returns the proactive fuzzy safety metric of FSM, 0 (safe) to 1 (unsafe), from the gap (m)
+/// between ego and vehicle ahead and the speeds of both (m/s): whether the ego could still brake if
+/// the vehicle ahead brakes with `fsm_leader`.
 double proactiveFuzzy(double gap, double ego_speed, double leader_speed,
                       const DriverOptions& options);
 
-/// Returns the critical fuzzy safety metric, 0 (safe) to 1; `acceleration` of the ego in m/s2.
+/// Returns the critical fuzzy safety metric of FSM, 0 (safe) to 1 (unsafe), for a vehicle ahead
+/// that keeps its speed. `gap` in m, speeds in m/s, `acceleration` of the ego in m/s2; 0 if the ego
+/// is not faster.
 double criticalFuzzy(double gap, double ego_speed, double leader_speed, double acceleration,
                      const DriverOptions& options);
 
 /// One driver, step by step. The driver keeps its speed until the model reacts; the CC driver then
-/// brakes to a stop, the other models brake while the situation is unsafe.
+/// brakes to a stop, the other models brake while the situation is unsafe. Not thread-safe.
 class CarefulDriver {
  public:
   explicit CarefulDriver(DriverModel model, const DriverOptions& options = {})
       : model_(model), options_(options) {}
 
-  /// Returns the deceleration (m/s2, >= 0) of the next `step` seconds; empty until the driver
-  /// reacts. `approach`: the agent that matters; empty if there is none. `speed` (m/s) is the
-  /// ego's.
+  /// Advances the driver by `step` seconds and returns the deceleration (m/s2, >= 0) for them;
+  /// empty until the driver reacts, 0 when a driver that has reacted does not brake. Call it once
+  /// per step. `approach`: the agent that matters at the start of the step; empty if there is none.
+  /// `speed` (m/s) is the ego's then.
   std::optional<double> decelerate(const std::optional<Approach>& approach, double speed,
                                    double step);
 
-  /// Returns whether the driver brakes, after its delay.
+  /// Returns true once the driver has braked, after its delay; it stays true.
   bool isBraking() const { return is_braking_; }
 
  private:

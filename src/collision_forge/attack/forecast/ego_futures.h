@@ -17,19 +17,21 @@ class EgoFutureSampler {
  public:
   virtual ~EgoFutureSampler() = default;
 
-  /// Returns `count` equally likely tracks of the ego. The states are evenly spaced from t0 to at
-  /// least t0 + `horizon` (s); the first is the state at t0. Called on the caller's thread, once
-  /// per request by pattern predictors and at each update step by adaptive attackers, so it must be
-  /// fast. Must be deterministic in its arguments and must use only `snapshot`, nothing later than
-  /// t0. Throws std::invalid_argument if the ego has no states, `horizon` is not positive and
-  /// finite, or `count` is negative.
+  /// Returns `count` equally likely tracks of the ego (box centres, global map frame; times on the
+  /// snapshot's clock), in no defined order; none if `count` is 0. The states are evenly spaced
+  /// from t0 to at least t0 + `horizon` (s); the first is the state at t0. Called on the caller's
+  /// thread, once per request by pattern predictors and at each update step by adaptive attackers,
+  /// so it must be fast. Must be deterministic in its arguments and must use only `snapshot` and
+  /// the map `lanes`, nothing later than t0. Throws std::invalid_argument if the ego has no states,
+  /// `horizon` is not positive and finite, or `count` is negative.
   virtual std::vector<Track> sample(const Snapshot& snapshot, const LaneIndex& lanes,
                                     double horizon, int count, std::uint64_t seed) const = 0;
 };
 
-/// Samples a path (egoPaths()) and a speed profile typical of the ego's situation (SpeedForecaster)
-/// per track; the lateral offset decays towards the path. Samples are stratified over paths, speeds
-/// and offsets, not independent. For a reversing ego: reversingFutures().
+/// Samples per track a path (egoPaths()) and a speed profile typical of the ego's situation
+/// (SpeedForecaster); the lateral offset decays towards the path. Samples are stratified over
+/// paths, speeds and offsets, not independent. For a reversing ego: reversingFutures(). States are
+/// kPredictionStep apart.
 class KinematicEgoFutures : public EgoFutureSampler {
  public:
   /// If `speeds` is null or its forecast has no columns, the acceleration at t0 (with a spread)

@@ -12,7 +12,8 @@
 
 namespace forge {
 
-inline constexpr double kKeptOffset = 0.3;  ///< share of an offset from the path that stays
+/// share 0..1 of the ego's lateral offset from the path at t0 that stays
+inline constexpr double kKeptOffset = 0.3;
 
 /// s after t0; a reversing ego that brakes has stopped by then. Chosen, not fitted: recordings have
 /// too few reversing egos.
@@ -23,6 +24,7 @@ inline constexpr double kReverseStop = 8.0;
 /// Stratified random numbers in (0, 1): equally spaced, with one random shift.
 class EvenDraws {
  public:
+  /// Draws the shift from `engine`. `count`: number of draws, positive.
   EvenDraws(int count, std::mt19937_64& engine)
       : count_(count), shift_((static_cast<double>(engine() >> 11) + 0.5) * 0x1.0p-53) {}
   /// Returns the i-th number, 0 <= i < count; ascending.
@@ -33,20 +35,22 @@ class EvenDraws {
   double shift_;
 };
 
-/// Returns stratified samples of a zero-mean Laplace distribution with mean absolute value
-/// `mean_difference`, in random order.
+/// Returns `count` stratified samples of a zero-mean Laplace distribution with mean absolute value
+/// `mean_difference` (its unit is the unit of the samples), in random order.
 std::vector<double> drawDifferences(int count, double mean_difference, std::mt19937_64& engine);
 
-/// Distributes `count` samples over choices: returns the number of samples per choice. `weights`
-/// must sum to 1.
+/// Distributes `count` samples over choices: returns the number of samples per choice, in the order
+/// of `weights`, whose sum is `count`. `weights` must not be empty and must sum to 1.
 std::vector<int> shareOut(const std::vector<double>& weights, int count, std::mt19937_64& engine);
 
-/// Returns the speed forecast of `speeds` for the next `horizon` s. If `speeds` is null or its
-/// forecast is empty, the acceleration at t0 (with a spread) decays instead.
+/// Returns the speed forecast of `speeds` for the next `horizon` s; its columns may cover less. If
+/// `speeds` is null or its forecast has no columns, the acceleration at t0 (with a spread, see
+/// EgoFutureOptions) decays instead. Throws as SpeedForecaster::forecast().
 SpeedForecast forecastSpeeds(const SpeedForecaster* speeds, const DrivingSituation& situation,
                              double horizon, const EgoFutureOptions& options);
 
-/// Returns the indices of `count` rows of the forecast, stratified by the distance driven in 4 s.
+/// Returns the indices of `count` rows of the forecast, drawn by weight and stratified by the
+/// distance driven in 4 s, shortest first; a row may appear several times.
 std::vector<Eigen::Index> drawProfiles(const SpeedForecast& forecast, int count,
                                        std::mt19937_64& engine);
 
@@ -54,10 +58,12 @@ std::vector<Eigen::Index> drawProfiles(const SpeedForecast& forecast, int count,
 /// intervals of kProfileStep.
 class DrivenDistance {
  public:
-  /// `past_speed`: mean speed over the interval before t0, m/s. `speeds`: one per interval, m/s.
+  /// `past_speed`: mean speed over the interval before t0, m/s; a negative one counts as 0.
+  /// `speeds`: one per interval from t0 on, m/s, >= 0.
   DrivenDistance(double past_speed, const Eigen::RowVectorXd& speeds);
 
-  /// Returns the distance (m) at `time` s after t0. Beyond the last interval its speed continues.
+  /// Returns the distance (m) at `time` s after t0, not negative. Beyond the last interval its
+  /// speed continues.
   double at(double time) const;
 
  private:
@@ -69,13 +75,13 @@ class DrivenDistance {
 };
 
 /// Poses that converge from the ego's pose to a lateral offset from the path, critically damped.
-/// The target offset is a share (options.kept_offset) of the offset at t0 plus `offset_difference`
-/// (m). `path` must outlive this object.
+/// The target offset is kKeptOffset times the offset at t0 plus `offset_difference` (m, left
+/// positive). `path` must outlive this object.
 class ReturnToPath {
  public:
   ReturnToPath(const SampledPath& path, const EgoNow& ego, double offset_difference);
 
-  /// Returns the pose after `driven` m along the path.
+  /// Returns the box centre (map frame) after `driven` m along the path from the ego's place at t0.
   Pose2 poseAfter(double driven) const;
 
  private:
@@ -88,16 +94,19 @@ class ReturnToPath {
   double return_distance_ = 0.0;
 };
 
-/// Returns the ego's track along `way` for `horizon` s, one state per `step` (s), the first at t0.
+/// Returns the ego's track (box centres) along `way` for `horizon` s, one state per `step` (s), the
+/// first at t0: `now.state`. The track has the id, class and size of `ego`. Velocities are derived
+/// from the poses.
 Track drive(const Track& ego, const EgoNow& now, const DrivenDistance& distance,
             const ReturnToPath& way, double horizon, double step);
 
-/// Returns true if the ego reverses at t0.
+/// Returns true if the ego drives backwards faster than kStandstillSpeed at t0.
 bool isReversing(const EgoNow& ego);
 
 /// Returns `count` equally likely tracks of a reversing ego: half of them continue to reverse with
 /// the acceleration at t0 (with a spread), which decays, half of them brake to a standstill within
-/// kReverseStop at evenly spread times. The turn rate at t0 (with a spread) decays.
+/// kReverseStop at evenly spread times. The turn rate at t0 (with a spread) decays. States are
+/// kPredictionStep apart from t0 to at least `horizon` s later.
 std::vector<Track> reversingFutures(const Track& ego, const EgoNow& now, double horizon, int count,
                                     const EgoFutureOptions& options, std::mt19937_64& engine);
 

@@ -11,12 +11,17 @@ namespace forge {
 
 /// Cross-validation models of one kind, each fitted without some scenes.
 template <class Model>
+/// Cross-validation models of one kind, each fitted without some scenes. Immutable after
+/// construction, so safe to share among threads.
 class Folds {
  public:
   Folds() = default;
   /// Makes one Model from each entry of `weights`. Throws std::invalid_argument if two entries
   /// leave out the same scene.
   template <class Weights>
+  /// Makes one Model from each entry of `weights`, which needs a list `left_out_scenes` of scene
+  /// names. Throws std::invalid_argument if two entries leave out the same scene, and as the
+  /// constructor of Model.
   explicit Folds(std::vector<Weights> weights) {
     for (Weights& entry : weights) {
       for (const std::string& scene : entry.left_out_scenes) {
@@ -28,6 +33,7 @@ class Folds {
     }
   }
 
+  /// Returns the models in the order of `weights`.
   const std::vector<std::shared_ptr<const Model>>& models() const { return models_; }
   /// Returns the model that was fitted without `scene`; null if there is none.
   std::shared_ptr<const Model> withoutScene(const std::string& scene) const {

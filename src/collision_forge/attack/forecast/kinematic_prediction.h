@@ -11,11 +11,12 @@ inline constexpr double kPredictionStep = 0.1;  ///< s between predicted states,
 inline constexpr double kOnLaneDistance = 2.0;    ///< m to the centreline
 inline constexpr double kOnLaneHeading = 0.7854;  ///< rad (45 degrees)
 
-/// Predicts ego and other agents from t0 to t0 + `horizon` (s) from the snapshot alone. A vehicle
-/// on a lane follows it at constant speed, at branches the straightest successor, while its lateral
-/// offset decays; all others keep their velocity; agents below kStandstillSpeed stand
-/// still. Agents without a state at t0 are omitted. The first state of every track is the one at
-/// t0.
+/// Predicts ego and other agents (box centres, map frame) from t0 to at least t0 + `horizon` (s)
+/// from the snapshot alone, one state per kPredictionStep. A vehicle on a lane follows it at
+/// constant speed, at branches the straightest successor, while its lateral offset decays; all
+/// others keep their velocity; agents below kStandstillSpeed stand still. Agents without a state at
+/// t0 are omitted. The first state of every track has the pose at t0. `ego_samples` stays empty.
+/// Throws std::invalid_argument if the ego has no states.
 Future predictFuture(const Snapshot& snapshot, const LaneIndex& lanes, double horizon);
 
 }  // namespace forge

@@ -13,11 +13,11 @@ struct Motion {
   Pose2 pose;                 ///< box centre, global map frame, as recorded
   double speed = 0.0;         ///< m/s along the heading; negative when reversing
   double acceleration = 0.0;  ///< m/s2 along the heading
-  double yaw_rate = 0.0;      ///< rad/s
+  double yaw_rate = 0.0;      ///< rad/s, counter-clockwise
 };
 
-/// Returns the index of the oldest of the newest `frames` states after the last gap longer than 1.1
-/// s. `states` must not be empty.
+/// Returns the index into `states` of the oldest of the newest `frames` states after the last gap
+/// longer than kMaxGap (1.1 s). `states` must not be empty.
 std::size_t unbrokenStart(const std::vector<AgentState>& states, int frames);
 
 /// Estimates the motion at the newest state by least squares over the `frames` newest states after

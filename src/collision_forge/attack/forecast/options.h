@@ -6,18 +6,21 @@ namespace forge {
 
 class Section;
 
-inline constexpr int kMaxHistoryFrames = 256;  ///< 128 s; in config/ and in network files
+/// 128 s; largest history_frames in config/ and in network files
+inline constexpr int kMaxHistoryFrames = 256;
 
-/// config/prediction.yaml
+/// config/prediction.yaml: observed past, and prediction of the ego and the other agents
 struct PredictionOptions {
-  int history_frames = 0;                  ///< frames at 2 Hz, the one at t0 included
-  double min_tta = 0.0;                    ///< s
-  double max_tta = 0.0;                    ///< s
-  double candidate_radius = 0.0;           ///< m around the ego at t0
-  double tail = 0.0;                       ///< s predicted after the impact: SearchOptions::tail
-  int ego_samples = 0;                     ///< futures; half for search, half for confidence
-  double pattern_tolerance = 0.0;          ///< m of corner distance from a pattern
-  double network_pattern_tolerance = 0.0;  ///< m, the same for a network's pattern
+  int history_frames = 0;  ///< frames at 2 Hz that methods observe, the one at t0 included
+  double min_tta = 0.0;    ///< s from t0 to impact; a request with a smaller tta is rejected
+  double max_tta = 0.0;    ///< s from t0 to impact; a request with a larger tta is rejected
+  /// m; largest distance of the box centres of ego and candidate at t0
+  double candidate_radius = 0.0;
+  double tail = 0.0;    ///< s predicted after the impact; not read, set to SearchOptions::tail
+  int ego_samples = 0;  ///< sampled futures of the ego; half for search, half for confidence
+  double pattern_tolerance = 0.0;  ///< m; CollisionPattern::tolerance of patterns without a network
+  /// m; CollisionPattern::tolerance of patterns of a network
+  double network_pattern_tolerance = 0.0;
 };
 
 /// Features of a driving situation (featuresOf()) in order, with the unit of their weights: speed
@@ -27,26 +30,26 @@ struct PredictionOptions {
 inline constexpr int kSpeedFeatures = 10;
 using FeatureWeights = std::array<double, kSpeedFeatures>;
 
-/// config/study/speed_model_fit.yaml
+/// config/study/speed_model_fit.yaml: parameters of fitSpeedModel()
 struct SpeedModelFitOptions {
-  int intervals = 0;            ///< forecast intervals of kProfileStep
-  int centers = 0;              ///< cluster centres in feature space
+  int intervals = 0;            ///< most forecast intervals of kProfileStep
+  int centers = 0;              ///< most cluster centres in feature space
   int cluster_rounds = 0;       ///< k-means iterations
-  int folds = 0;                ///< of scenes, for held-out residuals
+  int folds = 0;                ///< groups of scenes, for held-out residuals
   double gain_ridge = 0.0;      ///< ridge penalty of the gains
   double spread_ridge = 0.0;    ///< ridge penalty of the log spreads
   double linear_ridge = 0.0;    ///< ridge penalty of the linear features
-  double spread_floor = 0.0;    ///< share of the mean |residual|, added before the log
+  double spread_floor = 0.0;    ///< share of the mean |residual|, added to each before the log
   int profiles = 0;             ///< residual profiles per forecast
-  double standing_speed = 0.0;  ///< m/s; slower egos stand
+  double standing_speed = 0.0;  ///< m/s; a slower ego stands
   int standing_profiles = 0;    ///< profiles per forecast from a standstill
   double standing_ridge = 0.0;  ///< ridge penalty of the standing shares
-  /// Scale the feature differences of two situations; a scaled distance of sqrt(3) halves their
-  /// similarity.
+  /// Factor per feature, in the order and with the units above kSpeedFeatures, before two
+  /// situations are compared; a scaled distance of sqrt(3) halves their similarity.
   FeatureWeights feature_weights = {0.25, 1.0, 0.75, 0.25, 2.5, 0.35, 1.14, 1.3, 0.25, 4.0};
 };
 
-/// config/ego_futures.yaml
+/// config/ego_futures.yaml: spreads of KinematicEgoFutures. Differences are Laplace distributed.
 struct EgoFutureOptions {
   double offset_spread = 0.0;     ///< m, mean |difference| from the expected lateral offset
   double turn_rate_spread = 0.0;  ///< rad/s, mean |difference| from the turn rate at t0, off lanes

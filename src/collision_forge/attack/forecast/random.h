@@ -9,7 +9,7 @@
 namespace forge {
 
 /// Random numbers that are identical on all platforms: std::mt19937_64 is standardised, the
-/// standard library's distributions are not.
+/// standard library's distributions are not. Not thread-safe.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : generator_(seed) {}

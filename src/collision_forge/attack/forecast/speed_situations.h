@@ -10,18 +10,21 @@
 
 namespace forge {
 
-/// One recorded frame of the ego.
+/// One recorded frame of the ego; see collectSpeedProfiles().
 struct SpeedProfileRow {
-  std::string scene;
-  int frame = 0;       ///< counts kProfileStep; consecutive frames form a profile
-  double speed = 0.0;  ///< m/s, mean since the previous frame
+  std::string scene;   ///< name of the recording
+  int frame = 0;       ///< in steps of kProfileStep; rows with consecutive numbers form a profile
+  double speed = 0.0;  ///< m/s, mean since the previous frame, negative when reversing
   WayAhead ahead;
 };
 
-/// Returns the features of a situation, each of order one, in the order of FeatureWeights.
+/// Returns the kSpeedFeatures features of a situation, each of order one, in the order described at
+/// kSpeedFeatures.
 Eigen::ArrayXd featuresOf(const DrivingSituation& situation);
 
-/// Recorded frames, each with the driver's situation and the speeds that followed.
+/// Recorded frames, each with the driver's situation and the speeds that followed. A row is one
+/// frame, numbered from 0 in the order of the constructor; a row must be in range, which is not
+/// checked.
 class SpeedSituations {
  public:
   /// Rows of a scene must be contiguous with increasing frames. Throws std::invalid_argument
@@ -34,12 +37,12 @@ class SpeedSituations {
 
   /// Scene names in order of appearance; a scene's number is its index.
   const std::vector<std::string>& scenes() const { return scenes_; }
-  /// Returns the scene's number, -1 if unknown.
+  /// Returns the scene's index into scenes(), -1 if unknown.
   int sceneNumber(const std::string& name) const;
 
-  /// Returns the number of the scene of a row.
+  /// Returns the index into scenes() of the scene of a row.
   int sceneOf(Eigen::Index row) const { return scene_of_[static_cast<std::size_t>(row)]; }
-  /// Returns the number of intervals of kProfileStep recorded after the row.
+  /// Returns the number of intervals of kProfileStep recorded without a gap after the row.
   int lasts(Eigen::Index row) const { return lasts_[static_cast<std::size_t>(row)]; }
   /// Returns SpeedProfileRow::speed, m/s.
   double speed(Eigen::Index row) const { return rows_[static_cast<std::size_t>(row)].speed; }
@@ -47,7 +50,7 @@ class SpeedSituations {
   const DrivingSituation& situation(Eigen::Index row) const {
     return situations_[static_cast<std::size_t>(row)];
   }
-  /// One row per recorded row, one column per feature.
+  /// Returns featuresOf() of every row: one matrix row per row, one column per feature.
   const Eigen::ArrayXXd& features() const { return features_; }
   /// Returns the speed in the interval `interval` after the row (0: the next) minus the row's
   /// speed, m/s. `interval` must be less than lasts(row).

@@ -12,37 +12,44 @@
 
 namespace forge {
 
-/// Features of a path, shared by the anchors on it.
+/// Number of features of a path, shared by the anchors on it.
 inline constexpr int kGroupFeatures = 21;
-inline constexpr int kAnchorFeatures = 12;  ///< features of one anchor
+inline constexpr int kAnchorFeatures = 12;  ///< number of features of one anchor
 
-/// Candidate positions (anchors) of the ego at one time, as network input. Anchors of a group are
-/// contiguous, `group_size` per group.
+/// Candidate positions (anchors) of the ego's box centre at one time, as network input. A group is
+/// a candidate path or lane; its anchors are contiguous, `group_size` per group. Rows without an
+/// anchor are 0.
 struct AnchorFeatures {
-  int group_size = 0;
-  RowMatrix groups;             ///< [groups, kGroupFeatures]
-  RowMatrix anchors;            ///< [groups * group_size, kAnchorFeatures]
-  RowMatrix poses;              ///< [anchors, 4]: x, y (m), cos, sin in the ego's frame at t0
-  Eigen::VectorXf prior;        ///< [anchors]: added to the score; kAbsent: no such anchor
-  float along_scale = 1.0F;     ///< m, unit of offsets and spreads along an anchor's heading
-  float across_scale = 1.0F;    ///< m, the same across it
-  Eigen::VectorXf arc_lengths;  ///< [anchors]: m along the path; empty if anchors lie on none
+  int group_size = 0;  ///< number of anchors per group, missing ones included
+  RowMatrix groups;    ///< [groups, kGroupFeatures], scaled to order one
+  RowMatrix anchors;   ///< [groups * group_size, kAnchorFeatures], scaled to order one
+  RowMatrix poses;     ///< [anchors, 4]: x, y (m), cos, sin in the ego's frame at t0
+  /// [anchors]: log probability of the path, 0 if anchors lie on no path; added to the score;
+  /// kAbsent: no such anchor
+  Eigen::VectorXf prior;
+  float along_scale = 1.0F;   ///< m, unit of offsets and spreads along an anchor's heading
+  float across_scale = 1.0F;  ///< m, the same across it
+  /// [anchors]: m along the path, from the ego's place at t0; empty if anchors lie on no path
+  Eigen::VectorXf arc_lengths;
 };
 inline constexpr float kAbsent = -1e4F;  ///< prior of a missing anchor
 
-/// The ego's candidate paths, most probable first.
+/// The ego's candidate paths, most probable first, with weights that sum to 1.
 struct EgoPathSet {
-  EgoNow ego;
+  EgoNow ego;  ///< state and recent motion at t0
   std::vector<EgoPath> paths;
-  std::vector<WayAhead> ahead;  ///< one per path, with the vehicle ahead
+  std::vector<WayAhead> ahead;  ///< one per path: wayAhead(), with the vehicle ahead
 };
-/// Returns the ego's most probable candidate paths, at most `max_ways`, long enough for `horizon`
-/// s.
+/// Returns the ego's most probable candidate paths, at most `max_ways` (at least one), long enough
+/// for `horizon` s. `observed` comes from observedSnapshot(). Throws std::invalid_argument if the
+/// ego has no states.
 EgoPathSet egoPathSet(const Snapshot& observed, const LaneIndex& lanes, double horizon,
                       int max_ways);
 
-/// Returns the anchors of the ego `tta` s after t0 for options.head. Throws std::invalid_argument
-/// if `tta` is not positive and finite.
+/// Returns the anchors of the ego `tta` s after t0 for options.head: on paths, the first one of
+/// each group stands and the others lie around the place reached at constant speed; on lanes; or a
+/// single one straight ahead. `lanes` is used by the head kTargetPoints only. Throws
+/// std::invalid_argument if `tta` is not positive and finite.
 AnchorFeatures anchorFeatures(const EgoPathSet& ways, const LaneIndex& lanes, double tta,
                               const PatternFeatureOptions& options);
 

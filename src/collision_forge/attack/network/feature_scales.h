@@ -9,7 +9,7 @@ inline constexpr double kPlaceScale = 30.0;        // m
 inline constexpr double kSpeedScale = 10.0;        // m/s
 inline constexpr double kAccelerationScale = 2.0;  // m/s2
 inline constexpr double kTurnRateScale = 0.2;      // rad/s
-inline constexpr double kMaxFeature = 4.0;         // bound of scaled features
+inline constexpr double kMaxFeature = 4.0;         // largest |scaled feature|
 
 /// Returns `value` clamped to [-limit, limit].
 inline double held(double value, double limit) { return std::clamp(value, -limit, limit); }

@@ -18,23 +18,25 @@ class MethodMaker {
   MethodMaker(const std::string& name, const MethodRegistry& methods, const AttackOptions& options,
               PredictionModels models);
 
-  /// The method's name in the registry.
+  /// Returns the method's name in the registry.
   const std::string& name() const { return entry_.name; }
   /// Returns true if results depend on the request's seed.
   bool isSeeded() const { return entry_.is_seeded; }
+  /// Returns the options of the constructor.
   const AttackOptions& options() const { return options_; }
 
-  /// Returns the method with all models.
+  /// Returns a new method with all models.
   std::unique_ptr<const AttackMethod> make() const { return makeOf(models_); }
-  /// Returns the method with models trained without `scene`, where there are any.
+  /// Returns a new method with models trained without the scene named `scene`, where there are any;
+  /// other models are kept.
   std::unique_ptr<const AttackMethod> makeWithoutScene(const std::string& scene) const {
     return makeOf(models_.withoutScene(scene));
   }
-  /// Returns the sampler of ego futures.
+  /// Returns a new sampler of ego futures with all models.
   std::shared_ptr<const EgoFutureSampler> egoFutures() const {
     return std::make_shared<NetworkEgoFutures>(options_.ego_futures, models_);
   }
-  /// Returns the sampler of ego futures with models trained without `scene`.
+  /// Returns a new sampler of ego futures with the models of makeWithoutScene().
   std::shared_ptr<const EgoFutureSampler> egoFuturesWithoutScene(const std::string& scene) const {
     return std::make_shared<NetworkEgoFutures>(options_.ego_futures, models_.withoutScene(scene));
   }

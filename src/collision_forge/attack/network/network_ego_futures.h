@@ -11,6 +11,7 @@ namespace forge {
 /// a network with anchors on paths, and for a reversing ego, samples as KinematicEgoFutures.
 class NetworkEgoFutures : public EgoFutureSampler {
  public:
+  /// `models` may lack the network or the SpeedForecaster.
   NetworkEgoFutures(const EgoFutureOptions& options, PredictionModels models);
 
   std::vector<Track> sample(const Snapshot& snapshot, const LaneIndex& lanes, double horizon,

@@ -11,8 +11,9 @@
 namespace forge {
 
 // Output scales, equal in training and inference.
-inline constexpr double kMaxLogSpread = 3.0;  ///< bound of |log(spread / anchor scale)|
-inline constexpr double kOffsetScale = 4.0;   ///< m, unit of the attacker's predicted offset
+/// bound of |log(spread / scale)|; scale: AnchorFeatures
+inline constexpr double kMaxLogSpread = 3.0;
+inline constexpr double kOffsetScale = 4.0;  ///< m, unit of the attacker's predicted offset
 
 /// y = matrix * x + bias.
 struct LinearWeights {
@@ -22,9 +23,9 @@ struct LinearWeights {
 
 /// A trained pattern network: options and layers.
 struct PatternWeights {
-  PatternFeatureOptions features;
-  PatternNetworkOptions network;
-  std::vector<std::string> left_out_scenes;     ///< not in its training set
+  PatternFeatureOptions features;               ///< how its input is encoded
+  PatternNetworkOptions network;                ///< widths of its layers
+  std::vector<std::string> left_out_scenes;     ///< names of scenes not in its training set
   std::map<std::string, LinearWeights> layers;  ///< by name, as layerShapes()
 };
 
@@ -33,7 +34,7 @@ struct LayerShape {
   int inputs = 0;
   int outputs = 0;
 };
-/// Returns the layers of a network with these widths by name.
+/// Returns the shapes of all layers of a network with these widths, by the layer's name.
 std::map<std::string, LayerShape> layerShapes(const PatternNetworkOptions& options);
 
 /// Throws std::invalid_argument, naming the layer, if a layer is missing, unknown, of the wrong

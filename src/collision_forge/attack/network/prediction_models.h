@@ -18,7 +18,7 @@ struct PredictionModels {
   /// The requested type. Set only if the scene was in the network's training set; in unseen scenes,
   /// conditioning on the type makes the ego prediction worse.
   std::optional<CollisionType> known_type;
-  std::string unseen_scene = {};  ///< test scene that models must not know; empty: none
+  std::string unseen_scene = {};  ///< name of the test scene that models must not know; empty: none
 
   /// Returns the models for kinematic prediction only.
   PredictionModels withoutNetwork() const { return {speeds, nullptr, std::nullopt, unseen_scene}; }

@@ -17,18 +17,19 @@ inline constexpr int kCandidateFeatures = 24;  ///< size of candidateFeatures()
 /// `tta` in s.
 Eigen::VectorXf requestFeatures(std::optional<CollisionType> type, double tta);
 
-/// A candidate attacker at t0, in the ego's frame at t0.
+/// A candidate attacker at t0, in the frame of the ego's box at t0.
 struct CandidateNow {
-  Pose2 pose;
+  Pose2 pose;          ///< box centre
   double speed = 0.0;  ///< m/s along the heading
 };
-/// Returns the newest state of `observed`, which must not be empty. `ego_now`: the ego's pose at
-/// t0, map frame.
+/// Returns the newest state of `observed`, a track of observedSnapshot(), which must have states.
+/// `ego_now`: the ego's box centre at t0, map frame.
 CandidateNow candidateNow(const Track& observed, const Pose2& ego_now);
 
-/// Returns the network input of a candidate, kCandidateFeatures numbers: position, speed and the
-/// motion needed to reach the ego's pose at impact (`ego_at_impact`, ego frame at t0) in `tta` s.
-/// `ego_speed` in m/s. Uses no history.
+/// Returns the network input of a candidate, kCandidateFeatures numbers scaled to order one:
+/// position, speed, the motion needed to reach the ego's pose at impact (`ego_at_impact`, ego frame
+/// at t0) in `tta` s (positive), and the type one-hot in the order of kCollisionTypes. `ego_speed`
+/// in m/s at t0. Uses no history.
 Eigen::VectorXf candidateFeatures(const CandidateNow& candidate, double ego_speed,
                                   const Pose2& ego_at_impact, double tta, CollisionType type);
 

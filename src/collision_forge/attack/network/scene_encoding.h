@@ -12,12 +12,12 @@ namespace forge {
 
 /// A dense row-major array of any rank.
 struct DenseTensor {
-  std::vector<std::uint32_t> shape;
-  std::vector<float> data;
+  std::vector<std::uint32_t> shape;  ///< length of each dimension, outermost first
+  std::vector<float> data;           ///< as many numbers as the product of `shape`
 };
 
 /// A snapshot as network input, in the frame of the ego's box at t0 (x forward, y left; m, rad,
-/// m/s). Missing entries have mask 0 and no meaningful values.
+/// m/s). Missing entries have mask 0 and value 0, others mask 1.
 struct SceneEncoding {
   /// [1 + agents, frames, 8]: x, y, cos yaw, sin yaw, vx, vy, length, width. Row 0 is the ego, then
   /// the agents in the snapshot's order; the last frame is t0.
@@ -26,11 +26,12 @@ struct SceneEncoding {
   /// [lanes, points, 6]: x, y, cos yaw, sin yaw, is_connector, is_intersection; nearest lane first.
   DenseTensor lane_features;
   DenseTensor lane_mask;              ///< [lanes, points]
-  std::vector<std::string> lane_ids;  ///< [lanes]
-  std::vector<std::size_t> lanes;     ///< [lanes], indices into LaneMap::lanes
+  std::vector<std::string> lane_ids;  ///< [lanes], ids of the rows of lane_features
+  std::vector<std::size_t> lanes;     ///< [lanes], the same as indices into LaneMap::lanes
 };
 
-/// Encodes the `frames` newest frames of the snapshot and the lanes around the ego. Throws
+/// Encodes the `frames` newest frames of the snapshot (times of ego states; the oldest columns stay
+/// empty if there are fewer) and the lanes around the ego, at most options.max_lanes. Throws
 /// std::invalid_argument if the snapshot has no ego state at its time.
 SceneEncoding encodeScene(const Snapshot& snapshot, const LaneIndex& lanes, int frames,
                           const EncodingOptions& options);

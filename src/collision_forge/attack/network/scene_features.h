@@ -11,26 +11,32 @@
 
 namespace forge {
 
-inline constexpr int kAgentVector = 8;  ///< x, y, cos, sin, vx, vy, time, is ego
-/// x, y, cos, sin, is_connector, is_intersection, position along the lane; then the lane's links:
-/// numbers of successors and predecessors, turns of the leftmost and the rightmost successor,
-/// whether a successor is in an intersection.
+/// Numbers per agent and frame: x, y, cos yaw, sin yaw, vx, vy, time since t0, is ego (1 or 0).
+inline constexpr int kAgentVector = 8;
+/// Numbers per lane point: x, y, cos yaw, sin yaw, is_connector, is_intersection, position along
+/// the lane; then the lane's links: numbers of successors and predecessors, turns of the leftmost
+/// and the rightmost successor, whether a successor is in an intersection.
 inline constexpr int kLaneVector = 12;
-inline constexpr int kEgoFeatures = 9;  ///< five past speeds, three accelerations, turn rate
+/// Numbers of the ego: five past speeds (EgoNow), three accelerations between them, turn rate.
+inline constexpr int kEgoFeatures = 9;
 
 /// Returns the snapshot without information from later frames: velocities are backward differences
 /// (recorded ones may look ahead; a track's first state takes the velocity of its second), and of
-/// agents in `hidden` only the newest state remains.
+/// agents whose id is in `hidden` only the newest state remains.
 Snapshot observedSnapshot(const Snapshot& snapshot, const std::set<std::string>& hidden);
 
-/// A scene as network input of fixed size (PatternFeatureOptions), in the ego's frame at t0, scaled
-/// to order one. Missing entries have mask 0 and value 0.
+/// A scene as network input of fixed size (PatternFeatureOptions), in the frame of the ego's box at
+/// t0, scaled to order one. Missing entries have mask 0 and value 0, others mask 1.
 struct SceneFeatures {
-  RowMatrix agents;            ///< [(1 + max_agents) * history_frames, kAgentVector], ego first
+  /// [(1 + max_agents) * history_frames, kAgentVector]: the ego's frames, then the frames of each
+  /// agent, nearest agent first; oldest frame first
+  RowMatrix agents;
   Eigen::VectorXf agent_mask;  ///< [rows of agents]
-  RowMatrix lanes;             ///< [max_lanes * lane_points, kLaneVector]
-  Eigen::VectorXf lane_mask;   ///< [rows of lanes]
-  Eigen::VectorXf ego;         ///< [kEgoFeatures]
+  /// [max_lanes * lane_points, kLaneVector]: the points of each lane from its start, nearest lane
+  /// first
+  RowMatrix lanes;
+  Eigen::VectorXf lane_mask;  ///< [rows of lanes]
+  Eigen::VectorXf ego;        ///< [kEgoFeatures]
 };
 
 /// Encodes the ego, the agents present at t0 nearest to it and the nearest lanes. `observed` must

@@ -7,27 +7,33 @@
 
 namespace forge {
 
-/// Result of driving an adaptive attacker over a recording.
+/// Result of driving an adaptive attacker over a recording. Without an attack `plans` and
+/// `milliseconds` are empty.
 struct AdaptiveDrive {
-  Attack attack;                     ///< trajectory as driven, with its report
-  std::vector<AttackerPlan> plans;   ///< AttackerPolicy::plans()
-  std::vector<double> milliseconds;  ///< wall-clock time of each update step
+  Attack attack;                    ///< trajectory as driven, with its report; or the rejection
+  std::vector<AttackerPlan> plans;  ///< AttackerPolicy::plans()
+  /// wall-clock time of each call of AttackerPolicy::observe(), ms
+  std::vector<double> milliseconds;
 };
 
 /// Requests an attack from `method` as in history mode, without a minimum confidence, and drives it
 /// adaptively over `recording`, revealed frame by frame. If the status is kOk, the drive was
-/// verified against the recording (verify()) but may not meet the request: see rejectMisses().
-/// `moment` must be an instant of `recording` and hold its recorded future.
+/// verified against the recording (verify()) but may not meet the request: see rejectMisses(). If
+/// the method finds no attack, returns its rejection. `moment` must be an instant of `recording`
+/// and hold its recorded future. `ego`: size of the ego's box. `request` needs its crash
+/// definition.
 AdaptiveDrive requestAdaptively(const AttackMethod& method, const Moment& moment,
                                 const Scene& recording, const EgoVehicle& ego,
                                 const CollisionRequest& request, const AttackerSetup& setup);
 
-/// As requestAdaptively(), from the first attack `first` with status kOk, verified or not.
+/// As requestAdaptively(), from the first attack `first`, which must have the status kOk, verified
+/// or not; its confidence is kept. `request.type` must not be kAny.
 AdaptiveDrive driveAdaptively(Attack first, const Moment& moment, const Scene& recording,
                               const EgoVehicle& ego, const CollisionRequest& request,
                               const AttackerSetup& setup);
 
-/// Returns `answer`, or kNoAttackWithinLimits with the reason if its drive does not meet `request`.
+/// Returns `answer` if it is rejected already or its drive meets `request` (shortcomingOf()), else
+/// kNoAttackWithinLimits with the reason and without plans.
 AdaptiveDrive rejectMisses(AdaptiveDrive answer, const CollisionRequest& request);
 
 }  // namespace forge

@@ -15,17 +15,18 @@ namespace forge {
 
 /// Input of an adaptive attacker at t0.
 struct AttackerTask {
-  Snapshot snapshot;  ///< at t0
+  Snapshot snapshot;  ///< frames up to t0; its `now` is t0
   std::shared_ptr<const LaneIndex> lanes;
-  EgoVehicle ego;
-  CollisionRequest request;  ///< with the crash definition filled in
+  EgoVehicle ego;            ///< size of the ego's box
+  CollisionRequest request;  ///< with the crash definition filled in; its type must not be kAny
   CollisionPattern pattern;  ///< pattern from which `plan` was made
   AttackerTrajectory plan;   ///< first plan, from t0; at least two points
   double effort = 0.0;       ///< of `plan`, see Attack::effort
 };
 
-/// Models and options of adaptive attackers.
+/// Models and options of adaptive attackers; may be shared by many.
 struct AttackerSetup {
+  /// samples how the ego may continue; must not be null
   std::shared_ptr<const EgoFutureSampler> ego_futures;
   AttackOptions attack;
   AdaptiveOptions adaptive;
@@ -51,13 +52,18 @@ class AdaptiveAttacker : public AttackerPolicy {
   std::unique_ptr<AttackerPolicy> clone() const override {
     return std::make_unique<AdaptiveAttacker>(*this);
   }
+  /// Ignores frames earlier than AdaptiveOptions::period after the last update step, and frames so
+  /// late that no new motion can start before the end of the plan.
   void observe(const Frame& seen) override;
+  /// See AttackerPolicy. Ends at the end of the first plan, or SearchOptions::tail after the
+  /// requested contact if that is later; points are SearchOptions::step apart.
   const AttackerTrajectory& trajectory() const override { return task_.plan; }
   AttackerPhase phase() const override { return phase_; }
   const std::vector<AttackerPlan>& plans() const override { return plans_; }
 
   /// Returns the ego's observed states since t0 followed by its likeliest prediction, and the other
-  /// agents' prediction from the newest frame on.
+  /// agents' prediction from the newest frame on, up to the end of trajectory(); `ego_samples` are
+  /// predictions of the ego from the newest frame on. Box centres, map frame.
   Future outlook() const;
 
  private:

@@ -26,11 +26,12 @@ struct AttackerPlan {
   double seen = 0.0;  ///< s, scene clock: frame on which the decision is based
   double from = 0.0;  ///< s, scene clock: start of the planned motion
   AttackerPhase phase = AttackerPhase::kAttacking;
-  std::string reason;                   ///< for people
+  std::string reason;                   ///< for people, for instance "too late to replan"
   std::vector<TrajectoryPoint> points;  ///< from `from` on; empty: the previous plan continues
 };
 
-/// Returns the initial plan: all of `trajectory`, which must have points.
+/// Returns the initial plan: all points of `trajectory`, which must have points; `seen` and `from`
+/// are the time of the first point.
 AttackerPlan firstPlan(const AttackerTrajectory& trajectory, AttackerPhase phase);
 
 /// Interface: drives one attacker through one attack, one frame at a time. Extension point for
@@ -46,11 +47,11 @@ class AttackerPolicy {
   /// branched or restarted. Must not share mutable state with the original.
   virtual std::unique_ptr<AttackerPolicy> clone() const = 0;
 
-  /// Update step: called once per frame (ego and all agents at its time, nothing later), times
-  /// ascending, on the thread of the scene subscriber or simulation, which waits for it: it must
-  /// take less than the frame interval. Frames not later than the last one must be ignored.
-  /// `seen.ego` is not finite if the ego was not observed. Should not throw, because an exception
-  /// ends the whole simulation: abort the attack instead.
+  /// Update step: called once per frame (ego and all agents at its time, nothing later; box
+  /// centres, map frame), times ascending, on the thread of the scene subscriber or simulation,
+  /// which waits for it: it must take less than the frame interval. Frames not later than the last
+  /// one must be ignored. `seen.ego` is not finite if the ego was not observed. Should not throw,
+  /// because an exception ends the whole simulation: abort the attack instead.
   virtual void observe(const Frame& seen) = 0;
 
   /// Returns the motion from t0: driven up to the newest frame, planned after it. Must have points,
@@ -65,14 +66,14 @@ class AttackerPolicy {
   virtual const std::vector<AttackerPlan>& plans() const = 0;
 };
 
-/// The built-in policies.
+/// The built-in policies: kFixed is FixedAttacker, kAdaptive is AdaptiveAttacker.
 enum class PolicyKind { kFixed, kAdaptive };
 /// Returns "fixed" or "adaptive".
 const char* toString(PolicyKind kind);
 /// Returns the policy of a name as toString() spells it; nullopt for another name.
 std::optional<PolicyKind> policyKindFromString(const std::string& name);
 
-/// Drives a given trajectory, whatever happens.
+/// Drives a given trajectory, whatever happens; its phase is always kCommitted.
 class FixedAttacker : public AttackerPolicy {
  public:
   /// `trajectory` must have points.

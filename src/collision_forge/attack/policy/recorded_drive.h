@@ -5,13 +5,14 @@
 
 namespace forge {
 
-/// Returns the frame of a recording at `time` (s), each agent with one state. The ego's pose is not
-/// finite if it was not recorded then.
+/// Returns the frame of a recording at `time` (s, scene clock): the agents with a state at that
+/// time (to 1 us), each with this state alone, and the ego's pose, interpolated. The ego's pose is
+/// NaN if it was not recorded then.
 Frame frameAt(const Scene& scene, double time);
 
-/// Calls policy.observe() with each frame of the recording after `now` (s) up to the end of the
-/// policy's trajectory; the ego drives as recorded and does not react. Returns the wall-clock time
-/// of each update step in milliseconds.
+/// Calls policy.observe() with each frame of the recording after `now` (s, scene clock) and before
+/// the end of the policy's trajectory; the ego drives as recorded and does not react. Returns the
+/// wall-clock time of each call in milliseconds, in order.
 std::vector<double> driveOverRecording(AttackerPolicy& policy, const Scene& scene, double now);
 
 }  // namespace forge

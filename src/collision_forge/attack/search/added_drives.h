@@ -11,26 +11,30 @@
 
 namespace forge {
 
-/// A contact of an added vehicle with the ego.
+/// A contact of an added vehicle with the ego, which is to be reached.
 struct AddedMeeting {
-  const AddedWay* way = nullptr;  ///< path of the added vehicle
+  const AddedWay* way = nullptr;  ///< path of the added vehicle; owned by AddedWays
   OrientedBox ego;                ///< ego box at the contact, global map frame
   double contact = 0.0;           ///< s after t0
   Side side = Side::kLeft;        ///< touched side of the ego
   double heading = 0.0;           ///< rad, attacker's heading relative to the ego's
-  double contact_position = 0.0;  ///< contact position along the side, see attackerOffset()
-  double across = 0.0;            ///< m, left offset from the path of a car at the contact
+  double contact_position = 0.0;  ///< share of half the touched side, see attackerOffset()
+  /// m, left offset from the path of the box centre of a car (first of AddedVehicleOptions::kinds)
+  /// at the contact
+  double across = 0.0;
 
-  /// Returns true if the ego is on the path at the contact.
+  /// Returns true if the ego's box centre at the contact is less than 1.5 m from the path.
   bool isEgosPath() const;
-  /// Returns the pose of an attacker of this size in the ego box's frame.
+  /// Returns the box centre of an attacker of this size at the contact in the frame of the ego's
+  /// box.
   Pose2 offsetOf(const BoxSize& attacker) const;
-  /// Returns the pose of an attacker of this size relative to the path.
+  /// Returns the box centre of an attacker of this size at the contact relative to the path.
   PathPose seen(const BoxSize& attacker) const;
 };
 
 /// Speed profile with which an added vehicle approaches along its path.
 struct ApproachManner {
+  /// Motion of the vehicle before and after t0.
   enum Kind {
     kCruise,  ///< constant speed, lower in bends
     kTrain,   ///< as the ego drove until t0, then constant acceleration
@@ -43,28 +47,33 @@ struct ApproachManner {
   /// By kind: kCruise: speed, m/s; kTrain: acceleration after t0, m/s2; kStart: acceleration after
   /// `departure`, m/s2; kFollow: index of the flow; kPark: m before the meeting; kStand: unused.
   double value = 0.0;
-  bool waits = false;      ///< kStart: drove up and stopped before t0
-  double aside = 0.0;      ///< m, left offset from the path
-  bool rides = false;      ///< motorcycle beside the ego in its lane; replaces `aside`
-  double departure = 0.0;  ///< kStart: s after t0 for which it stands
+  /// kStart: true: drove up and stopped before t0; false: has stood since the first frame
+  bool waits = false;
+  double aside = 0.0;  ///< m, left offset of the box centre from the path
+  /// true: a motorcycle beside the ego in its lane, whose offset replaces `aside`
+  bool rides = false;
+  double departure = 0.0;  ///< kStart: s after t0 until which it stands
 };
 
-/// Longitudinal motion of an added vehicle along its path.
+/// Longitudinal motion of an added vehicle along its path. Distances along the path are of the box
+/// centre, in m from the path's start.
 struct AddedDrive {
-  static constexpr double kStep = AddedWay::kStep;  ///< s
-  /// s; a standing vehicle stands at least this long, the time over which its motion is estimated.
+  static constexpr double kStep = AddedWay::kStep;  ///< s between the entries of `back`
+  /// s; a vehicle that stopped before t0 stands at least this long, the time over which its motion
+  /// is estimated.
   static constexpr double kWait = 2.0;
 
-  double aside = 0.0;        ///< m, left offset from the path
+  double aside = 0.0;        ///< m, left offset of the box centre from the path
   std::vector<double> back;  ///< m along at t0, t0 - kStep, ...; below 0: before the path's start
-  double contact = 0.0;      ///< s after t0
-  std::vector<double> on;    ///< m along from t0 to the contact, every step()
+  double contact = 0.0;      ///< s after t0, of the contact
+  std::vector<double> on;    ///< m along from t0 + step() to the contact, every step()
 
-  double step() const { return contact / static_cast<double>(on.size()); }  ///< s, interval of `on`
+  /// Returns the interval of `on`, s.
+  double step() const { return contact / static_cast<double>(on.size()); }
   /// Returns m along the path at `steps` times kStep after t0 (negative: before); constant beyond
   /// both ends.
   double at(int steps) const;
-  /// Returns the box centre at that time, with the path's heading.
+  /// Returns the box centre (map frame) at that time, with the heading of `path`.
   Pose2 poseAt(const ReferencePath& path, int steps) const;
 };
 
@@ -74,13 +83,13 @@ class AddedDrives {
   /// `input` and `options` must outlive this object.
   AddedDrives(const AddedVehicleInput& input, const AttackOptions& options);
 
-  /// Returns the manners to try for the request's type, in this order.
+  /// Returns the manners to try for the request's type, manoeuvre and ranges, in this order.
   std::vector<ApproachManner> mannersFor(const AddedMeeting& meeting) const;
 
-  /// Plans the motion that reaches the meeting at its contact time (a parked vehicle stands a
-  /// little before it and farther out), back to the recording's first frame or the start of the
-  /// path. `variation` applies to kCruise. Returns false if the manner is impossible; `drive` is
-  /// then unspecified.
+  /// Plans the motion of a vehicle of `size` that reaches the meeting at its contact time (a parked
+  /// vehicle stands a little before it and farther out), back to the recording's first frame or the
+  /// start of the path. `variation` applies to kCruise. Returns false if the manner is impossible;
+  /// `drive` is then unspecified. Does not check traffic or limits: see AddedPast.
   bool plan(const AddedMeeting& meeting, const ApproachManner& manner, const BoxSize& size,
             AddedDrive& drive, const SpeedVariation& variation = {}) const;
 

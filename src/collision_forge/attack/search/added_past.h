@@ -20,11 +20,12 @@ class AddedPast {
   /// `input` and `options` must outlive this object.
   AddedPast(const AddedVehicleInput& input, const AttackOptions& options);
 
-  /// Drives the motion up to t0 within the limits of the class and size of `track`, and appends its
-  /// states at the recorded frames (global map frame). Requires that the vehicle exists since the
-  /// first frame or appears outside the ego's view, touches no agent, and stays clear until shortly
-  /// before the contact. Returns null on success, else the reason, worded to follow a count ("no
-  /// vehicle can be added: 3 REASON"). After a failure `track` is unspecified.
+  /// Drives the motion on `path` up to t0 within the limits of the class and size of `track`, which
+  /// has no states, and appends its states at the recorded frames (box centres, global map frame)
+  /// to it. Requires that the vehicle exists since the first frame or appears outside the ego's
+  /// view (live: is outside it at t0), touches no agent, and stays clear until shortly before the
+  /// contact. Returns null on success, else the reason, a string literal worded to follow a count
+  /// ("no vehicle can be added: 3 REASON"). After a failure `track` is unspecified.
   const char* drive(const AddedDrive& drive, const ReferencePath& path, Track& track);
 
  private:

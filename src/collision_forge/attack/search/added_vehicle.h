@@ -12,25 +12,27 @@
 
 namespace forge {
 
-/// Subtracted from the score of an added motorcycle if the request names no class, because
+/// Added to the Attack::effort of an added motorcycle if the request names no class, because
 /// motorcycles are rare in traffic.
 inline constexpr double kRidingCost = 0.15;
 
 /// A vehicle that is not in the recording, and how it could hit the ego.
 struct AddedVehicle {
-  Track track;                             ///< from its first frame to t0, at the frame times
-  ReferencePath way;                       ///< path of its motion, beyond the contact
-  std::vector<CollisionPattern> patterns;  ///< with the track's id as attacker
+  Track track;        ///< from its first frame in the recording to t0, at the frame times
+  ReferencePath way;  ///< path of its box centre from before its first frame to beyond the contact
+  /// with the track's id as attacker; not empty, most promising first
+  std::vector<CollisionPattern> patterns;
 };
 
 /// Vehicles that fit into the scene: the simplest motions first, motorcycles last.
 struct AddedVehicles {
   std::vector<AddedVehicle> found;
-  Status status;  ///< if `found` is empty: kNoCandidate or kRoadDoesNotAllow
+  /// kOk, or if `found` is empty: kNoCandidate or kRoadDoesNotAllow with the reason
+  Status status;
 };
 
 /// Returns an id for a further added vehicle or pedestrian: "added-N", with the smallest N above
-/// found.size() that no agent of `past` and no vehicle in `found` has.
+/// found.size() such that neither an agent of `past` nor a vehicle in `found` has this id.
 std::string newVehicleId(const Snapshot& past, const std::vector<AddedVehicle>& found);
 
 /// Finds vehicles that could have been in the scene all along and then hit the ego with the
@@ -42,9 +44,11 @@ std::string newVehicleId(const Snapshot& past, const std::vector<AddedVehicle>& 
 /// draws depend only on the request's seed.
 AddedVehicles addVehicles(const AddedVehicleInput& input, const AttackOptions& options);
 
-/// Returns the best attack by `vehicles`, the result of addVehicles() for this input, with the
-/// vehicle's past in its trajectory; without an attack, the reason. `input.snapshot` must not
-/// contain them, and the request must not name an attacker.
+/// Returns the best attack by `vehicles`, the result of addVehicles() or addWalkers() for this
+/// input, with the vehicle's past in its trajectory; without an attack, the reason. Calls
+/// `realizer` for the cars and, if these are not good enough, for the motorcycles. `input.snapshot`
+/// must not contain the vehicles, and the request must not name an attacker. Throws as
+/// TrajectoryRealizer::realize().
 Attack realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInput& input,
                       const AttackOptions& options, const TrajectoryRealizer& realizer,
                       SearchedMotion motion);

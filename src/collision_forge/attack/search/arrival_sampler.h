@@ -11,15 +11,16 @@ namespace forge {
 
 /// A contact with one predicted future of the ego, and the arrival that leads to it.
 struct AimedArrival {
-  std::size_t ego = 0;   ///< index of the future
+  std::size_t ego = 0;   ///< index of the future in SearchInput::egos
   double contact = 0.0;  ///< s after t0
   double lead = 0.0;     ///< s driven straight before the contact
-  Pose2 offset;          ///< attacker's pose in the ego box's frame at the contact
-  Arrival arrival;       ///< derived from the other fields
+  Pose2 offset;          ///< attacker's box centre in the ego box's frame at the contact
+  /// time and pose are derived from the other fields; speed and accelerations are free
+  Arrival arrival;
 };
 
-/// Returns the indices of at most `most` futures, stratified by the ego's forward distance from
-/// `now` (its pose at t0) at `time` (s, snapshot clock).
+/// Returns the indices into `egos` of at most `most` futures, stratified by the ego's forward
+/// distance from `now` (its box centre at t0) at `time` (s, scene clock), shortest distance first.
 std::vector<std::size_t> spreadFutures(const std::vector<const Track*>& egos, const Pose2& now,
                                        double time, int most);
 
@@ -31,8 +32,9 @@ class ArrivalSampler {
   ArrivalSampler(const SearchInput& input, const AttackOptions& options,
                  const VehicleLimits& limits, Random& random);
 
-  /// Returns the arrival at the pattern's own pose and time, at the pattern's speed or, if
-  /// `steady`, at the speed that a constant acceleration leads to.
+  /// Returns the arrival at the pattern's own pose (Aim::touching) and time, clamped to the allowed
+  /// contacts, at the pattern's speed or, if `steady`, at the speed that a constant acceleration
+  /// leads to.
   AimedArrival own(const Contender& contender, const Aim& aim, bool steady) const;
 
   /// Samples an arrival anywhere along the ego's side that the pattern touches, at any time and
@@ -40,23 +42,30 @@ class ArrivalSampler {
   /// if not `steady`, half of the draws take any speed.
   AimedArrival wide(const Contender& contender, const Aim& aim, bool steady);
 
-  /// Perturbs an arrival at random; scale 1 is about the error of a pattern.
+  /// Perturbs an arrival at random within the allowed contacts; `scale` 1 is about the error of a
+  /// pattern.
   void move(AimedArrival& aimed, double scale);
 
-  /// Adds `by` to the attacker's pose in the ego box's frame (m, rad).
+  /// Adds `by` to the attacker's pose in the ego box's frame (m, rad) and derives the arrival
+  /// again.
   void shift(AimedArrival& aimed, const Pose2& by) const;
 
-  /// Returns true if some speed within the limits brings the attacker near the ego in time, in any
-  /// of egos().
+  /// Returns true if some speed within the limits brings the attacker within a few metres of the
+  /// ego at the requested or the latest contact time, in any of egos().
   bool canReach(const Contender& contender) const;
 
-  /// Returns the ego's box centre in future `ego` at `seconds` after t0, map frame.
+  /// Returns the ego's box centre in future `ego` (index into SearchInput::egos) at `seconds` after
+  /// t0, map frame; the last pose after the end of the future.
   Pose2 egoAt(std::size_t ego, double seconds) const;
 
-  /// Indices of the futures that are targeted, see spreadFutures().
+  /// Returns the indices of the futures that are targeted, see spreadFutures();
+  /// SearchOptions::ego_poses at most.
   const std::vector<std::size_t>& egos() const { return egos_; }
-  double earliest() const { return earliest_; }  ///< s after t0, first allowed contact
-  double latest() const { return latest_; }      ///< s after t0, last allowed contact
+  /// Returns the first allowed contact, s after t0: within the time tolerance less
+  /// SearchOptions::time_margin, at least 0.3.
+  double earliest() const { return earliest_; }
+  /// Returns the last allowed contact, s after t0.
+  double latest() const { return latest_; }
 
  private:
   double steadySpeed(const Contender& contender, const Pose2& target, double contact) const;

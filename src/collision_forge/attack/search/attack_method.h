@@ -14,24 +14,25 @@ class AttackMethod {
 
   /// Returns an attack, or a status other than kOk with the reason. Called once per request, and
   /// once per further request of findAlternatives(), on the caller's thread (batch workers call it
-  /// concurrently). `request` has passed checkRequest() and its crash definition is filled in;
-  /// `moment.recorded` is set in replay mode only. Must be deterministic in its arguments,
-  /// including the seed. With kOk, `report` must come from verify(); the attack may still violate
-  /// the request, which the caller checks. Throws InputError for unusable input; any other
-  /// exception ends a batch run, and a live node replies INTERNAL_ERROR. Must not block on ROS
-  /// callbacks or change global state.
+  /// concurrently). `request` has passed checkRequest(), its type is not kAny and its crash
+  /// definition is filled in; `moment.recorded` is set in replay mode only. Must be deterministic
+  /// in its arguments, including the seed. With kOk, `report` must come from verify(); the attack
+  /// may still violate the request, which the caller checks. Throws InputError for unusable input;
+  /// any other exception ends a batch run, and a live node replies INTERNAL_ERROR. Must not block
+  /// on ROS callbacks or change global state.
   virtual Attack answer(const Moment& moment, const CollisionRequest& request) const = 0;
 };
 
 /// Returns the method's result, verified or not. Hides `moment.recorded` from the method unless the
-/// request is in replay mode. Rejects CollisionType::kAny, see generateCollision().
+/// request is in replay mode. Rejects CollisionType::kAny with kUnknownType, see
+/// generateCollision(). Throws as AttackMethod::answer().
 Attack attempt(const AttackMethod& method, const Moment& moment, const CollisionRequest& request);
 
 /// Returns one verified attack for a request, ignoring request.alternatives. Rejects without
 /// calling the method if checkRequest() does, with kRoadDoesNotAllow if a plausible attack is
 /// requested on a map without lanes, and with kNoRecording in replay mode without a recorded
-/// future. An attack that violates the request becomes kNoAttackWithinLimits or
-/// kNotBelievable.
+/// future. An attack that violates the request becomes kNoAttackWithinLimits or kNotBelievable. The
+/// request may shorten its attacker's id (withFullId()). Throws as AttackMethod::answer().
 Attack generateOne(const AttackMethod& method, const Moment& moment,
                    const CollisionRequest& request, const PredictionOptions& options);
 

@@ -12,8 +12,8 @@
 /// requested contact time, at the search's time step.
 namespace forge {
 
-/// The attacker keeps its speed and heading at t0 (estimateMotion()). Throws std::invalid_argument
-/// if the attacker is not in the snapshot. `tta` in s.
+/// The attacker keeps its speed and heading at t0 (estimateMotion()) until options.search.tail
+/// seconds after `tta` (s). Throws std::invalid_argument if the attacker is not in the snapshot.
 AttackerTrajectory constantVelocityAttacker(const std::string& attacker_id,
                                             const Snapshot& snapshot, double tta,
                                             const AttackOptions& options);
@@ -27,16 +27,17 @@ AttackerTrajectory nominalAttacker(const std::string& attacker_id, const Snapsho
                                    const Future* recorded, const CollisionRequest& request,
                                    const AttackOptions& options);
 
-/// One quintic per axis to the pattern's pose, as in the paper (arXiv 2510.12206, Sec. 3.4),
-/// whatever the ego does and whatever a vehicle can do. The attacker arrives with its speed at t0.
-/// Throws std::invalid_argument if the attacker is not in the snapshot.
+/// One quintic per axis to the pattern's pose `tta` s after t0, as in the paper (arXiv 2510.12206,
+/// Sec. 3.4), whatever the ego does and whatever a vehicle can do. The attacker arrives with its
+/// speed at t0. Throws std::invalid_argument if the attacker is not in the snapshot.
 AttackerTrajectory patternAttacker(const CollisionPattern& pattern, const Snapshot& snapshot,
                                    double tta, const AttackOptions& options);
 
 /// The baselines as methods. They ignore vehicle limits, so their reports use LimitSet::kStrict
-/// whatever the request says. Without a requested attacker they return the first candidate
-/// (isCandidate()) whose attack is verified, else one that touches the ego, else any. In history
-/// mode other agents move as in predictFuture().
+/// whatever the request says. Without a requested attacker ConstantVelocityMethod and NominalMethod
+/// return the first candidate (isCandidate()) whose attack is verified, else one that touches the
+/// ego, else any. In history mode other agents move as in predictFuture(). ConstantVelocityMethod:
+/// see constantVelocityAttacker().
 class ConstantVelocityMethod : public AttackMethod {
  public:
   explicit ConstantVelocityMethod(const AttackOptions& options) : options_(options) {}
@@ -46,7 +47,7 @@ class ConstantVelocityMethod : public AttackMethod {
   AttackOptions options_;
 };
 
-/// See nominalAttacker().
+/// Baseline of nominalAttacker().
 class NominalMethod : public AttackMethod {
  public:
   explicit NominalMethod(const AttackOptions& options) : options_(options) {}
@@ -56,9 +57,11 @@ class NominalMethod : public AttackMethod {
   AttackOptions options_;
 };
 
-/// One quintic to the most promising pattern of `predictor`, as in the paper.
+/// One quintic to the most promising pattern of `predictor`, as in the paper: patternAttacker().
+/// Returns the predictor's status if that is not kOk.
 class PatternQuinticMethod : public AttackMethod {
  public:
+  /// `predictor` must not be null.
   PatternQuinticMethod(const AttackOptions& options,
                        std::shared_ptr<const PatternPredictor> predictor)
       : options_(options), predictor_(std::move(predictor)) {}

@@ -10,32 +10,36 @@ namespace forge {
 
 /// One set of parameters of a named scenario.
 struct CatalogueCell {
-  std::string name;          ///< "euro_ncap_2026/CCRm attacker_speed=5.56"
-  CollisionRequest request;  ///< without attacker, TTA and crash definition
+  /// name of the entry and values of the grid: "euro_ncap_2026/CCRm attacker_speed=5.56"
+  std::string name;
+  /// without attacker, TTA, seed and crash definition, which have their defaults
+  CollisionRequest request;
 };
 
 /// A scenario that a test programme names, of a file config/catalogue/NAME.yaml.
 struct CatalogueEntry {
-  std::string name;                  ///< "euro_ncap_2026/CCRm"
-  std::string text;                  ///< what happens
-  std::string differs;               ///< how the request differs from the programme; may be empty
-  std::string missing;               ///< why it cannot be requested; empty if it can
-  CollisionRequest request;          ///< what all cells share
-  std::vector<CatalogueCell> cells;  ///< one per combination of its grid; empty with `missing`
+  std::string name;  ///< catalogue and scenario: "euro_ncap_2026/CCRm"
+  std::string text;  ///< what happens, for people
+  /// how the request differs from the programme, for people; empty if it does not
+  std::string differs;
+  std::string missing;       ///< why it cannot be requested, for people; empty if it can
+  CollisionRequest request;  ///< what all cells share
+  /// one per combination of its grid's values, one without a grid; empty with `missing`
+  std::vector<CatalogueCell> cells;
 };
 
 /// Returns the catalogues in the configuration, sorted by name.
 std::vector<std::string> catalogueNames(const ConfigFolder& folder);
 
-/// Returns the entries of one catalogue, or of all for "all", sorted by name. Throws
+/// Returns the entries of one catalogue, or of all for "all", sorted by catalogue and name. Throws
 /// std::invalid_argument for an unknown catalogue, with the known ones; ConfigError for a malformed
 /// file, an unknown field and a request that contradicts itself (checkControls()).
 std::vector<CatalogueEntry> readCatalogue(const ConfigFolder& folder, const std::string& catalogue);
 
-/// Returns the entries that `names` select, all if `names` is empty. A name is the name of an
-/// entry, with or without its catalogue and in any case, and may go on with values of the grid; the
-/// entry then keeps the cells with these values: "CCRb deceleration=4". Throws
-/// std::invalid_argument for an unknown name or value, with the nearest known one.
+/// Returns the entries that `names` select, in the order of `names`; all if `names` is empty. A
+/// name is the name of an entry, with or without its catalogue and in any case, and may go on with
+/// values of the grid; the entry then keeps the cells with these values: "CCRb deceleration=4".
+/// Throws std::invalid_argument for an unknown name or value, with the nearest known one.
 std::vector<CatalogueEntry> namedEntries(const std::vector<CatalogueEntry>& entries,
                                          const std::vector<std::string>& names);
 

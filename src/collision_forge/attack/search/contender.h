@@ -15,12 +15,16 @@ namespace forge {
 
 /// A target of the search: one collision pattern.
 struct Aim {
-  const CollisionPattern* pattern = nullptr;
-  std::size_t ego = 0;  ///< index of the future nearest to the pattern's ego pose
-  Pose2 touching;       ///< the pattern's offset, moved so that the boxes just touch
+  const CollisionPattern* pattern = nullptr;  ///< points into SearchInput::patterns
+  /// index into SearchInput::egos of the future nearest to the pattern's ego pose at its time
+  std::size_t ego = 0;
+  /// attacker's box centre in the ego box's frame: the pattern's offset, moved so that the boxes
+  /// just touch (touchingOffset())
+  Pose2 touching;
 
-  /// Returns how far (m) a corner of the attacker is from the pattern beyond the pattern's
-  /// tolerance; with `exact`, without tolerance.
+  /// Returns how far (m) a corner of a box of size `attacker` is from its place in the pattern, for
+  /// a contact that misses it by `miss`, beyond the pattern's tolerance; with `exact`, without
+  /// tolerance. At least 0.
   double missedBy(const PatternMiss& miss, const BoxSize& attacker, bool exact) const {
     return std::max(0.0, cornerMiss(miss, attacker) - (exact ? 0.0 : pattern->tolerance));
   }
@@ -28,19 +32,24 @@ struct Aim {
 
 /// A candidate attacker and the motions that it could drive.
 struct Contender {
+  /// its track in SearchInput::snapshot; for an attacker underway with its state at the snapshot's
+  /// t0
   const Track* track = nullptr;
-  std::vector<Aim> aims;   ///< its patterns, most promising first
+  std::vector<Aim> aims;   ///< its patterns, most promising first; at least one
   DriveStart start;        ///< its motion at t0, and the sampling of its candidates
-  DriveLimits limits;      ///< of its class; unset without `driver`
-  DriveState drive_start;  ///< single-track state at t0; unset without `driver`
-  std::optional<TrackDriver>
-      driver;  ///< drives within `limits`; empty if only the strict limits apply
-  std::vector<RouteDriver> routes;         ///< paths that it may follow, in a search by routes
-  std::unique_ptr<const Conduct> conduct;  ///< of its class, in a search by routes
+  DriveLimits limits;      ///< of its class; set only if `driver` is
+  DriveState drive_start;  ///< single-track state at t0; set only if `driver` is
+  /// drives within `limits`; empty if only the strict limits apply
+  std::optional<TrackDriver> driver;
+  /// paths that it may follow, in a search by routes (SearchInput::isByRoutes()), else empty
+  std::vector<RouteDriver> routes;
+  std::unique_ptr<const Conduct> conduct;  ///< of its class, in a search by routes, else null
 };
 
-/// Returns the attackers of the patterns, most promising first, up to the configured maximum.
-/// `points`: number of points of their motions. `input` and `options` must outlive them.
+/// Returns the attackers of the patterns, in the order of SearchInput::patterns, most promising
+/// first, at most SearchOptions::max_attackers. Leaves out attackers that are not in the snapshot.
+/// `limits`: bound on the speed at t0. `points`: number of points of their motions. `input` and
+/// `options` must outlive them.
 std::vector<std::unique_ptr<Contender>> contendersOf(const SearchInput& input,
                                                      const AttackOptions& options,
                                                      const VehicleLimits& limits, int points);

@@ -11,42 +11,50 @@
 
 namespace forge {
 
-/// rad (0.5 degrees) kept to either end of the band of headings of the type.
+/// rad (0.5 degrees) kept to either end of the type's band of headings at contact.
 inline constexpr double kHeadingMargin = 0.0087;
 
 /// Score of one attacker motion over the sampled ego futures.
 struct FutureScore {
   double share = 0.0;  ///< share 0..1 of futures in which all conditions hold
-  /// Closeness (0..1, by the gap or the errors in heading and time) summed over the futures in
-  /// which a condition fails, divided by the number of all futures.
+  /// Closeness, summed over the futures in which a condition fails and divided by the number of all
+  /// futures; 0..1 per future, exponential in the smallest gap of the boxes or, with a contact, in
+  /// its errors in heading and time.
   double closeness = 0.0;
-  std::size_t met = 0;  ///< index of a future in which all conditions hold; valid if share > 0
-  Pose2
-      contact;  ///< attacker in the ego box's frame at the contact in future `met`; valid as `met`
+  /// index into the constructor's `egos` of a future in which all conditions hold; valid if share >
+  /// 0
+  std::size_t met = 0;
+  /// attacker's box centre in the ego box's frame at the contact in future `met`; valid as `met`
+  Pose2 contact;
 };
 
 /// Scores thousands of attacker motions against all ego futures, whose poses are stored by time
-/// step. Tests boxes at every step and interpolates the contact time linearly. Stricter than the
-/// request by margins for overlap, heading and time, so that verify(), which is exact, agrees.
-/// Ignores vehicle limits. Immutable; usable from many threads at once.
+/// step. Conditions: the first contact with the ego is on time, of the requested type and deep
+/// enough, and no other agent is touched before. Tests boxes at every step and interpolates the
+/// contact time linearly. Stricter than the request by margins for overlap, heading and time, so
+/// that verify(), which is exact, agrees. Ignores vehicle limits. Immutable; usable from many
+/// threads at once.
 class FutureScorer {
  public:
-  /// `egos`: equally likely tracks from `now` (t0, s) on, at least one; a track that ends early
-  /// stands at its end. `agents`: other agents, may include the attackers.
+  /// `egos`: equally likely tracks (box centres, map frame) from `now` (t0, s, scene clock) on, at
+  /// least one; a track that ends early stands at its end. `agents`: other agents, may include the
+  /// attackers. All are copied. Throws as request.bands().
   FutureScorer(const std::vector<const Track*>& egos, const std::vector<Track>& agents,
                const CollisionRequest& request, double now, DrivingSide driving_side,
                const AttackOptions& options);
 
-  /// Number of points that a motion needs: from t0 to the end of the time tolerance.
+  /// Returns the number of points that a motion needs: from t0 to the end of the time tolerance,
+  /// SearchOptions::step apart.
   int steps() const { return steps_; }
 
-  /// Scores a motion given as points at the search's time step from t0, at least steps(). `met` is
-  /// `preferred` if all conditions hold there, else the middle one of the hits.
+  /// Scores a motion of `attacker` (its id, class and size are used) given as points at the
+  /// search's time step from t0, at least steps(). `met` is `preferred` (index into `egos`) if all
+  /// conditions hold there, else the middle one of the hits by index.
   FutureScore score(const Track& attacker, const std::vector<TrajectoryPoint>& points,
                     std::size_t preferred = 0) const;
 
-  /// Returns the indices of the futures in which all conditions hold, in cyclic order starting at
-  /// `first` if it is among them.
+  /// Returns the indices into `egos` of the futures in which all conditions hold, ascending and
+  /// cyclic: starting at `first` if it is among them.
   std::vector<std::size_t> hits(const Track& attacker, const std::vector<TrajectoryPoint>& points,
                                 std::size_t first = 0) const;
 

@@ -4,16 +4,17 @@
 
 namespace forge {
 
-/// Returns the request with the type of its attack: CollisionType::kAny becomes the attack's type.
-/// A request without an attack is returned unchanged.
+/// Returns the request with the type of its attack: CollisionType::kAny becomes the type of
+/// attack.pattern. Returns the request unchanged if it has another type or the attack is rejected.
 CollisionRequest withTypeOf(CollisionRequest request, const Attack& attack);
 
 /// Returns the verified attack for a request, and further ones in `alternatives` if the request
 /// wants more than one: generateOne(), then findAlternatives(). In replay mode, reports also have
 /// the drives of driveCarefully() in the recording. For CollisionType::kAny, returns the attack
 /// with the greatest scoreOf() over all types, tried in an order that depends on the seed, until
-/// one has the greatest possible score; Attack::pattern has its type. Main entry point of the
-/// attack layer; runs on the caller's thread.
+/// one has the greatest possible score; Attack::pattern has its type. Without an attack, its status
+/// has the code and the reason. Throws as AttackMethod::answer(). Main entry point of the attack
+/// layer; runs on the caller's thread.
 Attack generateCollision(const AttackMethod& method, const Moment& moment,
                          const CollisionRequest& request, const PredictionOptions& options);
 

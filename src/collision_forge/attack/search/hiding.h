@@ -13,24 +13,26 @@ namespace forge {
 /// An attack for which vehicles are sought that hide its attacker. Holds references: the referenced
 /// objects must outlive it.
 struct HidingInput {
-  const AttackerTrajectory& attacker;
-  double contact = 0.0;    ///< s, scene clock
+  const AttackerTrajectory& attacker;  ///< the attack's motion; must have points
+  double contact = 0.0;                ///< s, scene clock: contact of attacker and ego
   const Future& future;    ///< of the ego that the attacker hits and of the recorded agents
   const Snapshot& past;    ///< recorded frames up to t0; support vehicles must fit into these, too
-  const LaneIndex& lanes;  ///< map
+  const LaneIndex& lanes;  ///< the map
   Range visible_for;       ///< s, requested time from the first sight of the attacker to contact
 };
 
 /// When the attacker comes into view until the contact, and how long it was hidden right before.
 struct Hiding {
-  double visible_for = 0.0;  ///< s from then to the contact; since t0 if it was never hidden
-  int hidden = 0;            ///< consecutive steps of kSightStep, right before, without sight
+  /// s from then to the contact; since t0 if it was never hidden, 0 if it is hidden to the end
+  double visible_for = 0.0;
+  /// number of consecutive steps of kSightStep right before that without sight; 0: never hidden
+  int hidden = 0;
 };
 
-/// m between support vehicles and all agents but the ego.
+/// m; least distance between support vehicles and all agents but the ego.
 inline constexpr double kSupportClearance = 0.3;
 
-/// Tests whether support vehicles hide an attacker; shared by all searches for them.
+/// Tests whether support vehicles hide an attacker; shared by all searches for them. Immutable.
 class HidingSearch {
  public:
   /// Adds the boxes of support vehicles at a time (s, scene clock) to a list.
@@ -39,7 +41,8 @@ class HidingSearch {
   /// `input` must outlive this object.
   explicit HidingSearch(const HidingInput& input);
 
-  /// Returns how the recorded agents and the added boxes hide the attacker.
+  /// Returns how the recorded agents and the boxes that `add` appends hide the attacker. `add` is
+  /// called for steps of kSightStep between t0 and the contact, latest first.
   Hiding hidingBy(const AddBoxes& add) const;
 
   /// Returns true if the attacker is hidden for at least 0.3 s and comes into view within the
@@ -57,7 +60,7 @@ class HidingSearch {
   /// Returns true if the whole box is on the drivable area, and no part on a walkway.
   bool isOnRoad(const OrientedBox& box) const;
 
-  /// Returns an id "PREFIX-N" that no agent has; N is greater than `number`.
+  /// Returns an id "PREFIX-N" that no agent has, with the smallest such N greater than `number`.
   std::string newId(const std::string& prefix, std::size_t number) const;
 
  private:

@@ -25,23 +25,25 @@ constexpr Range usualSight(Hider hider) {
 /// ("missed the ego"); empty if it meets the request.
 std::string shortcomingOf(const CollisionReport& report, const CollisionRequest& request);
 
-/// Returns true if the attack is verified, plausible (if required), and has the requested
-/// manoeuvre, side of the ego, impact speed, overlap and conditions (asksForConditions()).
+/// Returns true if shortcomingOf() is empty: the attack is verified, plausible (if required), and
+/// has the requested manoeuvre, side of the ego, impact speed, overlap and conditions
+/// (asksForConditions()).
 bool meetsRequest(const CollisionReport& report, const CollisionRequest& request);
 
 /// Returns kOk if an attack with status kOk meets the request and its attacker is of the requested
-/// kind, else the status that rejects it. Another status is returned unchanged.
+/// id, class and choice, else the status that rejects it: kNotBelievable if only plausibility
+/// fails, else kNoAttackWithinLimits. Another status is returned unchanged.
 Status verdictOn(const Attack& answer, const CollisionRequest& request);
 
-/// Returns the score by which attacks are compared: confidence minus effort.
+/// Returns the score by which attacks are compared, greater is better: confidence minus effort.
 double scoreOf(const Attack& answer);
 
 /// Returns true if the request constrains manoeuvre, side of the ego, impact speed, overlap or a
 /// condition (asksForConditions()).
 bool hasConstraints(const CollisionRequest& request);
 
-/// Returns the confidence 0..1 for a share 0..1 of futures: piecewise linear through the points of
-/// `curve` (at least two), evenly spaced over the shares.
+/// Returns the confidence 0..1 for a share 0..1 of futures hit: piecewise linear through the points
+/// of `curve` (at least two), evenly spaced over the shares. A share outside is clamped.
 double confidenceOf(double share, const std::vector<double>& curve);
 
 /// Accepts or rejects attacks on one request, from any realiser, and counts the reasons. Every
@@ -50,18 +52,22 @@ double confidenceOf(double share, const std::vector<double>& curve);
 class AttackJudge {
  public:
   /// `input` and `options` must outlive this object. `exact`: reject contacts that are not at the
-  /// pattern (isExact()).
+  /// pattern (isExact()). `input.future` holds the sampled futures, or the known one without
+  /// samples.
   AttackJudge(const VerificationInput& input, const AttackOptions& options, bool exact);
 
-  /// Returns the ego futures available to the search, at least one.
+  /// Returns the ego futures available to the search, at least one; they point into `input.future`.
   const std::vector<const Track*>& searched() const { return searched_; }
 
   /// Verifies `attack` in the first four futures of `egos` until it meets the request in one, and
-  /// sets report, miss and confidence from that one. `attack` needs aim and trajectory; `attacker`
-  /// is its track in the snapshot. Returns true if the attack is accepted.
+  /// sets report, miss and confidence from that one. `attack` needs pattern and trajectory;
+  /// `attacker` is its track in the snapshot. Returns true if the attack is accepted: it meets the
+  /// request and its confidence is at least min_confidence. A rejected attack is counted for
+  /// refusal(), and its report is the last one tried.
   bool accepts(Attack& attack, const Track& attacker, const std::vector<const Track*>& egos);
 
-  /// Returns the status that explains why no attack from these patterns was accepted.
+  /// Returns the status that explains why accepts() accepted no attack from these patterns:
+  /// kLowConfidence, kNotBelievable or kNoAttackWithinLimits with the counted reasons.
   Status refusal(const std::vector<CollisionPattern>& patterns) const;
 
  private:

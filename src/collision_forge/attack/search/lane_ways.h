@@ -7,16 +7,17 @@
 
 namespace forge {
 
-/// Finds paths along lanes that lead to a place. `lanes` must outlive this object.
+/// Finds paths along lanes that lead to a place. `lanes` must outlive this object. Immutable.
 class LaneWays {
  public:
   explicit LaneWays(const LaneIndex& lanes);
 
-  /// Returns paths along centrelines to the place at `arc_length` (m) of `lane`, starting `back` m
-  /// before it or where the lanes begin, and continuing `ahead` m along straightestSuccessor(). At
-  /// most `most` paths: first the one that takes the straightest predecessor at each fork, then
-  /// paths that branch off it, nearest first, then branches of these. Throws std::invalid_argument
-  /// for a lane without a centreline.
+  /// Returns paths (map frame) along centrelines to the place at `arc_length` (m from its start) of
+  /// `lane` (index into LaneMap::lanes), starting `back` m before it or where the lanes begin, and
+  /// continuing `ahead` m along straightestSuccessor(). At least one and at most `most` paths:
+  /// first the one that takes the straightest predecessor at each fork, then paths that branch off
+  /// it, nearest first, then branches of these. Throws std::invalid_argument for a lane without a
+  /// centreline.
   std::vector<Polyline> to(std::size_t lane, double arc_length, double back, double ahead,
                            std::size_t most) const;
 

@@ -12,18 +12,19 @@
 
 namespace forge {
 
-/// Predictors that a method may use.
+/// Predictors that a method may use; never null.
 struct MethodPredictors {
-  std::shared_ptr<const EgoFutureSampler> ego_futures;
-  std::shared_ptr<const PatternPredictor> patterns;
+  std::shared_ptr<const EgoFutureSampler> ego_futures;  ///< samples futures of the ego
+  std::shared_ptr<const PatternPredictor> patterns;     ///< predicts collision patterns
 };
 
 /// Input of a method's factory.
 struct MethodSetup {
   AttackOptions options;
   MethodPredictors kinematic;                ///< without learned models
-  std::optional<MethodPredictors> networks;  ///< with trained networks, if there are any
-  std::string unseen_scene;  ///< scene that models must not have been trained on; empty: none
+  std::optional<MethodPredictors> networks;  ///< with trained networks; empty if there are none
+  /// name of the scene that models must not have been trained on; empty: none
+  std::string unseen_scene;
 };
 
 /// The available methods by name. Extension point: a shared library adds methods, see
@@ -35,8 +36,8 @@ class MethodRegistry {
   /// input; must not keep references to `setup`.
   using Make = std::function<std::unique_ptr<const AttackMethod>(const MethodSetup&)>;
 
-  /// A method: `description` is one line for people; `is_seeded` is true if results depend on the
-  /// request's seed.
+  /// A method: `name` is unique, `description` is one line for people; `is_seeded` is true if
+  /// results depend on the request's seed.
   struct Entry {
     std::string name;
     std::string description;
@@ -44,18 +45,18 @@ class MethodRegistry {
     Make make;
   };
 
-  /// Throws std::invalid_argument if the name is empty or already used.
+  /// Appends a method. Throws std::invalid_argument if the name is empty or already used.
   void add(Entry entry);
 
-  /// In the order of add().
+  /// Returns all methods in the order of add().
   const std::vector<Entry>& entries() const { return entries_; }
   /// Returns the names in the order of add().
   std::vector<std::string> names() const;
   /// Returns true if a method has this name.
   bool has(const std::string& name) const;
 
-  /// Returns the entry of a name. Throws std::invalid_argument for an unknown name, listing the
-  /// known ones.
+  /// Returns the entry of a name, valid until the next add(). Throws std::invalid_argument for an
+  /// unknown name, listing the known ones.
   const Entry& at(const std::string& name) const;
 
  private:
@@ -69,18 +70,18 @@ MethodRegistry builtInMethods();
 /// Returns the default method's name: "network+search" with networks, else "search".
 std::string defaultMethod(bool has_networks);
 
-/// Returns "network+METHOD", the name of the method with trained networks; withoutNetworks()
-/// removes the prefix.
+/// Returns "network+METHOD", the name of the method with trained networks.
 std::string withNetworks(const std::string& method);
+/// Returns the name without the prefix of withNetworks(); a name without it unchanged.
 std::string withoutNetworks(const std::string& method);
 
 /// Returns the setup's networks; throws std::invalid_argument if there are none.
 const MethodPredictors& networksOf(const MethodSetup& setup);
 
-/// Returns the built-in methods and the ones of shared libraries. Each library exports `extern "C"
-/// void addCollisionForgeMethods(forge::MethodRegistry&)`, called once after loading; libraries
-/// stay loaded. Throws std::runtime_error, naming the library, if one cannot be loaded or lacks the
-/// function.
+/// Returns the built-in methods and the ones of shared libraries (paths, as for dlopen()). Each
+/// library exports `extern "C" void addCollisionForgeMethods(forge::MethodRegistry&)`, called once
+/// after loading; libraries stay loaded. Throws std::runtime_error, naming the library, if one
+/// cannot be loaded or lacks the function.
 MethodRegistry methodsWith(const std::vector<std::string>& libraries);
 
 }  // namespace forge

@@ -14,31 +14,34 @@ namespace forge {
 class ConfigFolder;
 class Section;
 
-/// Budget of the search along routes. Adaptive attackers use less, as they search every update
-/// step.
+/// Budget of the search along routes (searchManoeuvres()). Adaptive attackers use less, as they
+/// search every update step.
 struct RouteDriverOptions {
-  int ways = 6;            ///< routes near the ego that an attacker may take
-  int rounds = 3;          ///< of perturbation of the best candidates
-  int perturbations = 40;  ///< per round
+  int ways = 6;            ///< most routes near the ego that an attacker may take
+  int rounds = 3;          ///< rounds of perturbation of the best candidates
+  int perturbations = 40;  ///< perturbed candidates per round
 };
 
 /// A kind of vehicle that may be added.
 struct AddedKind {
   AgentClass agent_class = AgentClass::kCar;
-  double share = 0.0;             ///< 0..1 of the added vehicles; 0: only if a request names it
+  /// relative frequency 0..1 among the added vehicles; 0: only if a request names the class
+  double share = 0.0;
   double length = 0.0;            ///< m, median
-  double length_deviation = 0.0;  ///< m, standard deviation
+  double length_deviation = 0.0;  ///< m, standard deviation of the length
   double width = 0.0;             ///< m
 };
 
-/// config/search.yaml, section added
+/// config/search.yaml, section added: vehicles that are inserted
 struct AddedVehicleOptions {
-  std::vector<AddedKind> kinds;
-  int candidates = 0;            ///< vehicles searched if the ego's future is known
-  int predicted_candidates = 0;  ///< vehicles searched if it is predicted
-  double preference = 0.0;     ///< scoreOf() by which an added attacker must exceed a recorded one
-  double sensing_range = 0.0;  ///< m from the ego, beyond which a vehicle may appear
-  double least_past = 0.0;     ///< s before t0 for which an added vehicle is visible, at least
+  std::vector<AddedKind> kinds;  ///< one per kind of the file; the first is the car
+  int candidates = 0;            ///< most vehicles searched if the ego's future is known
+  int predicted_candidates = 0;  ///< most vehicles searched if the ego's future is predicted
+  /// difference of scoreOf() by which an added attacker must exceed a recorded one
+  double preference = 0.0;
+  double sensing_range = 0.0;  ///< m from the ego's box centre, beyond which a vehicle may appear
+  /// s; least time before t0 at which an added vehicle appears in the recording
+  double least_past = 0.0;
   std::vector<double> speeds;  ///< m/s of an added vehicle, tried in this order
 };
 
@@ -48,8 +51,9 @@ struct SearchOptions {
   double step = 0.0;         ///< s between trajectory points
   double tail = 0.0;         ///< s of trajectory after the impact
   double time_margin = 0.0;  ///< s kept to either end of the time tolerance
-  int max_attackers = 0;     ///< candidates that are searched
-  double good_share = 0.0;   ///< share 0..1 of the futures at which a candidate ends the search
+  int max_attackers = 0;     ///< most candidates (vehicles) that are searched
+  /// share 0..1 of the futures; a candidate that hits at least this share ends the search
+  double good_share = 0.0;
   /// Confidence, 0..1, of an attack that hits a share of the ego's sampled futures; for shares
   /// evenly spread over [0, 1], linear between them.
   std::vector<double> confidence_curve;
@@ -57,8 +61,8 @@ struct SearchOptions {
   /// m; attacker and ego overlap by at least twice this, other agents are passed with it to spare.
   double overlap_margin = 0.04;
   // Costs, as shares of the sampled futures:
-  double off_road_weight = 0.4;  ///< of a wholly off-road attack
-  double steering_weight = 0.3;  ///< of steering faster than any driver
+  double off_road_weight = 0.4;  ///< cost of an attack that is wholly off the road
+  double steering_weight = 0.3;  ///< cost of steering faster than any driver
   // A candidate that is better than good_share ends the search unless ...
   double good_off_road = 0.05;  ///< ... a greater share of its box is off the drivable area
   double good_steering = 0.6;   ///< ... or its curvature changes faster, 1/(m s)
@@ -66,41 +70,46 @@ struct SearchOptions {
   /// the contact.
   double max_lead = 0.6;
   // Budget:
-  int ego_poses = 3;    ///< poses of the ego at impact that are aimed at, spread along its path
-  int draws = 16;       ///< arrivals per pattern, the pattern's own first
+  int ego_poses = 3;    ///< most futures of the ego that are aimed at, spread along its path
+  int draws = 16;       ///< arrivals drawn per pattern, the pattern's own first
   int homed = 3;        ///< best candidates whose arrival is shifted by the error of their contact
   int corrections = 3;  ///< shifts of the arrival per such candidate
-  int kept = 10;        ///< best candidates that are perturbed
-  int rounds = 4;       ///< of perturbation
-  int perturbations = 60;    ///< per round
+  int kept = 10;        ///< best candidates that are kept and perturbed
+  int rounds = 4;       ///< rounds of perturbation
+  int perturbations = 60;    ///< perturbed candidates per round
   int bicycle_targets = 40;  ///< arrivals tried with the bicycle, if no quintic is good enough
-  int bicycle_rounds = 6;    ///< of perturbation
-  int bicycle_perturbations = 100;  ///< per round
-  int steering_rounds = 9;          ///< of SteeringSearch
+  int bicycle_rounds = 6;    ///< rounds of perturbation of bicycle motions
+  int bicycle_perturbations = 100;  ///< perturbed bicycle motions per round
+  int steering_rounds = 9;          ///< rounds of SteeringSearch
 };
 
 /// End poses of the attackers in COLLIDE relative to the ego, recovered from the files of the data
 /// set.
 struct NominalOptions {
-  double end_distance = 4.0;   ///< m between the middles, in front (opposite direction) or behind
-  double side_distance = 3.0;  ///< m to the left or right (junction crossing, ltap)
-  double lane_change_ahead = 2.0;       ///< m ahead, plus the sine of the heading
-  double lane_change_side = 1.0;        ///< m to the left or right, plus the cosine of the heading
-  double lane_change_heading = 0.3491;  ///< rad (20 degrees) to the ego; the files have 10 to 30
+  /// m between the box centres; attacker in front (opposite direction) or behind (rear end)
+  double end_distance = 4.0;
+  /// m between the box centres, to the left or right (junction crossing, ltap)
+  double side_distance = 3.0;
+  /// m ahead of the ego's box centre, plus the sine of the heading
+  double lane_change_ahead = 2.0;
+  double lane_change_side = 1.0;  ///< m to the left or right, plus the cosine of the heading
+  /// rad (20 degrees) towards the ego; the files have 10 to 30
+  double lane_change_heading = 0.3491;
 };
 
 /// All options of the computation from a snapshot to an attacker trajectory.
 struct AttackOptions {
   PredictionOptions prediction;
   SearchOptions search;
-  RouteDriverOptions route;
+  RouteDriverOptions route;  ///< not in a file
   AddedVehicleOptions added;
   VerificationOptions verification;
   EgoFutureOptions ego_futures;
-  NominalOptions nominal;
+  NominalOptions nominal;  ///< not in a file
 };
 
-/// Attackers that a list of requests names: any vehicle, or each possible one by its id.
+/// Attackers that a list of requests names: kAny: none, so any vehicle may attack; kEach: each
+/// possible one by its id.
 enum class Attackers { kAny, kEach };
 
 /// Contents of a list of requests. The defaults of stride, ttas and min_ego_speed are in
@@ -108,7 +117,7 @@ enum class Attackers { kAny, kEach };
 struct RequestListOptions {
   double stride = 0.0;         ///< s between the times of requests
   std::vector<double> ttas;    ///< s from t0 to the contact
-  double min_ego_speed = 0.0;  ///< m/s; times with a slower ego are left out
+  double min_ego_speed = 0.0;  ///< m/s; times at which the ego is slower are left out
   std::vector<CollisionType> types{std::begin(kCollisionTypes), std::end(kCollisionTypes)};
   Attackers attackers = Attackers::kAny;
   std::uint64_t seed = 0;  ///< of every request
@@ -118,8 +127,9 @@ struct RequestListOptions {
 /// of range.
 void readOptions(Section& section, RequestListOptions& options);
 
-/// Reads prediction.yaml, search.yaml, believability.yaml, vehicle_limits.yaml and
-/// ego_futures.yaml. Throws ConfigError.
+/// Reads prediction.yaml, search.yaml, believability.yaml, severity.yaml, vehicle_limits.yaml and
+/// ego_futures.yaml of `directory`. Throws ConfigError for a missing file or key, or a value out of
+/// range.
 void readAttackOptions(const ConfigFolder& directory, AttackOptions& options);
 
 }  // namespace forge

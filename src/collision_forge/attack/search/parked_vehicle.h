@@ -8,8 +8,8 @@
 
 namespace forge {
 
-/// Finds one or two parked cars or vans (config/search.yaml, added.kinds) that hide the attacker
-/// until it comes into view within `visible_for` before the contact. Each stands since the first
+/// Finds one or two parked cars (of the cars of options.added.kinds) that hide the attacker until
+/// it comes into view within `input.visible_for` before the contact. Each stands since the first
 /// frame at the kerb side of a lane outside junctions and crosswalks, parallel to the lane, wholly
 /// on the drivable area, and clear of the ego and of all agents at all times. Places beside the
 /// lanes come first, then those that hide it for at least 1 s, then those from behind which it

@@ -15,7 +15,8 @@ namespace forge {
 struct PatternPrediction {
   Status status;                           ///< kOk, or why there are no patterns
   std::vector<CollisionPattern> patterns;  ///< most promising first
-  Future future;                           ///< from t0 to after the impact
+  /// ego and other agents from t0 to after the impact; without ego states if the predictor failed
+  Future future;
 };
 
 /// Interface: predicts collision patterns, the first stage of SearchMethod. Extension point (also
@@ -30,25 +31,29 @@ class PatternPredictor {
   /// has passed checkRequest(); `recorded` is the recorded future in replay mode, else null. Must
   /// be deterministic in its arguments, including request.seed, and must use nothing after t0
   /// except `recorded`. May throw InputError; patterns must name agents of the snapshot and times
-  /// after t0.
+  /// after t0 (scene clock).
   virtual PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
                                     const CollisionRequest& request,
                                     const Future* recorded) const = 0;
 };
 
-/// Predicts from t0 to t0 + `horizon` (s): `samples` equally likely ego futures, the most central
-/// of them `central` s after t0 as the likeliest, and other agents by predictFuture().
-/// Deterministic in its arguments.
+/// Predicts from t0 to t0 + `horizon` (s): `samples` equally likely futures of the ego
+/// (Future::ego_samples), as Future::ego the one whose position `central` s after t0 is nearest to
+/// their mean, and other agents by predictFuture(). Deterministic in its arguments. Throws as
+/// EgoFutureSampler::sample().
 Future predictWithEgoSamples(const Snapshot& snapshot, const LaneIndex& lanes,
                              const EgoFutureSampler& ego_futures, double horizon, double central,
                              int samples, std::uint64_t seed);
 
 /// Predicts without learning: places each candidate attacker at the ego's predicted (in replay
-/// mode: recorded) pose at impact, with the type's nominal heading. The ego moves as `ego_futures`
-/// samples it, other agents as predictFuture(). Returns kRoadDoesNotAllow if the request requires
-/// plausibility and roadAllows() is false.
+/// mode: recorded) pose at impact, with the type's nominal heading, on each side of placementsOf().
+/// The ego moves as `ego_futures` samples it, other agents as predictFuture(). Patterns are sorted
+/// by how well distance, time and speeds match. Returns kRoadDoesNotAllow if the request requires
+/// plausibility and roadAllows() is false, kBeyondRecording if the recording ends before the
+/// contact, kNoCandidate if no vehicle qualifies.
 class KinematicPatternPredictor : public PatternPredictor {
  public:
+  /// `ego_futures` must not be null.
   KinematicPatternPredictor(const AttackOptions& options,
                             std::shared_ptr<const EgoFutureSampler> ego_futures);
 

@@ -9,12 +9,15 @@ namespace forge {
 /// of speed, acceleration, time, length or share, and (N) for a whole number.
 struct PhraseRule {
   /// ECMAScript regular expression on whole words of the plain text: lower case, without hyphens
-  /// and underscores, with " , " for punctuation. Group 1 is the value if `effect` ends in "=".
+  /// and underscores, with " , " for punctuation. The text of its groups is the value if an
+  /// assignment of `effect` ends in "=".
   std::string pattern;
-  /// Assignments "field=value" separated by spaces. Besides fields of a request: `hint`, a type
-  /// that a manoeuvre overrides; `pace`, slow or fast against the ego; `crosses`, a crossing that
-  /// is a manoeuvre of vehicles only; `ignored`, words that are read and cannot be requested. Empty
-  /// for words without a meaning of their own.
+  /// Effects separated by spaces: "field=value" sets a field of a request; a range field or `tta`
+  /// without a value takes the quantity in the matched words. Other effects: `hint`, a type that a
+  /// manoeuvre overrides; `pace`, slow or fast against the ego; `crosses`, a crossing that is a
+  /// manoeuvre of vehicles only; `keep`, the words before the quantity stay for later rules;
+  /// `ignored`, words that are read and cannot be requested. Empty for words without a meaning of
+  /// their own.
   std::string effect;
 };
 

@@ -8,10 +8,10 @@
 
 namespace forge {
 
-/// A side of the ego's box that an attacker touches.
+/// A side of the ego's box that an attacker touches, and the sign of its heading.
 struct Placement {
   Side side = Side::kLeft;
-  double sign = 0.0;  ///< sign of the attacker's relative heading; 0: either
+  double sign = 0.0;  ///< sign of the attacker's heading minus the ego's; 0: either
 };
 
 /// Returns the possible placements of a type, COLLIDE's own first:
@@ -30,24 +30,24 @@ std::vector<Placement> placementsOf(CollisionType type, DrivingSide driving_side
 /// Maximum contact position along a side, as a share of half the side from its middle.
 inline constexpr double kMaxContactPosition = 0.9;
 
-/// Returns the contact position on the ego's front of a location on it (share of the ego's width, 0
-/// at the left edge), see attackerOffset().
+/// Returns the contact position on the ego's front (see attackerOffset()) of an impact location
+/// (share of the ego's width, 0 at the left edge, see ContactConditions::impact_location).
 inline double contactPositionOf(double impact_location) { return 1.0 - 2.0 * impact_location; }
 
 /// rad; a heading band that ends within this of 0 or pi includes it.
 inline constexpr double kBandEnd = 1e-3;
 
-/// A touched side of the ego with the attacker's relative heading, rad.
+/// A touched side of the ego and the attacker's heading.
 struct HeadedPlacement {
   Side side = Side::kLeft;
-  double heading = 0.0;
+  double heading = 0.0;  ///< rad, attacker's heading minus the ego's, (-pi, pi]
 };
 
 /// Returns how a vehicle on a lane of `direction` (rad, relative to the ego's heading) can hit the
-/// ego with the requested type: on either side, the heading nearest to `direction` within the
-/// type's band narrowed by `margin` (rad; not at ends that reach 0 or pi), if it differs from
-/// `direction` by at most `max_lean` (rad). Leaves out sides and headings that contradict
-/// `ego_side` or `from_side`.
+/// ego with the requested type: on each side of placementsOf(), the heading nearest to `direction`
+/// within the type's band narrowed by `margin` (rad; not at ends that reach 0 or pi), if it differs
+/// from `direction` by at most `max_lean` (rad). Leaves out sides and headings that contradict
+/// `ego_side` or `from_side`. May be empty. Throws as request.bands().
 std::vector<HeadedPlacement> placementsAlong(double direction, const CollisionRequest& request,
                                              DrivingSide driving_side, double margin,
                                              double max_lean);
@@ -65,7 +65,8 @@ Pose2 attackerOffset(const BoxSize& ego, const BoxSize& attacker, Side side, dou
                      double contact_position, double depth);
 
 /// Returns the pose at the same heading, on the line through the ego's centre and the attacker's,
-/// at which the boxes only touch. An attacker at the ego's centre is moved backwards.
+/// at which the boxes only touch. Poses are the attacker's box centre in the ego box's frame. An
+/// attacker at the ego's centre is moved backwards along its heading.
 Pose2 touchingOffset(const BoxSize& ego, const BoxSize& attacker, const Pose2& offset);
 
 }  // namespace forge

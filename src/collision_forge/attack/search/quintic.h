@@ -14,10 +14,11 @@ struct AxisState {
 /// Polynomial of degree five through two axis states (Takahashi et al. 1989).
 class Quintic {
  public:
-  /// Throws std::invalid_argument unless `duration` > 0 (s).
+  /// Starts in `start` at time 0 and is in `end` at `duration`. Throws std::invalid_argument unless
+  /// `duration` > 0 (s).
   Quintic(const AxisState& start, const AxisState& end, double duration);
 
-  /// Returns the state at `time` in [0, duration], s.
+  /// Returns the state at `time` in [0, duration], s; times outside extrapolate the polynomial.
   AxisState at(double time) const;
 
  private:

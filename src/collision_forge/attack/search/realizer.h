@@ -12,17 +12,20 @@ namespace forge {
 /// Input of a realiser. Holds references: the referenced objects must outlive it.
 struct RealizationTask {
   const std::vector<CollisionPattern>& patterns;  ///< most promising first
+  /// scene, futures and request; the snapshot must contain the attackers
   const VerificationInput& input;
   bool exact = false;  ///< require the contact at one of the patterns (isExact())
-  /// Paths of attackers, used instead of the paths along their lanes; for plausible attackers only.
+  /// Paths of attackers by id, used instead of the paths along their lanes; for plausible attackers
+  /// only.
   const AttackerWays& ways = kNoWays;
-  SearchedMotion motion = SearchedMotion::kByRoutes;  ///< for plausible attackers only
+  /// how plausible attackers are searched; ignored for others
+  SearchedMotion motion = SearchedMotion::kByRoutes;
 };
 
 /// Searches from the patterns (searchAttacks()) and returns the first attack, best first, that
-/// AttackJudge accepts. Deterministic in its arguments. Throws InputError if a pattern's
-/// attacker is not in the snapshot, its time is not after t0, a number is not finite, or the
-/// tolerance is negative.
+/// AttackJudge accepts; without one, AttackJudge::refusal(). Deterministic in its arguments. Throws
+/// InputError if a pattern's attacker is not in the snapshot, its time is not after t0, a number is
+/// not finite, or the tolerance is negative.
 Attack realize(const RealizationTask& task, const AttackOptions& options);
 
 /// Interface: drives attackers into collision patterns, the second stage of SearchMethod. Extension

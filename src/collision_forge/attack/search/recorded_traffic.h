@@ -7,28 +7,33 @@
 
 namespace forge {
 
-/// Boxes of ego and other agents at equally spaced instants around t0, for many queries.
+/// Boxes of ego and other agents at equally spaced instants around t0, for many queries. Places are
+/// in the map frame. Immutable.
 class RecordedTraffic {
  public:
   /// Uses `past` from its first frame to t0, then the agents of `future`, without the ego, up to
-  /// `end` s after t0. `interval` in s.
+  /// `end` s after t0. `interval`: s between two instants.
   RecordedTraffic(const Snapshot& past, const Future& future, double end, double interval);
 
-  /// Instants are numbered from t0: 0 is t0, negative before it.
+  /// Instants are numbered from t0: 0 is t0, negative before it. Returns the first one, at or up to
+  /// an interval before the first frame.
   int firstInstant() const { return first_; }
+  /// Returns the last instant, at or up to an interval after `end`.
   int lastInstant() const { return first_ + static_cast<int>(bodies_.size()) - 1; }
   /// Returns the time between two instants, s.
   double interval() const { return interval_; }
 
-  /// Returns true if the box, enlarged by `clearance` (m) on all sides, overlaps an agent or the
-  /// ego. False outside the known instants.
+  /// Returns true if the box centred at `pose`, enlarged by `clearance` (m) on all sides, overlaps
+  /// an agent or the ego (known up to t0). False outside the known instants.
   bool touches(const Pose2& pose, const BoxSize& size, int instant, double clearance) const;
 
-  /// Returns true if a vehicle occludes `place` from the ego: the line from the ego's box centre to
-  /// it crosses the vehicle's box. False if the ego is unknown.
+  /// Returns true if a car-like vehicle or trailer occludes `place` (m) from the ego: the line from
+  /// the ego's box centre to it crosses the vehicle's box. False if the ego is unknown at that
+  /// instant.
   bool hides(const Vector2& place, int instant) const;
 
-  /// Returns the distance (m) from the ego's box centre; empty if the ego is unknown.
+  /// Returns the distance (m) from `place` (m) to the ego's box centre; empty if the ego is unknown
+  /// at that instant.
   std::optional<double> distanceToEgo(const Vector2& place, int instant) const;
 
  private:

@@ -8,13 +8,14 @@
 
 namespace forge {
 
-/// Returns true if the agent may attack: a motor vehicle, or an agent of the class `wanted`,
-/// present at t0 and in the frame before, within options.candidate_radius of the ego, and not
-/// hitchedTo() another agent, which would be left behind.
+/// Returns true if the agent may attack: a motor vehicle, or an agent of the class `wanted`, with a
+/// size, present at t0 and in the frame before, at most options.candidate_radius from the ego (box
+/// centres), and not hitchedTo() another agent, which would be left behind.
 bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionOptions& options,
                  const std::optional<AgentClass>& wanted = std::nullopt);
 
-/// Returns true if the agent stands at the newest state of its track, which must have one.
+/// Returns true if the agent is slower than kStandstillSpeed (or reverses) at the newest state of
+/// its track, which must have one.
 bool stands(const Track& agent);
 
 /// Returns true if the request names the class pedestrian, or a pedestrian as attacker.

@@ -16,7 +16,7 @@ namespace forge {
 inline constexpr double kConstraintPenalty = 2.0;
 
 /// Returns the values of a requested range that a search tries: the middle first, then one near
-/// each end, so that the attack as driven may deviate a little.
+/// each end (at 20 % and 80 % of the range), so that the attack as driven may deviate a little.
 std::array<double, 3> valuesTriedIn(const Range& range);
 
 /// Tests attacks against the request's optional constraints: manoeuvre, side, impact speed,
@@ -26,11 +26,12 @@ class RequestConstraints {
   /// `input` and `options` must outlive this object.
   RequestConstraints(const SearchInput& input, const AttackOptions& options);
 
-  /// Returns true if the request has such a constraint.
+  /// Returns true if the request has such a constraint: hasConstraints().
   bool isNamed() const { return is_named_; }
 
-  /// Returns meetsRequest() for the attack in the future with index `ego` of SearchInput::egos;
-  /// always true without constraints. For an attacker underway, `points` start at its first point.
+  /// Returns true if the motion `points` of `attacker` (id, class and size are used) meetsRequest()
+  /// in the future with index `ego` of SearchInput::egos; always true without constraints. For an
+  /// attacker underway, `points` start at its first point.
   bool holds(const Track& attacker, const std::vector<TrajectoryPoint>& points, std::size_t ego);
 
  private:

@@ -12,18 +12,19 @@ namespace forge {
 
 /// The names and tolerances to which the words of a request refer.
 struct RequestVocabulary {
-  std::vector<CatalogueEntry> catalogue;
+  std::vector<CatalogueEntry> catalogue;  ///< the scenarios whose names a phrase may contain
   /// config/phrases.yaml: for each range field of a request, the half width of the range that a
   /// phrase means by one value, in the field's unit.
   std::map<std::string, double> tolerances;
 };
-/// Returns all catalogues and the tolerances. Throws ConfigError.
+/// Returns all catalogues and the tolerances. Throws ConfigError as readCatalogue().
 RequestVocabulary readVocabulary(const ConfigFolder& folder);
 
 /// A request that was given in words.
 struct PhraseReading {
   CollisionRequest request;
-  std::string name;  ///< of the entry of a catalogue, "euro_ncap_2026/CCRb"; empty without one
+  /// name of the entry of a catalogue, "euro_ncap_2026/CCRb"; empty if the phrase names none
+  std::string name;
   std::vector<std::string> understood;  ///< "\"cuts in\": manoeuvre = cut_in", in the order of text
   std::vector<std::string> unknown;     ///< words that the grammar does not know, in their order
 };
@@ -33,8 +34,9 @@ struct PhraseReading {
 /// of the catalogue, numbers with km/h, mph, m/s, m/s2, g, m, s and %, and comparisons ("at least",
 /// "10 to 20"). "near side" and "far side" are right and left, as in right-hand traffic. Speeds
 /// relative to the ego ("slower", "closing speed") are ranges of `impact_speed`. Fields that the
-/// phrase does not give stay as in `asked`; without a word for it, the type is kAny. Times are
-/// linear in the length of the text, which has at most kMostPhrase characters.
+/// phrase does not give stay as in `asked`; without a word for it, the type is kAny. If the phrase
+/// names a scenario of the catalogue, its request replaces `asked` except for crash, tta, mode and
+/// seed. Times are linear in the length of the text, which has at most kMostPhrase characters.
 ///
 /// Throws std::invalid_argument, naming words and fields, for a longer text, words that contradict
 /// each other, a scenario that cannot be requested, a text without any known word, and a request
@@ -42,9 +44,11 @@ struct PhraseReading {
 PhraseReading readPhrase(const std::string& text, const RequestVocabulary& vocabulary,
                          const CollisionRequest& asked = {});
 
-inline constexpr std::size_t kMostPhrase = 500;  ///< characters
+/// Largest number of characters (bytes) of a phrase.
+inline constexpr std::size_t kMostPhrase = 500;
 
-/// Returns what was understood and what was not, a line each.
+/// Returns what was understood and what was not, a line each ("understood ...", "not understood:
+/// ...").
 std::string echoOf(const PhraseReading& reading);
 
 }  // namespace forge

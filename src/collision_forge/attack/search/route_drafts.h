@@ -16,19 +16,20 @@ class RouteDrafts {
   /// `input` must outlive this object.
   explicit RouteDrafts(const SearchInput& input);
 
-  /// Contact positions (attackerOffset()). The one with index kFirstPosition is tried first.
+  /// Returns the contact positions to try (see attackerOffset()), ascending. The one with index
+  /// kFirstPosition is tried first.
   const std::vector<double>& contactPositions() const { return contact_positions_; }
-  static constexpr std::size_t kFirstPosition = 1;
+  static constexpr std::size_t kFirstPosition = 1;  ///< index into contactPositions()
 
-  /// Returns drafts with the future, contact time, side and heading of `meeting` and different
-  /// departures. With late braking if the ego runs into the attacker or the request has a
-  /// deceleration; with different waits if the attacker stands. `distance`: m along the route to
-  /// the meeting.
+  /// Returns drafts with the future, contact time, side and heading of `meeting`, contact position
+  /// 0 and different departures. With late braking if the ego runs into the attacker or the request
+  /// has a deceleration; with different waits if the attacker stands. `distance`: m along the route
+  /// from the attacker at t0 to the meeting. May be empty if the attacker must wait too long.
   std::vector<RouteDraft> mannersFor(const RouteDraft& meeting, const Contender& contender,
                                      double distance) const;
 
   /// Perturbs a draft within the request's ranges. `contacts`: s after t0, allowed contacts;
-  /// `step`: s, shortest manoeuvre. Scale 1 is the first round.
+  /// `step`: s, shortest manoeuvre. Scale 1 is the first round; smaller scales perturb less.
   void perturb(RouteDraft& draft, double scale, const Range& contacts, double step,
                Random& random) const;
 

@@ -11,7 +11,7 @@
 
 namespace forge {
 
-/// Largest accelerations that a driver uses until its manoeuvre.
+/// Largest accelerations that a driver uses until its manoeuvre; all values are magnitudes.
 struct DrivingStyle {
   double forward = 0.0;  ///< m/s2, acceleration
   double braking = 0.0;  ///< m/s2, deceleration
@@ -28,43 +28,49 @@ inline constexpr std::array<DrivingStyle, 4> kDrivingStyles{{{0.4, 1.0, 2.0, 0.5
                                                              {2.0, 2.5, 2.8, 3.0, 0.14},
                                                              {4.0, 6.0, 4.0, 10.0, 0.3}}};
 
-inline constexpr double kRouteReach = 7.0;        ///< m from a route to the ego, at most
+/// m; largest distance from a route to the ego at the contact
+inline constexpr double kRouteReach = 7.0;
 inline constexpr double kArrivalPrecision = 0.3;  ///< m along the route that an arrival may miss
-inline constexpr double kMaxDeparture = 5.0;      ///< m from the lane's middle in a manoeuvre
-inline constexpr double kMaxLean = 0.6;           ///< rad between vehicle and lane at the contact
+/// m; largest distance from the lane's middle in a manoeuvre
+inline constexpr double kMaxDeparture = 5.0;
+/// rad; largest angle between vehicle and lane at the contact
+inline constexpr double kMaxLean = 0.6;
 /// rad; arrivals are chosen this far inside both ends of the type's heading band.
 inline constexpr double kArrivalHeadingMargin = 0.03;
 /// m from the middle of the lane within which a vehicle may stand that pulls out; parked cars are 2
 /// to 4 m away.
 inline constexpr double kParkingDistance = 4.5;
 
-/// Task of a driver on its route. All times in s.
+/// Task of a driver on its route. All times in s; places along the route are in m from its start.
 struct RoutePlan {
-  double arrival = 0.0;    ///< s after t0
-  PathPose at;             ///< pose on the route at the arrival
+  double arrival = 0.0;    ///< s after t0 at which the box centre is at `at`
+  PathPose at;             ///< pose of the box centre relative to the route at the arrival
   double departure = 0.0;  ///< s before the arrival at which the vehicle starts to leave its lane
   double lead = 0.0;       ///< s before the arrival at which it has reached its lateral position
   double late = 0.0;       ///< s before the arrival at which `late_acceleration` begins; 0: never
-  double late_acceleration = 0.0;  ///< m/s2 along the route, from `late` to the arrival
-  double wait = 0.0;               ///< s after t0 for which a standing vehicle waits
+  /// m/s2 along the route, from `late` before the arrival to the arrival; negative: brakes
+  double late_acceleration = 0.0;
+  double wait = 0.0;  ///< s after t0 for which a standing vehicle waits
 };
 
 /// Driving style and speed along a route.
 struct RouteSpeed {
-  std::size_t style = 0;  ///< index into the styles, gentlest first
-  double speed = 0.0;     ///< m/s, chosen speed
+  std::size_t style = 0;  ///< index into kDrivingStyles, calmest first
+  double speed = 0.0;     ///< m/s that the driver aims at; slower in bends
 };
 
-/// Cache of the distances (m along the route) at the arrival, per style by the chosen speed (m/s).
-/// Known speeds bracket the search for the next one.
+/// Cache of the distances (m along the route) at the arrival, per index of kDrivingStyles by the
+/// chosen speed (m/s). Known speeds bracket the search for the next one. Start with an empty one.
 struct RouteReach {
+  /// per style: chosen speed -> distance at the arrival
   std::vector<std::map<double, double>> styles;
 };
 
 /// Longitudinal motion along a route.
 struct RouteCourse {
-  std::vector<double> alongs;                ///< m along, one per step until the arrival
-  std::vector<ReferencePath::Place> places;  ///< at `alongs`
+  /// m along of the box centre, one per step from t0 to before the arrival
+  std::vector<double> alongs;
+  std::vector<ReferencePath::Place> places;  ///< points of the route at `alongs`
   double end = 0.0;                          ///< m along at the arrival
 };
 
@@ -72,30 +78,31 @@ struct RouteCourse {
 /// bends and with a small variation, and leaves the lane only for the contact. Immutable.
 class RouteDriver {
  public:
-  /// `now`: the vehicle's state at t0; `limits`: the limits of its class.
+  /// `now`: the vehicle's state at t0; `limits`: the limits of its class; `variation`: of its
+  /// speed.
   RouteDriver(ReferencePath path, const DriveState& now, const DriveLimits& limits,
               const SpeedVariation& variation = {});
 
-  /// The route.
+  /// Returns the route.
   const ReferencePath& path() const { return path_; }
-  /// The vehicle's pose on the route at t0.
+  /// Returns the pose of the vehicle's box centre on the route at t0.
   const PathPose& start() const { return start_; }
-  /// Returns the lateral offset (m, left) at `along` (m): decays from the offset and heading at t0
-  /// to 0.
+  /// Returns the lateral offset (m, left) at `along` (m) of a vehicle that keeps its lane: decays
+  /// from the offset and heading at t0 to 0.
   double keptOffset(double along) const;
 
-  /// Returns the gentlest style and its speed that reach wanted.at.along at the arrival, at time
-  /// step `step` (s); empty if none does. Depends only on the plan's times, at.along and
-  /// late_acceleration. `reach` caches results and must be shared only by plans with equal arrival,
-  /// late, late_acceleration and wait.
+  /// Returns the calmest style and its speed that reach wanted.at.along at the arrival (to
+  /// kArrivalPrecision), at time step `step` (s); empty if none does. Depends only on the plan's
+  /// times, at.along and late_acceleration. `reach` caches results and must be shared only by plans
+  /// with equal arrival, late, late_acceleration and wait.
   std::optional<RouteSpeed> speedFor(const RoutePlan& wanted, double step, RouteReach& reach) const;
 
-  /// Returns the motion at `speed`; depends only on the plan's arrival, late, late_acceleration and
-  /// wait.
+  /// Returns the motion from t0 at `speed`, one place per `step` (s); depends only on the plan's
+  /// arrival, late, late_acceleration and wait.
   RouteCourse courseAt(const RoutePlan& wanted, const RouteSpeed& speed, double step) const;
 
-  /// Overwrites `planned` with `steps` steps every `step` s from t0: along the course with the
-  /// plan's lateral motion, straight on after the arrival.
+  /// Overwrites `planned` with `steps` steps every `step` s from t0: along `course` (courseAt() of
+  /// the same plan and step) with the plan's lateral motion, straight on after the arrival.
   void plan(const RoutePlan& wanted, const RouteCourse& course, double step, std::size_t steps,
             std::vector<PlannedStep>& planned) const;
 

@@ -11,11 +11,12 @@ namespace forge {
 
 /// The default method: predicts patterns, then a realiser drives a recorded or added attacker into
 /// one of them. Both stages may run in other nodes; AttackJudge checks every attack in the same
-/// way. If the predictor fails without a future, its status is returned. For a request with
-/// `hidden_by`, searches attacks without it and adds the support vehicles that hide one.
+/// way. If the predictor fails without a future, its status is returned. An added attacker is
+/// preferred only if its scoreOf() is greater by AddedVehicleOptions::preference. For a request
+/// with `hidden_by`, searches attacks without it and adds the support vehicles that hide one.
 class SearchMethod : public AttackMethod {
  public:
-  /// Uses SearchRealizer.
+  /// Uses SearchRealizer. `predictor` must not be null.
   SearchMethod(const AttackOptions& options, std::shared_ptr<const PatternPredictor> predictor);
   /// Uses `realizer`. Neither pointer may be null.
   SearchMethod(const AttackOptions& options, std::shared_ptr<const PatternPredictor> predictor,

@@ -8,8 +8,8 @@ namespace forge {
 // Ranges from which variationOf() draws. Chosen so that a classifier can hardly separate attackers
 // from recorded vehicles.
 inline constexpr double kMaxVariation = 1.0;    ///< m/s2, largest amplitude
-inline constexpr double kShortestPeriod = 4.0;  ///< s
-inline constexpr double kLongestPeriod = 8.0;   ///< s
+inline constexpr double kShortestPeriod = 4.0;  ///< s, shortest period
+inline constexpr double kLongestPeriod = 8.0;   ///< s, longest period
 
 /// Small variation of a driver's speed around constant driving: one wave of acceleration, a(t) =
 /// amplitude sin(2 pi t / period + phase), t in s after t0.
@@ -18,7 +18,8 @@ struct SpeedVariation {
   double period = 1.0;     ///< s
   double phase = 0.0;      ///< rad
 
-  double frequency() const;  ///< 2 pi / period, rad/s
+  /// Returns 2 pi / period, rad/s.
+  double frequency() const;
   /// Returns the distance (m) gained by `time` (s after t0) over a driver without variation and
   /// with the same speed at t0.
   double distanceGained(double time) const;

@@ -13,13 +13,14 @@ namespace forge {
 /// Target of a steering search: the first contact with the ego's box is on time and at a heading of
 /// the type.
 struct SteeringAim {
-  std::vector<Pose2> ego;  ///< box centres, evenly spaced from t0 to last_in_time, at least two
+  /// box centres, map frame, evenly spaced from t0 to last_in_time, at least two
+  std::vector<Pose2> ego;
   BoxSize ego_size;
   BoxSize attacker_size;
-  TypeDefinition band;         ///< heading band at the contact
-  double first_in_time = 0.0;  ///< s after t0
-  double last_in_time = 0.0;   ///< s after t0
-  double depth = 0.0;          ///< m of overlap
+  TypeDefinition band;         ///< its heading band at the contact is used
+  double first_in_time = 0.0;  ///< s after t0, first allowed contact
+  double last_in_time = 0.0;   ///< s after t0, last allowed contact
+  double depth = 0.0;          ///< m of overlap that the contact should have
 };
 
 /// Cross-entropy search over the knots that steer a bicycle (Kobilarov 2012, "Cross-entropy motion
@@ -28,20 +29,23 @@ struct SteeringAim {
 /// aim, and other agents are ignored. Not thread-safe.
 class SteeringSearch {
  public:
-  static constexpr int kWide = 16;        ///< motions driven at a time, for SIMD
-  static constexpr double kStep = 0.1;    ///< s between the states of a motion that are examined
-  static constexpr int kConsidered = 20;  ///< motions that next() returns at most
-  static constexpr double kNear = 0.8;    ///< m short of the target; next() returns no farther ones
+  static constexpr int kWide = 16;  ///< number of motions driven at a time, for SIMD
+  /// s; largest spacing that SteeringAim::ego should have, at which motions are examined
+  static constexpr double kStep = 0.1;
+  static constexpr int kConsidered = 20;  ///< most motions that next() returns
+  /// m; next() returns only motions whose shortfall() is at most this
+  static constexpr double kNear = 0.8;
 
-  /// Steers until aim.last_in_time.
+  /// Steers the attacker that starts at `start` until aim.last_in_time. Copies its arguments.
   SteeringSearch(const DriveStart& start, const SteeringAim& aim, const VehicleLimits& limits);
 
-  /// Runs one round. Returns the motions close to the aim, nearest first, up to the configured
-  /// number.
+  /// Runs one round. Returns the motions within kNear of the aim, nearest first, at most
+  /// kConsidered; empty if there is none. The knots span t0 to aim.last_in_time.
   std::vector<SteeringKnots> next(Random& random);
 
   /// Returns the distance (m) of the last round's best motion to the aim: remaining gap, with
-  /// heading error, early contact and too small clearance converted to metres.
+  /// heading error, early contact and too small clearance converted to metres; 0 before the first
+  /// round.
   double shortfall() const { return shortfall_; }
 
  private:

@@ -16,14 +16,17 @@ inline constexpr double kLimitShare = 0.93;
 /// One step of a planned motion: the state of the box centre.
 struct PlannedStep {
   PlannedStep() = default;
+  /// `middle`: box centre, m, map frame; `heading`: unit vector; `speed` in m/s.
   PlannedStep(const Vector2& middle, const Vector2& heading, double speed)
       : middle(middle), heading(heading), speed(speed) {}
+  /// `pose`: box centre, map frame; `speed` in m/s.
   PlannedStep(const Pose2& pose, double speed)
       : PlannedStep(pose.position(), pose.heading(), speed) {}
 
+  /// Returns the pose of the box centre, map frame.
   Pose2 pose() const { return {middle.x(), middle.y(), std::atan2(heading.y(), heading.x())}; }
 
-  Vector2 middle = Vector2::Zero();    ///< m, map frame
+  Vector2 middle = Vector2::Zero();    ///< m, box centre, map frame
   Vector2 heading = Vector2::UnitX();  ///< unit vector, map frame
   double speed = 0.0;                  ///< m/s along the heading
 };
@@ -38,10 +41,13 @@ class TrackDriver {
   /// `margin`: share 0..1 of every limit that is used. `preview` and `step` in s.
   TrackDriver(const DriveLimits& limits, double margin, double preview, double step);
 
+  /// Returns the limits of the constructor times `margin`, which the driver keeps.
   const DriveLimits& limits() const { return limits_; }
 
-  /// Overwrites `points` with one point per step of `plan`, starting at `now` (s). Near its end the
-  /// plan is extended straight.
+  /// Overwrites `points` (box centres, map frame) with one point per step of `plan`, from the
+  /// vehicle's state `start` at `now` (s, scene clock) on. `plan` has one entry per `step` of the
+  /// constructor, the first at `now`. Near its end the plan is extended straight. An empty plan
+  /// gives no points.
   void drive(const DriveState& start, double now, const std::vector<PlannedStep>& plan,
              std::vector<TrajectoryPoint>& points) const;
 

@@ -6,13 +6,12 @@
 
 namespace forge {
 
-/// m of path beyond the meeting place.
-inline constexpr double kBeyondMeeting = 15.0;
+inline constexpr double kBeyondMeeting = 15.0;  ///< m of walkerPath() beyond the meeting place
 
 /// Returns the path of a pedestrian from `start` to the pose `meeting` (both box centres, map
-/// frame) and straight on: across the direction of `meeting`, which is along the kerb for a
-/// pedestrian who crosses the road, until `meeting` lies ahead, then towards it. Empty if `meeting`
-/// would lie behind.
+/// frame) and kBeyondMeeting m straight on: across the direction of `meeting`, which is along the
+/// kerb for a pedestrian who crosses the road, until `meeting` lies ahead, then towards it. Empty
+/// if `meeting` would lie behind or less than 0.5 m ahead of `start`, along its direction.
 std::optional<Polyline> walkerPath(const Pose2& start, const Pose2& meeting);
 
 }  // namespace forge

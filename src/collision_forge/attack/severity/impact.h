@@ -10,18 +10,18 @@ struct ImpactBody {
   double yaw_inertia = 0.0;    ///< kg m2 about the centre of mass
   Vector2 center{0.0, 0.0};    ///< m, centre of mass
   Vector2 velocity{0.0, 0.0};  ///< m/s of the centre of mass
-  double yaw_rate = 0.0;       ///< rad/s
+  double yaw_rate = 0.0;       ///< rad/s, counter-clockwise
 };
 
 /// Where and how two bodies touch; global map frame.
 struct ImpactContact {
   Vector2 point{0.0, 0.0};   ///< m, where the impulse acts on both bodies
   Vector2 normal{1.0, 0.0};  ///< of the contact plane, of length 1; either direction
-  double restitution = 0.0;  ///< 0..1, of the velocity along the normal
+  double restitution = 0.0;  ///< 0..1, share of the closing speed along the normal that is left
   double friction = 0.0;     ///< >= 0, largest ratio of tangential to normal impulse
 };
 
-/// Change of a body's motion by the impulse.
+/// Change of a body's motion by the impulse: value after minus value before, global map frame.
 struct ImpactChange {
   Vector2 velocity{0.0, 0.0};  ///< m/s of the centre of mass
   double yaw_rate = 0.0;       ///< rad/s
@@ -33,11 +33,13 @@ struct Impact {
   ImpactChange first;
   ImpactChange second;
   double energy_lost = 0.0;  ///< J, >= 0
-  double impulse_ratio =
-      0.0;  ///< tangential over normal impulse; the tangent is left of the normal
+  /// Tangential over normal impulse; 0 if there is no impulse. The normal points from the first to
+  /// the second body, the tangent is left of the normal.
+  double impulse_ratio = 0.0;
 };
 
-/// Returns the velocity (m/s) of the first body relative to the second at the contact point.
+/// Returns the velocity (m/s, global map frame) of the first body relative to the second at `point`
+/// (m, map frame), yaw rates included.
 Vector2 contactVelocity(const ImpactBody& first, const ImpactBody& second, const Vector2& point);
 
 /// Returns the impulse between two bodies: planar impulse-momentum model (R. M. Brach, "Energy loss

@@ -9,14 +9,14 @@ namespace forge {
 
 class Section;
 
-/// Mass and yaw inertia of a class by its box.
+/// Mass and yaw inertia of a class by its box; length and width in m.
 struct BodyOptions {
   // mass of a vehicle = max(least_mass, mass + per_size * (length * width)^exponent)
-  double mass = 0.0;        ///< kg
+  double mass = 0.0;        ///< kg, term of the formula; may be negative
   double per_size = 0.0;    ///< kg/m^(2 exponent)
   double exponent = 1.0;    ///< without unit
-  double least_mass = 0.0;  ///< kg
-  double inertia = 1.0;     ///< share of a uniform box's yaw inertia
+  double least_mass = 0.0;  ///< kg, lower bound
+  double inertia = 1.0;     ///< factor on a uniform box's mass * (length^2 + width^2) / 12
 };
 
 /// Coefficient of restitution by closing speed v (m/s): least + low_speed * exp(-decay * v).
@@ -43,7 +43,8 @@ struct OccupantOptions {
 };
 
 /// Injury probability of pedestrians and riders: 1 / (1 + exp(-(a + b * dv + c * dh + d * dv *
-/// dh))), as [a, b, c, d]; config/severity.yaml defines dv (km/h) and dh (cm).
+/// dh))), as [a, b, c, d]. dv (km/h) is the relative speed minus the shift below minus 42.79, dh
+/// (cm) the height of the bonnet edge minus 85.25; see config/severity.yaml.
 struct VulnerableOptions {
   std::string curve;                 ///< name of the publication
   double car_bonnet_edge = 0.0;      ///< cm, height of a car's bonnet edge
@@ -51,21 +52,23 @@ struct VulnerableOptions {
   std::array<double, 4> mais2 = {};  ///< of an injury of MAIS 2 or more
   std::array<double, 4> mais3 = {};  ///< of an injury of MAIS 3 or more
   std::array<double, 4> fatal = {};  ///< of a fatal injury
-  double bicycle_shift = 0.0;        ///< km/h more than a pedestrian's for the same probability
+  double bicycle_shift = 0.0;        ///< km/h more than a pedestrian needs for the same probability
   double motorcycle_shift = 0.0;     ///< km/h, the same for a motorcyclist
 };
 
 /// Motion on the road after the impact, until both parties stand.
 struct AfterImpactOptions {
-  double tyre_friction = 0.0;    ///< of a tyre that slides, over its load
-  double ground_friction = 0.0;  ///< of people, fallen riders and objects, over their weight
-  double rolling_drag = 0.0;     ///< of a wheel that rolls, over its load
-  double locking_delta_v = 0.0;  ///< m/s; from here on the wheels of the struck end are locked
-  double braking_delay = 0.0;    ///< s from the contact until the driver brakes
-  double braking = 0.0;          ///< m/s2 of a driver after the delay
+  double tyre_friction = 0.0;    ///< friction coefficient of a tyre that slides
+  double ground_friction = 0.0;  ///< friction coefficient of people, fallen riders and objects
+  double rolling_drag = 0.0;     ///< drag of a wheel that rolls, as a share of its load
+  /// m/s; an impact that changes a vehicle's velocity by at least this locks the wheels of the
+  /// struck end
+  double locking_delta_v = 0.0;
+  double braking_delay = 0.0;  ///< s from the contact until the driver brakes
+  double braking = 0.0;        ///< m/s2, deceleration by the driver after the delay
 };
 
-/// Bounds of delta-v (km/h) from which S1, S2 and S3 of ISO 26262 apply.
+/// Bounds of delta-v (km/h) from which S1, S2 and S3 of ISO 26262 apply, in this order.
 struct SeverityBounds {
   std::array<double, 3> lower = {};  ///< lower of the published bounds
   std::array<double, 3> upper = {};  ///< upper of the published bounds
@@ -74,17 +77,19 @@ struct SeverityBounds {
 /// config/severity.yaml, which has the sources.
 struct SeverityOptions {
   std::array<BodyOptions, 11> bodies;  ///< in the order of AgentClass
-  double engagement =
-      0.0;  ///< s from the first touch to the overlap in whose middle the impulse acts
-  double friction = 0.0;  ///< largest ratio of tangential to normal impulse, >= 0
+  /// s from the first touch, at unchanged velocities, to the overlap in whose middle the impulse
+  /// acts
+  double engagement = 0.0;
+  /// largest ratio of tangential to normal impulse between the bodies, >= 0
+  double friction = 0.0;
   RestitutionOptions restitution;
   AfterImpactOptions after_impact;
   OccupantOptions occupants;
   VulnerableOptions vulnerable;
-  SeverityBounds head_on;
-  SeverityBounds rear;
-  SeverityBounds side;
-  SeverityBounds oblique;
+  SeverityBounds head_on;  ///< of a party hit on its front, force from 12 o'clock (clockHour())
+  SeverityBounds rear;     ///< of a party hit on its rear
+  SeverityBounds side;     ///< of a party hit on its left or right side
+  SeverityBounds oblique;  ///< of a party hit on its front, force from another direction
 };
 
 /// Reads the struct from its section. Throws ConfigError for a missing key or a value out of range.

@@ -12,23 +12,25 @@ namespace forge {
 struct CrashedVehicle {
   AgentClass agent_class = AgentClass::kCar;
   BoxSize size;
-  AgentState state;  ///< box centre, global map frame
+  AgentState state;  ///< box centre and velocity at the first touch, global map frame
 };
 
-/// Returns the unit normal of the contact plane of two touching or overlapping boxes, in either
-/// direction: the normal of the touched face, or the mean of both if both are a front or a rear.
+/// Returns the unit normal (map frame) of the contact plane of two touching or overlapping boxes,
+/// in either direction: the normal of the touched face, or the mean of both if both are a front or
+/// a rear.
 Vector2 contactNormal(const OrientedBox& first, const OrientedBox& second);
 
 /// Returns the party as a rigid body with its mass at the box centre and without yaw rate.
 ImpactBody bodyOf(const CrashedVehicle& party, const SeverityOptions& options);
 
-/// Returns the impact of two parties at their first touch: planarImpact() at the middle of the
-/// overlap after `engagement`, or at touchPoint() if they do not overlap then, along
-/// contactNormal(). Throws as planarImpact().
+/// Returns the impact of two parties at their first touch: planarImpact() at the centroid of the
+/// overlap after SeverityOptions::engagement, or at touchPoint() if they do not overlap then, along
+/// contactNormal(), with RestitutionOptions at the closing speed. Throws as planarImpact().
 Impact impactOf(const CrashedVehicle& first, const CrashedVehicle& second,
                 const SeverityOptions& options);
 
-/// Returns the severity of a crash from the states at the first touch. Throws as planarImpact().
+/// Returns the severity of a crash from the states at the first touch, by impactOf() and the injury
+/// curves and bounds of `options`. Throws as planarImpact().
 CrashSeverity severityOf(const CrashedVehicle& ego, const CrashedVehicle& other,
                          const SeverityOptions& options);
 

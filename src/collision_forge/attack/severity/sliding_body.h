@@ -11,22 +11,25 @@ namespace forge {
 /// person, a rider or an object has no wheels and slides on its four corners.
 class SlidingBody {
  public:
-  /// `party`: at the impact, without yaw rate.
+  /// `party`: state at the impact; the body starts without yaw rate.
   SlidingBody(const CrashedVehicle& party, const SeverityOptions& options);
 
   /// Adds the change of motion by an impact. The wheels of the end of the vehicle (front or rear)
-  /// that faces `point` (m, map frame) are locked from then on if the change is at least
-  /// AfterImpactOptions::locking_delta_v.
+  /// that faces `point` (m, map frame) are locked from then on if the change of velocity is at
+  /// least AfterImpactOptions::locking_delta_v.
   void hit(const ImpactChange& change, const Vector2& point);
 
   /// Moves the body by `duration` (s, at most 0.01 for a stable integration). `is_braking`: the
   /// driver brakes all wheels.
   void move(double duration, bool is_braking);
 
+  /// Returns true if the body is slower than 0.03 m/s and turns by less than 0.02 rad/s.
   bool stands() const;
 
+  /// Returns the present motion, global map frame.
   const ImpactBody& body() const { return body_; }
-  /// Pose of the box centre, which is the centre of mass; global map frame. The yaw is not wrapped.
+  /// Returns the pose of the box centre, which is the centre of mass; global map frame. The yaw is
+  /// not wrapped.
   const Pose2& pose() const { return pose_; }
 
  private:

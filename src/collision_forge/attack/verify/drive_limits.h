@@ -14,14 +14,14 @@ class Section;
 struct DriveLimits {
   double wheelbase = 0.0;                 ///< m
   double axle_to_middle = 0.0;            ///< m from the rear axle forward to the box centre
-  double max_steering_angle = 0.0;        ///< rad, of the front wheel
-  double max_steering_rate = 0.0;         ///< rad/s
-  double max_lateral_acceleration = 0.0;  ///< m/s2, speed times yaw rate
+  double max_steering_angle = 0.0;        ///< rad, largest |angle| of the front wheel
+  double max_steering_rate = 0.0;         ///< rad/s, largest |rate|
+  double max_lateral_acceleration = 0.0;  ///< m/s2, largest |speed times yaw rate|
   double max_forward_acceleration = 0.0;  ///< m/s2, up to switching_speed
-  double switching_speed = 0.0;           ///< m/s; above it the engine power limits
-  double max_braking = 0.0;               ///< m/s2; also limits the total acceleration
-  double max_jerk = 0.0;                  ///< m/s3 along the heading
-  double max_speed = 0.0;                 ///< m/s
+  double switching_speed = 0.0;           ///< m/s; above it engine power limits (1/speed)
+  double max_braking = 0.0;  ///< m/s2, deceleration; also limits the total acceleration
+  double max_jerk = 0.0;     ///< m/s3, largest |jerk| along the heading
+  double max_speed = 0.0;    ///< m/s
 
   /// Returns the maximum forward acceleration at `speed` (m/s), m/s2.
   double forwardAt(double speed) const {
@@ -49,7 +49,8 @@ inline constexpr std::array<VehicleClass, 10> kVehicleClasses = {
     VehicleClass::kConstruction, VehicleClass::kMotorcycle, VehicleClass::kBicycle,
     VehicleClass::kPedestrian};
 
-/// Returns the class's key in config/vehicle_limits.yaml: "car", "van", ...
+/// Returns the class's key in config/vehicle_limits.yaml: "car", "van", "emergency", "truck",
+/// "bus", "articulated", "construction", "motorcycle", "bicycle" or "pedestrian".
 const char* toString(VehicleClass vehicle_class);
 
 /// Keys `drivable` and `lengths` of config/vehicle_limits.yaml, which has the sources.
@@ -62,12 +63,14 @@ struct DriveLimitOptions {
   double truck_length = 0.0;  ///< m; a longer truck counts as articulated
 };
 
-/// Returns the class whose limits apply to an agent of this class and box size.
+/// Returns the class whose limits apply to an agent of this class and box size. Only cars and
+/// trucks depend on the length; a trailer is kArticulated, an animal or a static object counts as a
+/// car.
 VehicleClass vehicleClassOf(AgentClass agent_class, const BoxSize& size,
                             const DriveLimitOptions& options);
 
-/// Returns the limits of a vehicle. Assumes equal overhangs in front of the front axle and behind
-/// the rear axle.
+/// Returns the limits of a vehicle: the row of its class with the wheelbase in m. Assumes equal
+/// overhangs in front of the front axle and behind the rear axle.
 DriveLimits driveLimitsOf(AgentClass agent_class, const BoxSize& size,
                           const DriveLimitOptions& options);
 
@@ -80,12 +83,12 @@ struct DriveState {
 };
 
 /// Converts a recorded motion to a single-track state: speed and acceleration along the heading,
-/// and the steering angle that gives the yaw rate, each clamped to the limits. Below
-/// kStandstillSpeed the vehicle stands with straight wheels.
+/// and the steering angle that gives the yaw rate, each clamped to the limits. A vehicle below
+/// kStandstillSpeed, or one that reverses, stands with straight wheels.
 DriveState driveStateOf(const Motion& motion, const DriveLimits& limits);
 
-/// Reads the keys `drivable` and `lengths`. Throws ConfigError for a missing key or a value out of
-/// range.
+/// Reads the keys `drivable` and `lengths`; kEmergency has no key and gets the limits of kVan.
+/// Throws ConfigError for a missing key or a value out of range.
 void readOptions(Section& section, DriveLimitOptions& options);
 
 }  // namespace forge

@@ -11,7 +11,7 @@ namespace forge {
 /// Ignores states that are not later than the previous one. Not thread-safe.
 class EgoTest {
  public:
-  /// Throws std::invalid_argument if `trajectory` has no points.
+  /// Only the size of `ego` is used. Throws std::invalid_argument if `trajectory` has no points.
   EgoTest(AttackerTrajectory trajectory, const CollisionRequest& request, const EgoVehicle& ego);
 
   /// Replaces the trajectory of an attacker that reacts to the ego; all states added so far are
@@ -21,17 +21,19 @@ class EgoTest {
   /// Replaces the request, for a crash definition that arrives later than the trajectory.
   void changeRequest(const CollisionRequest& request) { request_ = request; }
 
-  /// Adds an ego state; its pose is the box centre. Its velocity is derived from the poses. The
-  /// first state must not be later than the trajectory's first point, else outcome() stays empty.
+  /// Adds an ego state; its pose is the box centre, global map frame. Its velocity is derived from
+  /// the poses. The first state must not be later than the trajectory's first point, else outcome()
+  /// stays empty.
   void addEgo(const AgentState& state);
   /// Adds the other agents at one time, one state each. Agents that are not usable (isUsable()) are
   /// ignored.
   void addAgents(const std::vector<Track>& agents);
 
   /// Returns the report of verify() on the driven states once later states cannot change it: the
-  /// trajectory has ended, or the attacker touched the ego, the other agents are known up to the
-  /// contact, and two ego states fix its velocity there. Empty before, and if the first ego state
-  /// is later than the trajectory's start.
+  /// ego's states reach the trajectory's last point, or the attacker touched the ego, the other
+  /// agents are known up to the contact, and two ego states fix its velocity there. Empty before,
+  /// and if the first ego state is later than the trajectory's first point. t0 is the time of that
+  /// point. Throws as verify().
   std::optional<CollisionReport> outcome(const LaneIndex& lanes,
                                          const VerificationOptions& options) const;
 

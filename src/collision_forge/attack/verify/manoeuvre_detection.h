@@ -9,27 +9,30 @@ namespace forge {
 /// An attacker's manoeuvre and the time at which it departs from normal lane following.
 struct DetectedManoeuvre {
   Manoeuvre manoeuvre = Manoeuvre::kFollowerCloses;
-  double begin =
-      0.0;  ///< s, the snapshot's clock, between the trajectory's first point and the contact
+  /// s, scene clock, between the trajectory's first point and the contact
+  double begin = 0.0;
 };
 
 /// Classifies the manoeuvre of a trajectory that touches the ego, from the last kManoeuvreWindow
-/// seconds before the contact:
+/// seconds before the contact, by the requested type:
 /// - rear_end: by the touched side of the ego the attacker leads or follows; a leader is stopped,
 ///   braking or slow. Starts with the braking, or when the speeds begin to differ.
 /// - lane_change, opposite_direction, sideswipe_same_direction: from the attacker's lane at the
 ///   start of the window. Starts where the attacker last was within 0.3 m of its original offset
 ///   from that lane.
-/// - junction_crossing, ltap: from the total turn. Starts at the first point on a junction lane or,
-///   if the map marks none at the contact, with the turn.
+/// - junction_crossing, ltap, any: from the total turn. Starts at the first point on a junction
+///   lane or, if the map marks none at the contact, with the turn.
 /// - angle types: by the path along the attacker's lane at the start of the window: a crossing, a
 ///   turn off an oncoming path or off a path in the ego's direction, or a departure from it.
 ///
-/// `report.contact` must be true. The trajectory's origin does not matter.
+/// `report` needs the contact, its time, the touched side of the ego and the ego's pose at contact;
+/// `report.contact` must be true. `input.snapshot` is not used, of `options` only `believability`.
+/// The attacker may be recorded or added.
 DetectedManoeuvre detectManoeuvre(const AttackerTrajectory& trajectory,
                                   const CollisionReport& report, const VerificationInput& input,
                                   const VerificationOptions& options);
 
+/// s before the contact; the mean lane change takes 6.3 s (VTTI)
 inline constexpr double kManoeuvreWindow = 4.0;  // s; the mean lane change takes 6.3 s (VTTI)
 
 }  // namespace forge

@@ -5,14 +5,15 @@
 
 namespace forge {
 
-/// Sets `gap` and `headway` from the states and boxes of both vehicles at t0.
+/// Sets `gap` and `headway` of `measured` from the states (box centres, global map frame) and boxes
+/// of both vehicles at t0; leaves its other fields unchanged.
 void measureStart(const AgentState& ego, const BoxSize& ego_size, const AgentState& attacker,
                   const BoxSize& attacker_size, ContactConditions& measured);
 
 /// Returns the quantities of ContactConditions for a trajectory that touches the ego, from
-/// `report.contact_time`, the poses at contact and `report.attacker_side`, which must be set. t0 is
-/// the time of the trajectory's first point; `future` has the ego and other agents from then on.
-/// Neither the trajectory nor the ego's track may be empty.
+/// `report.contact_time`, the poses and relative heading at contact and `report.attacker_side`,
+/// which must be set. t0 is the time of the trajectory's first point; `future` has the ego and
+/// other agents from then on. Neither the trajectory nor the ego's track may be empty.
 ContactConditions measuredConditions(const AttackerTrajectory& trajectory,
                                      const CollisionReport& report, const Future& future);
 

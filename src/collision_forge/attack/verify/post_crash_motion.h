@@ -21,16 +21,19 @@ namespace forge {
 /// steering or roll-over.
 class PostCrashMotion {
  public:
-  /// Both states must have the contact time. Throws as planarImpact().
+  /// Both states (box centres, global map frame) must have the contact time. Throws as
+  /// planarImpact().
   PostCrashMotion(const CrashedVehicle& ego, const CrashedVehicle& attacker,
                   const SeverityOptions& options);
 
-  /// s, same clock as the states
+  /// Returns the time of the contact, s, same clock as the states.
   double contactTime() const { return steps_->front().time; }
-  /// Time at which both vehicles stop, s.
+  /// Returns the time at which both vehicles have stopped, s; at most about 30 s after the contact,
+  /// when the motion is cut off.
   double standTime() const { return steps_->back().time; }
 
-  /// Returns the ego's state at `time` (s); before the contact, its state at the contact.
+  /// Returns the ego's state (box centre, global map frame) at `time` (s); before the contact, its
+  /// state at the contact; after standTime(), its last pose with velocity 0.
   AgentState egoAt(double time) const;
   /// As egoAt() for the attacker.
   AgentState attackerAt(double time) const;
@@ -39,7 +42,7 @@ class PostCrashMotion {
   const BoxSize& attackerSize() const { return attacker_size_; }
 
  private:
-  /// Both at one time; yaws are continuous.
+  /// Both vehicles at one time; yaws are continuous, not wrapped.
   struct Step {
     double time = 0.0;  ///< s
     AgentState ego;
@@ -53,12 +56,13 @@ class PostCrashMotion {
   std::shared_ptr<const std::vector<Step>> steps_;  ///< at least one
 };
 
-/// Returns the motion after a contact of `ego` and `other` at `contact_time` (s); empty if one of
-/// the two tracks has no state at that time.
+/// Returns the motion after a contact of `ego` and `other`, the attacker of that motion, at
+/// `contact_time` (s, clock of the tracks); empty if one of the two tracks has no state at that
+/// time (to 1 us). Throws as planarImpact().
 std::optional<PostCrashMotion> motionAfterContact(double contact_time, const Track& other,
                                                   const Track& ego, const SeverityOptions& options);
 
-/// As above for the attacker of `trajectory`.
+/// As above for the attacker of `trajectory`; empty, too, if it has no points.
 std::optional<PostCrashMotion> motionAfterContact(double contact_time,
                                                   const AttackerTrajectory& trajectory,
                                                   const Track& ego, const SeverityOptions& options);
@@ -71,13 +75,14 @@ std::optional<PostCrashMotion> motionAfterContact(const CollisionReport& report,
 /// The first touch of another agent by a crashed vehicle.
 struct SecondaryContact {
   double time = 0.0;    ///< s, same clock as the motion
-  bool is_ego = false;  ///< the ego touches the agent, else the attacker
+  bool is_ego = false;  ///< true: the ego touches the agent; false: the attacker does
   std::string agent_id;
 };
 
 /// Returns the agents that ego or attacker touch between the contact and standTime() if they move
-/// as their tracks, sorted by time. `other_id` names the attacker, which is left out, as are agents
-/// that the vehicle overlaps at the contact already.
+/// as their tracks, sorted by time; the times are multiples of 0.05 s after the contact. Contains
+/// an agent at most once per vehicle. `other_id` names the attacker, which is left out of `agents`,
+/// as are agents that the vehicle overlaps at the contact already.
 std::vector<SecondaryContact> secondaryContacts(const PostCrashMotion& motion,
                                                 const std::string& other_id,
                                                 const std::vector<Track>& agents);

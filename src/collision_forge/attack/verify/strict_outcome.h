@@ -4,12 +4,15 @@
 
 namespace forge {
 
-/// Result of the strict protocol, docs/protocols.md. Without an attack every condition is false.
+/// Result of the strict protocol, docs/protocols.md. The default value stands for a request without
+/// an attack: no success.
 struct StrictOutcome {
-  /// All conditions; its type_kept tests only the band of |relative heading| at first contact.
+  /// Report of verify() with TypeRules::kAngle: type_kept tests only the band of |relative heading|
+  /// at first contact.
   CollisionReport report;
-  bool full_type_kept = false;  ///< the full definition of the type is met
-  bool is_plausible = true;     ///< the attack is plausible, or the request does not require that
+  /// the contact meets the full definition of the type (TypeRules::kFull)
+  bool full_type_kept = false;
+  bool is_plausible = true;  ///< the attack is plausible, or the request does not require that
 
   /// Returns true for a success with types defined by the heading at contact alone.
   bool meetsAngleBands() const { return report.verified() && is_plausible; }
@@ -21,7 +24,8 @@ struct StrictOutcome {
 /// heading of the requested type, within the tolerance of the requested time, within the limits of
 /// the request's LimitSet from t0 to contact, touches no other agent before and, if the request
 /// requires it, drives plausibly. `input.future` holds the recorded motion, not a prediction.
-/// Decided by verify(), with interpolated headings and continuous contact detection.
+/// Decided by verify(), with interpolated headings and continuous contact detection. Throws as
+/// verify().
 StrictOutcome strictOutcome(const AttackerTrajectory& trajectory, const VerificationInput& input,
                             const VerificationOptions& options);
 

@@ -18,13 +18,15 @@ inline constexpr double kSightStep = 0.1;  ///< s between the times at which sig
 /// The part of a box that an observer at a point sees.
 struct BoxView {
   double visible = 1.0;  ///< share 0..1 of the angle under which the box appears
-  /// Index of the box that covers most of it; empty if none covers any.
+  /// Index into `others` of viewOf() of the box that covers most of the target; empty if none
+  /// covers any.
   std::optional<std::size_t> coverer;
 };
 
 /// Returns the view from `from` (m, map frame) of `target` among `others`. Boxes are opaque, on the
-/// ground plane and apart from each other; one of `others` that contains `from` covers nothing.
-/// Exact: unites the angles that the boxes before `target` cover.
+/// ground plane and apart from each other; one of `others` that contains `from` covers nothing, and
+/// a target that contains `from` is wholly visible. Exact: unites the angles that the boxes before
+/// `target` cover.
 BoxView viewOf(const Vector2& from, const OrientedBox& target,
                const std::vector<OrientedBox>& others);
 
@@ -35,12 +37,16 @@ struct Sight {
   double seen_from = 0.0;
   /// Agent that covered most of the attacker one step before; empty if it was seen since t0.
   std::string hidden_by_id = {};
-  std::optional<Hider> hidden_by = {};  ///< its kind; empty for an agent of another kind
+  /// Kind of that agent if it is a vehicle: kParkedVehicle if it moves at most 0.5 m between t0 and
+  /// the contact, kLeader if it moves more and its heading is within 45 degrees of the ego's. Empty
+  /// for any other agent.
+  std::optional<Hider> hidden_by = {};
 };
 
 /// Looks from the middle of the ego's box at the attacker every kSightStep from t0, the time of the
 /// first point, up to before `contact` (s, same clock). All agents of `future` but the attacker can
-/// hide it. Neither the trajectory nor the ego's track may be empty.
+/// hide it. Times without an ego state count as seen. Neither the trajectory nor the ego's track
+/// may be empty.
 Sight sightOf(const AttackerTrajectory& trajectory, const Future& future, double contact);
 
 }  // namespace forge

@@ -7,22 +7,24 @@
 
 namespace forge {
 
-/// Opens the file `name` ("search.yaml") of the configuration, with its overlay merged. Throws
-/// ConfigError.
+/// Opens the file `name` (relative to the folder, as "search.yaml") of the configuration, with its
+/// overlay merged. Throws ConfigError.
 Section openConfigFile(const ConfigFolder& folder, const std::string& name);
 
-/// Opens `text`, the content of a configuration file; error messages name `path`. Throws
-/// ConfigError.
+/// Opens `text`, the content of a configuration file. `path` need not exist: error messages name
+/// it, and relative paths in the text are resolved against its folder. Throws ConfigError.
 Section openConfigText(const std::string& path, const std::string& text);
 
-/// Reads a whole file with readOptions(). Throws ConfigError, also for a key that is not read.
+/// Reads a whole file with readOptions(file, options, more...). Throws ConfigError, also for a key
+/// that readOptions() does not read.
 template <class Options, class... More>
 void readConfigFile(Section file, Options& options, const More&... more) {
   readOptions(file, options, more...);
   file.finish();
 }
 
-/// Reads KEY.yaml, whose only top-level mapping is KEY, with readOptions(). Throws ConfigError.
+/// Reads KEY.yaml, whose only top-level mapping is KEY, with readOptions(mapping, options,
+/// more...). Throws ConfigError, also for a key that readOptions() does not read.
 template <class Options, class... More>
 void readConfigFile(const ConfigFolder& folder, const std::string& key, Options& options,
                     const More&... more) {

@@ -7,7 +7,8 @@
 
 namespace forge {
 
-/// Returns the word in lower case: names on the command line and in messages ignore case.
+/// Returns the word with its ASCII letters in lower case: names on the command line and in messages
+/// ignore case.
 std::string lowered(std::string word);
 
 /// Returns the edit distance (optimal string alignment): insertions, deletions, replacements and

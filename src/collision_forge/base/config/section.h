@@ -22,10 +22,11 @@ struct SectionLayer;
 class Section {
  public:
   /// `layers`: the mapping in each file that has it, in ascending priority; must not be empty.
-  /// `name` is the mapping's path in the file, "" for the whole file.
+  /// `name` is the mapping's path in the file ("search.added"), "" for the whole file. Throws if a
+  /// layer is no mapping or gives a key twice.
   Section(std::string name, std::vector<SectionLayer> layers);
 
-  /// Returns the mapping under a key. The caller must call finish() on it.
+  /// Returns the mapping under a key; throws if it is missing. The caller must call finish() on it.
   Section section(const std::string& key);
   /// Reads the mapping under a key with readOptions(section, options, more...), then finish().
   template <class Options, class... More>
@@ -35,17 +36,21 @@ class Section {
     inner.finish();
   }
 
-  // Return the number under a key; throw if it is missing, not finite or out of range (ends
-  // included, except for positive()).
+  // The getters below return the value under a key and throw if it is missing, of another kind, not
+  // finite or out of range. Ranges include their ends, except for positive(), a number above 0.
+  /// A number above 0.
   double positive(const std::string& key);
+  /// A number in [min, max].
   double within(const std::string& key, double min, double max);
+  /// A number of `min` or more.
   double atLeast(const std::string& key, double min);
+  /// A number of 0 or more.
   double nonNegative(const std::string& key) { return atLeast(key, 0.0); }
   /// An angle in rad, from `min` to pi (3.1416, as the files round it).
   double angle(const std::string& key, double min = 0.0) { return within(key, min, 3.1416); }
   /// A number from 0 to 1.
   double share(const std::string& key) { return within(key, 0.0, 1.0); }
-  /// An integer.
+  /// An integer in [min, max].
   int count(const std::string& key, int min, int max = std::numeric_limits<int>::max());
   /// A list of one or more positive numbers.
   std::vector<double> positives(const std::string& key);
@@ -59,24 +64,26 @@ class Section {
     const std::vector<double> shares = colorShares(key);
     return {shares[0], shares[1], shares[2]};
   }
-  /// Returns the second element of the pair in `choices` whose first element is the value.
+  /// Returns the second element of the pair in `choices` whose first element is the value; throws
+  /// if there is none.
   template <class Value>
   Value choice(const std::string& key, const std::vector<std::pair<std::string, Value>>& choices) {
     std::vector<std::string> names;
     for (const auto& entry : choices) names.push_back(entry.first);
     return choices[indexOf(key, names)].second;
   }
-  /// A string; may be empty.
+  /// A string, number or flag as it is written in the file; may be empty.
   std::string text(const std::string& key);
   /// A path, resolved against the folder of the file that gives it; "" stays "".
   std::string path(const std::string& key);
   /// A list of zero or more paths, resolved as by path(). An empty path is an error.
   std::vector<std::string> paths(const std::string& key);
 
-  /// Throws ConfigError with `problem`, for values that the section itself cannot check.
+  /// Throws ConfigError "FILE: PATH: PROBLEM", for values that the section itself cannot check.
+  /// `key` is a key of this mapping, or "KEY.INNER" for a value within it.
   [[noreturn]] void refuse(const std::string& key, const std::string& problem) const;
 
-  /// Marks optional keys as read.
+  /// Marks keys as read without checking their values. A key that is absent is no error.
   void ignore(const std::set<std::string>& keys) {
     for (const std::string& key : keys) unread_.erase(key);
   }
@@ -91,9 +98,11 @@ class Section {
   void finish() const;
 
  private:
+  /// Returns the path of a key in the file, "search.added.kinds", for messages.
   std::string pathOf(const std::string& key) const;
   /// Returns the layers that have the key, with the key's value in each.
   std::vector<SectionLayer> layersOf(const std::string& key) const;
+  /// Throws ConfigError "FILE: PATH = VALUE PROBLEM".
   [[noreturn]] static void fail(const std::string& path, const SectionLayer& value,
                                 const std::string& problem);
   /// Marks the key as read; throws if no layer has it.
@@ -108,10 +117,10 @@ class Section {
   std::vector<double> colorShares(const std::string& key);
   std::size_t indexOf(const std::string& key, const std::vector<std::string>& names);
 
-  std::string name_;
-  std::shared_ptr<const std::vector<SectionLayer>> layers_;
+  std::string name_;                                         ///< the mapping's path in the file
+  std::shared_ptr<const std::vector<SectionLayer>> layers_;  ///< ascending priority
   std::set<std::string> unread_;
-  std::vector<std::string> read_;
+  std::vector<std::string> read_;  ///< in the order of reading, for hints on misspelled keys
 };
 
 }  // namespace forge

@@ -6,10 +6,10 @@
 
 namespace forge {
 
-/// A value of a configuration file, and the path of the file that gives it.
+/// A value of a configuration file.
 struct SectionLayer {
-  std::string file;
-  YAML::Node node;
+  std::string file;  ///< path of the file that gives the value
+  YAML::Node node;   ///< the value: a scalar, list or mapping
 };
 
 }  // namespace forge

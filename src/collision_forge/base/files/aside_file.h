@@ -21,16 +21,19 @@ class AsideFile {
   AsideFile(const AsideFile&) = delete;
   AsideFile& operator=(const AsideFile&) = delete;
 
-  /// Path of the part, for writers that need a file name.
+  /// Returns the path of the part, for writers that need a file name.
   const std::string& partPath() const { return part_path_; }
-  /// Binary stream to the part. commit() reports failed writes.
+  /// Returns the binary stream to the part, valid as long as this object. commit() reports failed
+  /// writes.
   std::ostream& stream() { return stream_; }
 
   /// Flushes the part and renames it to `path`, replacing a file there. Throws if the stream could
-  /// not be written in full or the part cannot be renamed.
+  /// not be written in full or the part cannot be renamed; `path` is then unchanged. Also throws if
+  /// the folder cannot be flushed to the disk; the new file is then at `path`. Call it once.
   void commit();
 
  private:
+  /// Throws std::runtime_error with `path` and the text of errno.
   [[noreturn]] void fail() const;
 
   std::string path_;
@@ -40,7 +43,7 @@ class AsideFile {
   bool is_committed_ = false;
 };
 
-/// Writes `text` to `path` with an AsideFile.
+/// Writes `text` to `path` with an AsideFile, byte for byte. Throws as AsideFile.
 void writeText(const std::string& path, const std::string& text);
 
 }  // namespace forge

@@ -16,7 +16,7 @@ std::uint64_t hashOf(std::string_view text, std::uint64_t before = kHashBasis);
 std::uint64_t mixed(std::uint64_t bits);
 
 /// Returns hashOf() as 16 hexadecimal digits; pass an earlier fingerprint as `before` to continue
-/// it.
+/// it, or "" to begin.
 std::string fingerprint(const std::string& text, const std::string& before = "");
 
 }  // namespace forge

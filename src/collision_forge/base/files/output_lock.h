@@ -8,14 +8,17 @@ namespace forge {
 
 /// Prevents other processes from writing the same output while this object exists. Locks a file
 /// that holds the process id: FOLDER/.lock, or FILE.lock beside a file. The unlocked lock file of a
-/// killed process is reused. Another file of that name stays unchanged and is an error.
+/// killed process is reused. Another file of that name stays unchanged and is an error. The
+/// destructor removes the lock file.
 class OutputLock {
  public:
-  static constexpr const char* kFileName = ".lock";
-  /// Creates the folder; the destructor removes it if it is still empty. Throws std::runtime_error
-  /// naming the output, and the id of the process that holds the lock.
+  static constexpr const char* kFileName = ".lock";  ///< name in a folder, ending beside a file
+  /// Locks a folder and returns the lock; does not wait. Creates the folder if it is missing; the
+  /// destructor then removes it if it is still empty. Throws std::runtime_error naming the output
+  /// if it cannot be locked, with the id of the process that holds the lock.
   static OutputLock ofFolder(const std::string& folder);
-  /// Throws as ofFolder(), and if `path` exists and is not a file.
+  /// Locks a file that need not exist, and returns the lock. Throws as ofFolder(), and if `path`
+  /// exists and is not a file.
   static OutputLock ofFile(const std::string& path);
 
   ~OutputLock();
@@ -23,6 +26,7 @@ class OutputLock {
   OutputLock& operator=(OutputLock&&) = delete;
 
  private:
+  /// `output` names the output in messages.
   OutputLock(const std::string& output, std::string lock_path);
 
   std::string lock_path_;

@@ -15,19 +15,20 @@ struct BoxSize {
   double width = 0.0;
 };
 
-/// A rectangle on the ground, x along its length.
+/// A rectangle on the ground, x along its length. Functions of two boxes need both in one frame.
 struct OrientedBox {
-  Pose2 center;
+  Pose2 center;  ///< centre of the rectangle; the yaw is the direction of its length
   BoxSize size;
 };
 
-/// Returns the corners counter-clockwise, front left first.
+/// Returns the corners counter-clockwise, front left first, in the frame of `box.center`.
 std::array<Vector2, 4> corners(const OrientedBox& box);
 
 /// Number of the sample points of placesOf().
 inline constexpr std::size_t kBoxSamples = 9;
 /// Returns sample points of a box for quick queries about the ground below it: a grid of three by
-/// three, spaced 0.4 of the length and 0.4 of the width around the centre.
+/// three, spaced 0.4 of the length and 0.4 of the width around the centre, from the rear right to
+/// the front left, in the frame of `box.center`.
 std::array<Vector2, kBoxSamples> placesOf(const OrientedBox& box);
 
 /// Returns the box with every side moved inwards by `margin` (m; outwards if negative); sides stay
@@ -37,11 +38,12 @@ OrientedBox shrunk(const OrientedBox& box, double margin);
 /// The gap between the projections of two boxes on an axis.
 struct AxisGap {
   Vector2 axis;      ///< unit vector, pointing from the first box's centre towards the second's
-  double gap = 0.0;  ///< m, negative if the projections overlap
+  double gap = 0.0;  ///< m, negative by the depth of the overlap if the projections overlap
 };
 
-/// Returns the gaps along the sides of both boxes (separating axes). The boxes share a point if no
-/// gap is positive; else their distance is between the largest gap and sqrt(2) times that.
+/// Returns the gaps along the x and y axis of `a`, then of `b` (separating axes). The boxes share a
+/// point if no gap is positive; else their distance is between the largest gap and sqrt(2) times
+/// that.
 std::array<AxisGap, 4> axisGaps(const OrientedBox& a, const OrientedBox& b);
 
 /// Returns the shortest distance (m) between a point and the rectangle; 0 inside.
@@ -59,10 +61,10 @@ double intersectionArea(const OrientedBox& a, const OrientedBox& b);
 /// Returns the centroid of the intersection of the rectangles; nullopt if its area is 0.
 std::optional<Vector2> intersectionCentroid(const OrientedBox& a, const OrientedBox& b);
 
-/// Returns the area of the intersection over the area of the union, [0, 1].
+/// Returns the area of the intersection over the area of the union, [0, 1]; 0 if both areas are 0.
 double intersectionOverUnion(const OrientedBox& a, const OrientedBox& b);
 
-/// A side of a box, in the box's frame.
+/// A side of a box, in the box's frame: the front is the side at positive x, left at positive y.
 enum class Side { kFront, kRear, kLeft, kRight };
 /// Returns "front", "rear", "left" or "right".
 const char* toString(Side side);
@@ -77,7 +79,7 @@ Side touchedSide(const OrientedBox& box, const OrientedBox& other);
 /// if it covers the side from corner to corner, 0 if not at all. `box` must have a size above 0.
 double sideOverlap(const OrientedBox& box, Side side, const OrientedBox& other);
 
-/// Returns the front side of `box`, as a box of length 0.
+/// Returns the front side of `box`, as a box of length 0 with the same width and yaw.
 OrientedBox frontEdge(const OrientedBox& box);
 
 /// Returns the radius (m) of the circle around the centre that contains the box.

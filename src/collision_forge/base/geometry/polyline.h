@@ -11,7 +11,7 @@ struct PolylineProjection {
   double arc_length = 0.0;  ///< metres from the first point, within [0, length]
   double lateral = 0.0;     ///< m, positive if the query point is left of the line; beyond an end,
                             ///< the offset from the line extended straight
-  double distance = 0.0;    ///< m between the query point and the line
+  double distance = 0.0;    ///< m between the query point and the closest point, >= 0
   Pose2 pose;               ///< the closest point, yaw along the line, as poseAt()
 };
 
@@ -19,19 +19,22 @@ struct PolylineProjection {
 /// within 1e-6 m of the one before, and throws std::invalid_argument for fewer than two, or a NaN.
 class Polyline {
  public:
+  /// `points`: the vertices in order, m, in any frame; queries are in the same frame.
   explicit Polyline(const std::vector<Vector2>& points);
 
   /// Returns the length of the line, m.
   double length() const { return arc_lengths_.back(); }
+  /// Returns the points that the constructor kept, at least two.
   const std::vector<Vector2>& points() const { return points_; }
-  /// Returns the arc length (m from the first point) of each point.
+  /// Returns the arc length (m from the first point) of each element of points().
   const std::vector<double>& arcLengths() const { return arc_lengths_; }
 
-  /// Returns the pose at an arc length (m). The yaw turns linearly between the middles of adjacent
-  /// segments; beyond either end the line continues straight.
+  /// Returns the pose at an arc length (m from the first point). The yaw turns linearly between the
+  /// middles of adjacent segments; beyond either end the line continues straight.
   Pose2 poseAt(double arc_length) const;
 
-  /// Returns the projection of `point`; takes time proportional to the number of points.
+  /// Returns the projection of `point` (same frame as the points), of equally close ones the first;
+  /// takes time proportional to the number of points.
   PolylineProjection project(const Vector2& point) const;
 
  private:

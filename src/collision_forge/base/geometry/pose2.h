@@ -6,9 +6,10 @@
 
 namespace forge {
 
+/// A point or vector in the plane, x and y.
 using Vector2 = Eigen::Vector2d;
 
-/// Wraps an angle to (-pi, pi].
+/// Returns an angle (rad) wrapped to (-pi, pi]; NaN if it is not finite.
 double wrapAngle(double angle);
 
 /// Returns the signed shortest turn from `from` to `to` (rad), in (-pi, pi].
@@ -23,10 +24,11 @@ struct Pose2 {
   Vector2 position() const { return {x, y}; }
   /// Returns the unit vector along the yaw.
   Vector2 heading() const { return {std::cos(yaw), std::sin(yaw)}; }
+  /// Returns true if x, y and yaw are finite.
   bool isFinite() const;
 };
 
-/// Transforms `local` from the frame of `base` to the frame in which `base` is given.
+/// Returns `local`, a pose in the frame of `base`, in the frame in which `base` is given.
 Pose2 compose(const Pose2& base, const Pose2& local);
 
 /// Returns `target` in the frame of `base`: compose(base, relativeTo(base, target)) == target.

@@ -7,9 +7,10 @@
 namespace forge {
 
 /// A box moving from one pose to another in unit time: centre linear, yaw along the shorter turn.
+/// Poses are box centres; both motions of a test are in one frame.
 struct BoxMotion {
-  Pose2 start;
-  Pose2 end;
+  Pose2 start;  ///< at time 0
+  Pose2 end;    ///< at time 1
   BoxSize size;
 };
 

@@ -15,8 +15,8 @@ namespace forge {
 /// Thread-safe.
 class AreaRaster {
  public:
-  /// `area`, metres in the map frame, must outlive the raster. Throws std::invalid_argument if it
-  /// extends over more than 200 km.
+  /// Rasterises the union of the polygons `area`, metres in the map frame, which must outlive the
+  /// raster unchanged. Throws std::invalid_argument if it extends over more than 200 km.
   explicit AreaRaster(const std::vector<Polygon>& area);
   ~AreaRaster();
   AreaRaster(const AreaRaster&) = delete;
@@ -24,14 +24,17 @@ class AreaRaster {
 
   /// Returns true if the area has no polygon.
   bool empty() const { return area_.empty(); }
-  /// Returns true if the centre of the cell with this point (map frame) is in the area.
+  /// Returns true if the centre of the cell with this point (m, map frame) is in the area; false
+  /// for a point that is not finite.
   bool contains(const Vector2& point) const;
 
  private:
   static constexpr int kCells = 64;  // cells per side of a tile
   using Tile = std::bitset<kCells * kCells>;
 
+  /// Returns a tile, which is filled on first use; `corner`: its smallest x and y, m.
   const Tile& tileAt(std::size_t index, const Vector2& corner) const;
+  /// Returns the tile with this corner, with a bit set for each cell whose centre is in the area.
   std::unique_ptr<const Tile> fill(const Vector2& corner) const;
 
   const std::vector<Polygon>& area_;

@@ -2,7 +2,7 @@
 
 namespace forge {
 
-/// Degrees, north and east positive.
+/// A point on the earth (WGS 84). Degrees, north and east positive.
 struct GeoPoint {
   double latitude = 0.0;
   double longitude = 0.0;

@@ -11,7 +11,7 @@ namespace forge {
 
 /// A point of a lane's centreline. Global map frame.
 struct LaneSample {
-  Vector2 position;
+  Vector2 position;         ///< m
   Vector2 heading;          ///< unit vector in driving direction, as Polyline::poseAt()
   double arc_length = 0.0;  ///< metres from the centreline's first point
   std::size_t lane = 0;     ///< index into LaneMap::lanes
@@ -22,8 +22,8 @@ struct LaneSample {
 /// line, at most 0.25 m. Immutable, so safe to share among threads.
 class LaneGrid {
  public:
-  /// `centerlines`: one per lane, nullopt for a lane without one. Throws std::invalid_argument for
-  /// a centreline longer than 100 km.
+  /// `centerlines`: element i is the centreline of LaneMap::lanes[i], nullopt for a lane without
+  /// one. Throws std::invalid_argument for a centreline longer than 100 km.
   explicit LaneGrid(const std::vector<std::optional<Polyline>>& centerlines);
 
   /// Returns true if a sample is within `max_distance` (m) of the pose's position and its heading
@@ -35,15 +35,20 @@ class LaneGrid {
   /// by more than 90 degrees from the pose's yaw. Returns false for a pose that is not finite.
   bool isWrongWay(const Pose2& pose, double max_distance) const;
 
-  /// Returns the samples within `max_distance` (m), sorted by lane and arc length.
+  /// Returns the samples within `max_distance` (m) of `position` (m, map frame), sorted by lane and
+  /// arc length; none for a position that is not finite.
   std::vector<LaneSample> samplesNear(const Vector2& position, double max_distance) const;
 
  private:
+  /// Calls `visit` for each sample in range, possibly more than once, until it returns true;
+  /// returns whether it did.
   template <class Visit>
   bool anyNear(const Vector2& position, double max_distance, const Visit& visit) const;
+  /// As anyNear(), for the samples of one bucket.
   template <class Visit>
   bool anyInBucket(std::size_t bucket, const Vector2& position, double square_distance,
                    const Visit& visit) const;
+  /// Returns the bucket of a cell of 4 m.
   std::size_t bucketOf(std::int64_t column, std::int64_t row) const;
 
   std::vector<LaneSample> samples_;         // grouped by bucket, then by lane and arc length

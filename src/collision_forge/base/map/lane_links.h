@@ -6,8 +6,9 @@
 
 namespace forge {
 
-/// Makes links mutual: a link in either lane is in both afterwards, once. Drops links to lanes that
-/// are not in `lanes`.
+/// Makes the links Lane::incoming and Lane::outgoing mutual: a link in either lane is in both
+/// afterwards, once. Links that were in `outgoing` come first, in their order. Drops links to lanes
+/// that are not in `lanes`.
 void linkMutually(std::vector<Lane>& lanes);
 
 }  // namespace forge

@@ -15,16 +15,16 @@ enum class DrivingSide { kRight, kLeft };
 /// m; width assumed for a lane without an outline: usual for town roads of two or more lanes.
 inline constexpr double kLaneWidth = 3.5;
 
-/// A lane, or a lane connector (the path through a junction). Global map frame.
+/// A lane, or a lane connector (the path through a junction). Global map frame, m.
 struct Lane {
-  std::string id;
-  bool is_connector = false;
+  std::string id;                     ///< unique in the map
+  bool is_connector = false;          ///< true: the path through a junction
   bool is_intersection = false;       ///< part of a road segment marked as an intersection
   std::vector<Pose2> centerline;      ///< in driving direction; empty when the map has none
   std::vector<Vector2> polygon;       ///< outline, open ring; may be empty
   std::vector<std::string> incoming;  ///< ids of predecessor lanes, all in the map
   std::vector<std::string> outgoing;  ///< ids of successor lanes, all in the map
-  std::optional<double> speed_limit;  ///< m/s; empty if unknown (nuScenes has none)
+  std::optional<double> speed_limit;  ///< m/s; empty if unknown, as in nuScenes
 };
 
 /// Kind of a MapFeature.
@@ -33,7 +33,7 @@ enum class FeatureKind {
   kMedian,     ///< road edge between opposite directions
   kCrosswalk,  ///< painted crossing for pedestrians
   kDriveway,   ///< private entrance that crosses the walkway
-  kSpeedBump,
+  kSpeedBump,  ///< raised strip across the road
 };
 
 /// Returns true for kRoadEdge and kMedian, whose points are an open line.
@@ -44,18 +44,19 @@ inline bool isRoadEdge(FeatureKind kind) {
 /// A recorded feature of the road besides lanes and areas. Global map frame.
 struct MapFeature {
   FeatureKind kind = FeatureKind::kRoadEdge;
-  std::vector<Vector2>
-      points;  ///< m; road edges and medians: open line; others: outline, open ring
+  /// m; road edges and medians: open line; others: outline, open ring.
+  std::vector<Vector2> points;
 };
 
 /// The lanes, the drivable area and the walkways of one location. Global map frame, metres.
 struct LaneMap {
-  std::string location;
+  std::string location;  ///< name of the place, as "boston-seaport"
   DrivingSide driving_side = DrivingSide::kRight;
-  std::vector<Lane> lanes;
-  std::vector<Polygon> drivable_area;  ///< union of the polygons; they may overlap
-  std::vector<Polygon> walkways;       ///< raised ground behind kerbs; empty if unknown
-  std::vector<MapFeature> features;    ///< as recorded; empty if unknown
+  std::vector<Lane> lanes;  ///< lanes and lane connectors
+  /// Union of the polygons, which may overlap; empty if unknown.
+  std::vector<Polygon> drivable_area;
+  std::vector<Polygon> walkways;     ///< raised ground behind kerbs; empty if unknown
+  std::vector<MapFeature> features;  ///< as recorded; empty if unknown
 };
 
 }  // namespace forge

@@ -17,32 +17,36 @@ namespace forge {
 /// A lane on which a pose may be driving.
 struct LaneMatch {
   std::size_t lane = 0;           ///< index into LaneMap::lanes
-  PolylineProjection projection;  ///< of the pose's position on the centreline
-  double heading_error = 0.0;     ///< the pose's yaw minus the centreline's, radians (-pi, pi]
+  PolylineProjection projection;  ///< projection of the pose's position on the centreline
+  /// The pose's yaw minus the centreline's at the projection, rad (-pi, pi].
+  double heading_error = 0.0;
 };
 
 /// A path along consecutive lanes.
 struct LanePath {
   std::vector<std::size_t> lanes;  ///< indices into LaneMap::lanes, in driving order
-  std::vector<Vector2> points;     ///< along the centrelines; two or more, 1 m or longer
-  double length = 0.0;             ///< metres along the centrelines
-  Pose2 end;                       ///< the pose on the last centreline
+  std::vector<Vector2> points;     ///< m, map frame, along the centrelines; at least two, over 1 m:
+                                   ///< extended straight if the lanes are shorter
+  double length = 0.0;             ///< m along the centrelines, without that extension
+  Pose2 end;                       ///< pose on the last centreline at `length`
 };
 
 /// Spatial index of one map. Built once per map (milliseconds), then read-only: safe to share among
-/// threads. Ignores lanes whose centreline does not have two distinct points.
+/// threads. Indices of lanes are indices into LaneMap::lanes; positions and poses are in the map
+/// frame, m. Queries ignore lanes whose centreline does not have two distinct points.
 class LaneIndex {
  public:
-  /// Throws std::invalid_argument for a null map, a centreline that is not finite, and an area or a
-  /// centreline beyond its limit (200 km, 100 km). Ignores outgoing ids that the map does not have.
+  /// Keeps the map alive. Throws std::invalid_argument for a null map, a centreline that is not
+  /// finite, and an area or a centreline beyond its limit (200 km, 100 km). Ignores outgoing ids
+  /// that the map does not have.
   explicit LaneIndex(std::shared_ptr<const LaneMap> map);
 
-  /// Returns the map of the constructor.
+  /// Return the map of the constructor; the reference is valid as long as the index.
   const LaneMap& map() const { return *map_; }
   std::shared_ptr<const LaneMap> sharedMap() const { return map_; }
 
-  /// Returns nullopt if the lane has no usable centreline. Throws std::out_of_range for an index
-  /// beyond the map's lanes.
+  /// Returns the centreline of a lane; nullopt if it does not have two distinct points. Throws
+  /// std::out_of_range for an index beyond the map's lanes.
   const std::optional<Polyline>& centerline(std::size_t lane) const {
     return centerlines_.at(lane);
   }
@@ -59,7 +63,8 @@ class LaneIndex {
   std::vector<LaneMatch> lanesNear(const Pose2& pose, double max_distance,
                                    double max_heading) const;
 
-  /// Returns the lanes whose centreline is within `radius` (m), nearest first, then by index.
+  /// Returns the indices of the lanes whose centreline is within `radius` (m) of `center`, nearest
+  /// first, then by index.
   std::vector<std::size_t> lanesWithin(const Vector2& center, double radius) const;
 
   /// Returns the path ahead from an arc length (m, clamped) on a lane's centreline: along the lane,
@@ -68,24 +73,24 @@ class LaneIndex {
   /// lane without a centreline.
   Polyline pathAhead(std::size_t lane, double arc_length, double distance) const;
 
-  /// Returns up to `max_paths` paths ahead from an arc length (m, clamped), over all successors at
-  /// each branch: first the path of pathAhead(), then the paths that leave it, nearest branch
-  /// first, then the paths that leave these. Throws std::invalid_argument for a lane without a
-  /// centreline.
+  /// Returns up to `max_paths` (at least one) paths ahead from an arc length (m, clamped) on a
+  /// lane's centreline, each for `distance` (m) or until the lanes end, over all successors at each
+  /// branch: first the path of pathAhead(), then the paths that leave it, nearest branch first,
+  /// then the paths that leave these. Throws std::invalid_argument for a lane without a centreline.
   std::vector<LanePath> pathsAhead(std::size_t lane, double arc_length, double distance,
                                    std::size_t max_paths) const;
 
-  /// Returns the successor that turns least: the one whose heading stays closest to the heading at
-  /// the end of `lane` (smallest maximum difference along the successor); the first of equals in
-  /// Lane::outgoing. Returns nullopt if no lane follows. Throws std::invalid_argument for a lane
-  /// without a centreline.
+  /// Returns the index of the successor that turns least: the one whose heading stays closest to
+  /// the heading at the end of `lane` (smallest maximum difference along the successor); the first
+  /// of equals in Lane::outgoing. Returns nullopt if no lane with a centreline follows. Throws
+  /// std::invalid_argument for a lane without a centreline.
   std::optional<std::size_t> straightestSuccessor(std::size_t lane) const;
 
-  /// Fast queries on the centrelines, accurate to 0.25 m.
+  /// Returns the object for fast queries on the centrelines, accurate to 0.25 m.
   const LaneGrid& grid() const { return grid_; }
-  /// Fast queries on the drivable area, accurate to half a cell of 0.5 m.
+  /// Returns the object for fast queries on the drivable area, accurate to half a cell of 0.5 m.
   const AreaRaster& drivable() const { return drivable_; }
-  /// Fast queries on the walkways, accurate to half a cell of 0.5 m.
+  /// Returns the object for fast queries on the walkways, accurate to half a cell of 0.5 m.
   const AreaRaster& walkways() const { return walkways_; }
 
   /// Returns an index of the same map with every lane and the driving side reversed. Built on the
@@ -102,7 +107,9 @@ class LaneIndex {
     std::unique_ptr<const LaneIndex> index;
   };
 
+  /// Returns the centreline of a lane; throws std::invalid_argument if it has none.
   const Polyline& existingCenterline(std::size_t lane) const;
+  /// Appends a lane to `path`, from arc length `from` on, until the path is `distance` long.
   void extend(LanePath& path, std::size_t lane, double from, double distance) const;
 
   std::shared_ptr<const LaneMap> map_;

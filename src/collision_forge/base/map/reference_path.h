@@ -6,10 +6,10 @@
 
 namespace forge {
 
-/// A pose relative to a path (Frenet coordinates).
+/// A pose relative to a path (Frenet coordinates), both in the map frame.
 struct PathPose {
-  double along = 0.0;   ///< m along the path
-  double across = 0.0;  ///< m to the left of the path
+  double along = 0.0;   ///< m, arc length from the start of the path; may be beyond either end
+  double across = 0.0;  ///< m to the left of the path, negative: to the right
   double lean = 0.0;    ///< rad, the pose's yaw minus the path's, (-pi, pi]
 };
 
@@ -19,10 +19,11 @@ class ReferencePath {
  public:
   /// A point of the path.
   struct Place {
-    Pose2 pose;
+    Pose2 pose;              ///< map frame, yaw along the path
     Vector2 heading;         ///< unit vector along the path, map frame
     double curvature = 0.0;  ///< 1/m, positive to the left
-    double stretch = 1.0;    ///< m travelled per m of arc length, below 1 in sharp bends
+    /// True length of the curve (m) per m of arc length, below 1 in sharp bends.
+    double stretch = 1.0;
   };
 
   static constexpr double kBendSpacing = 1.0;     ///< m between bends()
@@ -36,30 +37,35 @@ class ReferencePath {
   /// spacing that is not finite and positive.
   ReferencePath(double spacing, std::vector<Vector2> controls);
 
-  /// Returns the parallel path `across` metres to the left. Cuts bends tighter than `across`.
-  /// Throws std::invalid_argument if that leaves fewer than two distinct points.
+  /// Returns the parallel path `across` metres to the left (negative: right). Cuts bends tighter
+  /// than `across`. Throws std::invalid_argument if that leaves fewer than two distinct points.
   ReferencePath beside(double across) const;
 
-  /// m of arc length between two control points.
+  /// Returns the arc length (m) between two control points.
   double spacing() const { return spacing_; }
-  /// Control points of the spline, map frame; the curve runs near them, not through them.
+  /// Returns the control points of the spline (m, map frame), one beyond either end included; the
+  /// curve runs near them, not through them.
   const std::vector<Vector2>& controls() const { return controls_; }
-  /// Nominal length of the path, m: the range of arc lengths of at().
+  /// Returns the nominal length of the path, m: the range of arc lengths of at().
   double length() const { return spacing_ * static_cast<double>(controls_.size() - 3); }
   /// Returns the point at an arc length (m); beyond either end the path continues straight.
   Place at(double arc_length) const;
-  /// Returns |curvature| (1/m) every kBendSpacing from the start; at least 1e-3, so that a speed
-  /// limit in bends is finite on straights.
+  /// Returns |curvature| (1/m) every kBendSpacing from the start to the end; each at least 1e-3, so
+  /// that a speed limit in bends is finite on straights.
   std::vector<double> bends() const;
-  /// Returns the arc length (m) of the point of the path closest to `point`, to first order from
-  /// the closest control point; may be beyond either end.
+  /// Returns the arc length (m) of the point of the path closest to `point` (map frame), to first
+  /// order from the closest control point; may be beyond either end (negative before the start).
   double project(const Vector2& point) const;
-  /// Returns the Frenet coordinates of a pose near the path.
+  /// Returns the Frenet coordinates of a pose (map frame) near the path, in the frame of the pose
+  /// at project().
   PathPose seen(const Pose2& pose) const;
 
  private:
+  /// Sets spacing_ and controls_ so that the spline follows `line` from end to end.
   void setControls(const Polyline& line);
+  /// Sets widest_.
   void measureControls();
+  /// Returns the index of the control closest to `point`, the first and last control excluded.
   std::size_t closestControl(const Vector2& point) const;
 
   double spacing_;                 // metres between controls

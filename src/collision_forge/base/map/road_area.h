@@ -6,8 +6,9 @@
 
 namespace forge {
 
-/// Returns the drivable area between recorded road edges (global map frame), or an empty list if
-/// `features` have none. For maps without drivable polygons, such as Waymo's maps.
+/// Returns the drivable area between recorded road edges (global map frame, m) as
+/// polygons with holes, which may overlap, or an empty list if `features` have no road edges. For
+/// maps without drivable polygons, such as Waymo's maps.
 ///
 /// - A road edge has its road on the side from which lane centrelines see it: a lane point votes
 ///   for its side of the nearest edge. An edge with votes for both sides has road on both; an edge

@@ -6,18 +6,19 @@
 
 namespace forge {
 
-/// Values at the nodes of a square grid.
+/// Values at the nodes of a grid with square cells, aligned to the axes of the map frame.
 struct ValueGrid {
-  Vector2 origin = Vector2::Zero();  ///< m, global map frame: node (0, 0)
+  Vector2 origin = Vector2::Zero();  ///< m, global map frame: node (0, 0), at the smallest x and y
   double spacing = 0.0;              ///< m between nodes
   int columns = 0;                   ///< nodes along x, at least 2
   int rows = 0;                      ///< nodes along y, at least 2
-  std::vector<float> values;         ///< row by row; not 0
+  std::vector<float> values;  ///< node (column, row) at index row * columns + column; none is 0
 };
 
 /// Returns the area where the grid's values are positive, by marching squares: its border crosses
 /// the grid lines where linear interpolation between two nodes is 0. Nodes on the grid's border
-/// count as negative. Rings are simplified to 2 cm; rings below `min_area` (m2) are left out.
+/// count as negative. Rings are simplified to 2 cm; rings, also of holes,
+/// with an area below `min_area` (m2) are left out.
 std::vector<Polygon> positiveArea(const ValueGrid& grid, double min_area);
 
 }  // namespace forge

@@ -36,40 +36,44 @@ std::optional<Hider> hiderFromString(const std::string& name);
 
 /// A closed interval.
 struct Range {
-  double min = 0.0;
+  double min = 0.0;  ///< at most `max`
   double max = 0.0;
 };
 
 /// A request for an attack on the ego.
 struct CollisionRequest {
   CollisionType type = CollisionType::kRearEnd;
-  double tta = 4.0;                     ///< s from t0 to contact
+  double tta = 4.0;                     ///< s from t0 to the requested contact, above 0
   std::optional<std::string> attacker;  ///< agent id; empty: any vehicle that `choice` allows
-  AttackerChoice choice = AttackerChoice::kAny;
+  AttackerChoice choice = AttackerChoice::kAny;  ///< matters if `attacker` is empty
   Mode mode = Mode::kHistory;
   std::uint64_t seed = 0;  ///< of all random draws; the same request and seed give the same attack
-  int alternatives = 1;    ///< number of attacks, which differ in attacker or manoeuvre
+  /// Number of attacks wanted, which differ in attacker or manoeuvre; 1: only the best.
+  int alternatives = 1;
   // Further constraints on the attack; an empty field allows any value.
-  std::optional<AgentClass> attacker_class;
-  std::optional<Manoeuvre> manoeuvre;
+  std::optional<AgentClass> attacker_class;  ///< class that the attacker must have
+  std::optional<Manoeuvre> manoeuvre;    ///< that the attacker must use, CollisionReport::manoeuvre
   std::optional<Side> ego_side;          ///< side of the ego's box that the attacker touches
   std::optional<Range> impact_speed;     ///< m/s, of CollisionReport::impact_speed
   std::optional<Range> overlap;          ///< share 0..1, of CollisionReport::overlap
-  Turning turning = Turning::kAttacker;  ///< of type kLtap
-  std::optional<Side> from_side;         ///< kLeft or kRight: side from which the attacker comes
-  std::optional<Hider> hidden_by;        ///< of ContactConditions::hidden_by
-  std::optional<Range> attacker_speed;   ///< m/s; this and the next seven are ranges of
-  std::optional<Range> deceleration;     ///< m/s2; fields of the same names of ContactConditions
-  std::optional<Range> gap;              ///< m
-  std::optional<Range> headway;          ///< s
-  std::optional<Range> lateral_speed;    ///< m/s
-  std::optional<Range> impact_location;  ///< share of the ego's front, 0 at its left edge
-  std::optional<Range> departure_time;   ///< s after t0; the attacker stands until then
-  std::optional<Range> visible_for;      ///< s
-  CrashDefinition crash;                 ///< set by the code that handles the request, not by users
+  Turning turning = Turning::kAttacker;  ///< who turns; read only for type kLtap
+  std::optional<Side> from_side;  ///< kLeft or kRight, ContactConditions::from_side: side of the
+                                  ///< ego from which the attacker comes
+  /// Kind of vehicle that must hide the attacker, ContactConditions::hidden_by.
+  std::optional<Hider> hidden_by;
+  std::optional<Range> attacker_speed;  ///< m/s; this field and the next seven bound the
+  std::optional<Range> deceleration;    ///< m/s2; fields of the same names in ContactConditions
+  std::optional<Range> gap;             ///< m
+  std::optional<Range> headway;         ///< s
+  std::optional<Range> lateral_speed;   ///< m/s
+  /// Share of the ego's width from the left edge of its front.
+  std::optional<Range> impact_location;
+  std::optional<Range> departure_time;  ///< s after t0; the attacker stands until then
+  std::optional<Range> visible_for;     ///< s
+  CrashDefinition crash;                ///< set by the code that handles the request, not by users
 
-  /// Returns the bands of the requested type. Throws std::out_of_range if `crash` is not set or
-  /// `type` is kAny.
+  /// Returns the heading bands of the requested type and `turning`. Throws std::out_of_range if
+  /// `crash` is not set or `type` is kAny.
   const TypeDefinition& bands() const {
     const bool ego_turns = type == CollisionType::kLtap && turning == Turning::kEgo;
     return ego_turns ? crash.ltap_ego_turns : crash.types.at(type);
@@ -78,19 +82,21 @@ struct CollisionRequest {
 
 /// A request at a time t0 of a scene, one entry of a request list.
 struct SceneRequest {
-  std::string scene;         ///< name
+  std::string scene;         ///< name of the scene
   double now = 0.0;          ///< t0, s on the scene's clock; the time of a frame
   CollisionRequest request;  ///< request lists do not hold its `mode`
-  std::string name = {};     ///< of the cell of a catalogue (CatalogueCell); empty without one
+  std::string name = {};  ///< name of the catalogue cell (CatalogueCell) that the request is for;
+                          ///< empty without a catalogue
 };
 
 /// Outcome of a request; the values equal the constants of GenerateCollision.srv.
 enum class StatusCode : std::uint8_t {
-  kOk = 0,
+  kOk = 0,  ///< solved: an attack was found
   kUnknownType = 1,
   kTtaOutOfRange = 2,
   kUnknownAttacker = 3,  ///< no agent of that id in the snapshot
   kAbsentAttacker = 4,   ///< the agent is not present at t0, or its class cannot attack
+  /// Ego or attacker was not observed in two frames up to t0, at most kMaxGap apart.
   kTooLittleHistory = 5,
   kNoCandidate = 6,           ///< no vehicle in range approaches as the requested type needs
   kNoAttackWithinLimits = 7,  ///< no candidate can hit the ego as requested within the limits
@@ -107,7 +113,9 @@ enum class StatusCode : std::uint8_t {
 };
 /// Returns the name of the constant in GenerateCollision.srv, for instance "NO_CANDIDATE".
 const char* toString(StatusCode code);
-/// Returns true for codes that depend on the scene or t0: the request may succeed elsewhere.
+/// Returns true for codes that depend on the scene or t0, so that the request may succeed at
+/// another t0 or in another scene: kNoCandidate, kNoAttackWithinLimits, kBeyondRecording,
+/// kLowConfidence, kNotBelievable and kRoadDoesNotAllow.
 bool dependsOnScene(StatusCode code);
 /// Returns the code of a name as toString() spells it (upper case); nullopt for an unknown name.
 std::optional<StatusCode> statusCodeFromString(const std::string& name);
@@ -115,7 +123,8 @@ std::optional<StatusCode> statusCodeFromString(const std::string& name);
 /// Outcome of a request with a message.
 struct Status {
   StatusCode code = StatusCode::kOk;
-  std::string message;  ///< for people; names the field and its value
+  /// Reason for people, which names the field and its value; usually empty with kOk.
+  std::string message;
 };
 
 }  // namespace forge

@@ -8,7 +8,8 @@ namespace forge {
 
 /// COLLIDE's five collision types (kLtap is a left turn across path); three types for the other
 /// relative headings, named after the manners of collision of FARS and GES (NHTSA); and kAny, any
-/// of these eight.
+/// of these eight. config/crash_definition.yaml has the bands of relative heading that define each
+/// type, contactFits() the relative positions.
 enum class CollisionType {
   kLaneChange,
   kOppositeDirection,
@@ -36,10 +37,11 @@ inline constexpr CollisionType kAllCollisionTypes[] = {CollisionType::kLaneChang
                                                        CollisionType::kAngleSameDirection,
                                                        CollisionType::kAngleOppositeDirection};
 
-/// "lane_change", "opposite_direction", "rear_end", "junction_crossing", "ltap",
+/// Returns "lane_change", "opposite_direction", "rear_end", "junction_crossing", "ltap",
 /// "sideswipe_same_direction", "angle_same_direction", "angle_opposite_direction" or "any".
 const char* toString(CollisionType type);
-/// Accepts the names above, head_on and LC, OD, HO, RE, JC, LTAP in any case; else nullopt.
+/// Returns the type of a name of toString(), of head_on, or of the short forms LC, OD, HO (opposite
+/// direction), RE, JC and LTAP, ignoring case; nullopt for another name.
 std::optional<CollisionType> collisionTypeFromString(const std::string& name);
 
 /// Returns the types that a list of requests means by `type`: all types for kAny, else `type`.

@@ -8,14 +8,17 @@
 
 namespace forge {
 
-/// Bands of the heading difference |attacker - ego| of one collision type (crash_definition.yaml).
+/// Bands of the heading difference |attacker's yaw - ego's yaw|, in [0, pi], of one collision type
+/// (crash_definition.yaml). Both ends of a band belong to it.
 struct TypeDefinition {
-  double min_heading = 0.0;      ///< rad, at contact
-  double max_heading = 0.0;      ///< rad, at contact
-  double nominal_heading = 0.0;  ///< rad, at contact; used for the collision pattern
+  double min_heading = 0.0;  ///< rad, at contact
+  double max_heading = 0.0;  ///< rad, at contact
+  /// rad, at contact, within the band; collision patterns have this heading.
+  double nominal_heading = 0.0;
   double min_approach = 0.0;     ///< rad, at t0; the default band accepts any approach
   double max_approach = 3.1416;  ///< rad, at t0; pi as the files round it
 };
+/// The definition of each type of kAllCollisionTypes.
 using TypeDefinitions = std::map<CollisionType, TypeDefinition>;
 
 /// The vehicle that turns in a left turn across path.
@@ -29,19 +32,20 @@ enum class TypeRules { kFull, kAngle };
 /// the strict protocol's limits, equal for all classes.
 enum class LimitSet { kDrivable, kStrict };
 
-/// s; a longer tolerance would accept almost any contact time.
+/// s, largest valid CrashDefinition::time_tolerance; a longer tolerance would accept almost any
+/// contact time.
 inline constexpr double kMaxTimeTolerance = 60.0;
 
 /// Conditions that an attack must meet: config/crash_definition.yaml, overridden by fields of the
 /// request.
 struct CrashDefinition {
-  TypeRules rules = TypeRules::kFull;
-  TypeDefinitions types;
-  TypeDefinition ltap_ego_turns;  ///< of CollisionType::kLtap with Turning::kEgo
-  double time_tolerance = 0.0;    ///< s; largest |contact time - requested time|
-  double min_confidence = 0.0;    ///< share 0..1; an attack with less confidence is rejected
-  LimitSet limits = LimitSet::kDrivable;
-  bool believable = true;  ///< the attacker must drive plausibly until it attacks
+  TypeRules rules = TypeRules::kFull;  ///< how `types` are tested
+  TypeDefinitions types;               ///< empty until read from the configuration
+  TypeDefinition ltap_ego_turns;       ///< instead of types[kLtap] if the ego turns (Turning::kEgo)
+  double time_tolerance = 0.0;         ///< s; largest |contact time - (t0 + TTA)|
+  double min_confidence = 0.0;         ///< share 0..1; an attack with less confidence is rejected
+  LimitSet limits = LimitSet::kDrivable;  ///< vehicle limits that the attacker must keep
+  bool believable = true;                 ///< the attacker must drive plausibly until it attacks
 };
 
 /// Returns `crash` with the rules for COLLIDE clips, which have no sizes, classes or maps: types by
@@ -49,33 +53,40 @@ struct CrashDefinition {
 /// accepted.
 CrashDefinition withClipRules(CrashDefinition crash);
 
-/// Returns true if |`relative_heading`| at contact (rad) is within the type's heading band.
+/// Returns true if |`relative_heading`| at contact (attacker's yaw minus ego's, rad) is within the
+/// type's heading band.
 bool headingFits(double relative_heading, const TypeDefinition& definition);
 
-/// Returns true if |`relative_heading_now`| at t0 (rad) is within the type's approach band: a
-/// junction crossing comes from the side, a left turn across path from the opposite direction.
+/// Returns true if |`relative_heading_now`| at t0 (attacker's yaw minus ego's, rad) is within the
+/// type's approach band: a junction crossing comes from the side, a left turn across path from the
+/// opposite direction.
 bool approachFits(double relative_heading_now, const TypeDefinition& definition);
 
-/// Returns true if the relative position at contact fits the type, beyond the heading band.
-/// `offset` is the attacker's box centre in the frame of the ego's box centre.
+/// Returns true if the relative position at contact fits the type. Does not test the heading band.
+/// `offset` is the attacker's box centre in the frame of the ego's box centre; `turning` matters
+/// for kLtap only.
 ///
 /// - rear_end: the boxes meet front to rear, not side to side; either vehicle may be in front.
-/// - lane_change: the attacker's centre is beside the ego and its heading points towards the ego.
+/// - lane_change: the attacker's centre is at least half the ego's width to one side of the ego's
+///   axis, and its heading points towards that axis.
 /// - ltap: `turning` turned left in right-hand traffic, right in left-hand traffic.
-/// - sideswipe_same_direction: the touched sides are left or right; angle_same_direction: one is.
+/// - sideswipe_same_direction: both touched sides are left or right; angle_same_direction: at least
+///   one of them is.
 /// - all other types: no further condition.
 bool contactFits(CollisionType type, const Pose2& offset, const BoxSize& ego,
                  const BoxSize& attacker, DrivingSide driving_side,
                  Turning turning = Turning::kAttacker);
 
-/// Returns the sign of the attacker's relative heading at contact that a left turn across path by
-/// `turning` has (in left-hand traffic, a right turn): -1 if the attacker heads to the ego's right.
+/// Returns the sign, -1 or 1, of the attacker's relative heading at contact (attacker's yaw minus
+/// ego's) in a left turn across path by `turning` (in left-hand traffic, a right turn): -1 if the
+/// attacker heads to the ego's right, as a turning attacker does in right-hand traffic.
 double ltapSign(Turning turning, DrivingSide driving_side);
 
 /// Returns true if the ego's change of heading (rad, left positive) between t0 and the contact
 /// makes it the turning vehicle of a left turn across path: to the left (in left-hand traffic, to
-/// the right), by at least the angle that `definition` leaves to the opposite direction, and by
-/// more than the attacker's change of heading `attacker_turn` (rad).
+/// the right), by at least pi - definition.max_heading (by how much the two directions of such a
+/// type differ from opposite ones at least), and by more than the attacker's change of heading
+/// `attacker_turn` (rad).
 bool egoTurns(double ego_turn, double attacker_turn, const TypeDefinition& definition,
               DrivingSide driving_side);
 

@@ -8,7 +8,8 @@
 
 namespace forge {
 
-/// Returns the track with that id; nullptr if there is none.
+/// Returns the first track with that id; nullptr if there is none. The pointer is valid until
+/// `tracks` changes.
 inline const Track* findTrack(const std::vector<Track>& tracks, const std::string& id) {
   const auto found = std::find_if(tracks.begin(), tracks.end(),
                                   [&](const Track& track) { return track.id == id; });
@@ -16,7 +17,8 @@ inline const Track* findTrack(const std::vector<Track>& tracks, const std::strin
 }
 
 /// Returns the attacker's track up to t0: the `past` of an added vehicle, else its track among
-/// `agents`. Without either the track has no states.
+/// `agents`, the tracks of a snapshot. Without either the track has the id, class and size of
+/// `attacker` and no states.
 inline Track attackerPast(const AttackerTrajectory& attacker, const std::vector<Track>& agents) {
   if (!attacker.isAdded()) {
     if (const Track* recorded = findTrack(agents, attacker.attacker_id)) return *recorded;

@@ -25,6 +25,7 @@ enum class Manoeuvre {
   kSameDirectionTurn,   ///< angle: turns across the ego's path from a lane beside it (16)
 };
 
+/// All manoeuvres, in the order of the enum.
 inline constexpr Manoeuvre kManoeuvres[] = {
     Manoeuvre::kLeadStopped,    Manoeuvre::kLeadBrakes,     Manoeuvre::kLeadSlow,
     Manoeuvre::kFollowerCloses, Manoeuvre::kCutIn,          Manoeuvre::kDrift,

@@ -8,9 +8,11 @@
 
 namespace forge {
 
-/// Removes speed limits, and lanes, areas and features with a point, beyond the limits; lanes only
-/// if one is left. Links to removed lanes are removed, too. Appends to `warnings`, if given, one
-/// line per kind with the number. checkMap() checks the other limits, such as the number of lanes.
+/// Removes speed limits above max_speed or below 0; lanes, areas and features with a point beyond
+/// max_coordinate; and lanes with a centreline of more than max_points. Keeps all lanes if every
+/// lane would be removed. Removes links to removed lanes, too. Appends to `warnings`, if given, one
+/// line per kind of removed element with the number. checkMap() checks the other limits, such as
+/// the number of lanes.
 void keepWithin(LaneMap& map, const InputLimits& limits,
                 std::vector<std::string>* warnings = nullptr);
 

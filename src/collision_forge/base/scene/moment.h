@@ -13,25 +13,27 @@ namespace forge {
 /// A recording and the spatial index of its map.
 struct IndexedScene {
   Scene scene;
-  std::shared_ptr<const LaneIndex> lanes;
+  std::shared_ptr<const LaneIndex> lanes;  ///< index of scene.map
 };
 
 /// The input of a method: one time t0 of a recorded or live scene.
 struct Moment {
-  Snapshot snapshot;               ///< frames up to t0
-  std::optional<Future> recorded;  ///< the recording from t0 on; empty in live scenes
-  std::shared_ptr<const LaneIndex> lanes;
-  /// As `snapshot`, with all frames from the recording's first on: the past in which a vehicle can
-  /// be added. Null in live scenes, where the past cannot be changed.
+  Snapshot snapshot;  ///< frames up to t0
+  /// The recording from t0 on, recordedFuture(); empty in live scenes.
+  std::optional<Future> recorded;
+  std::shared_ptr<const LaneIndex> lanes;  ///< index of snapshot.map
+  /// As `snapshot`, with frames (historyTimes()) back to the begin of the recording: the past in
+  /// which a vehicle can be added. Null in live scenes, where the past cannot be changed.
   std::shared_ptr<const Snapshot> past = nullptr;
 };
 
-/// Returns Moment::past for t0 = `now`: every frame of the recording up to it.
+/// Returns Moment::past for t0 = `now` (s, scene clock): the frames of all historyTimes() up to it,
+/// back to the begin of the recording.
 std::shared_ptr<const Snapshot> completePast(const Scene& scene, double now);
 
-/// Returns the input for a request at the frame at `now` (to 1 us); `history_frames` as in
-/// snapshotAt(). Returns kNoScene, whose message gives the nearest frame, if no frame is at `now`.
-/// The recording must have a frame.
+/// Returns the input for a request at the frame at `now` (s, scene clock, to 1 us);
+/// `history_frames` as in snapshotAt(). Returns kNoScene, whose message gives the nearest frame, if
+/// no frame is at `now`. The recording must have a frame.
 std::variant<Moment, Status> momentAt(const IndexedScene& recording, double now,
                                       int history_frames);
 

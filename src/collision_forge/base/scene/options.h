@@ -12,10 +12,14 @@ class Section;
 // Read the mapping of each struct from its configuration file. Throw ConfigError for a missing key
 // or a value out of range.
 
+/// config/ego_vehicle.yaml.
 void readOptions(Section& section, EgoVehicle& vehicle);
+/// config/live.yaml.
 void readOptions(Section& section, LiveOptions& live);
+/// config/input_limits.yaml; fixed limits keep their defaults.
 void readOptions(Section& section, InputLimits& limits);
-/// `time_margin` (s) is the smallest time_tolerance allowed: attacks are planned so far inside it.
+/// config/crash_definition.yaml. `time_margin` (s, SearchOptions::time_margin) is the smallest
+/// time_tolerance allowed: the search keeps attacks by so much inside it.
 void readOptions(Section& section, CrashDefinition& crash, double time_margin);
 
 }  // namespace forge

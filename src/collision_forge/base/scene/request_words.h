@@ -10,8 +10,8 @@
 /// has none.
 namespace forge {
 
-/// Returns the names that collisionTypeFromString() accepts: "lane_change (LC), opposite_direction
-/// (OD, HO, head_on), ...".
+/// Returns the names that collisionTypeFromString() accepts as one text for people: "lane_change
+/// (LC), opposite_direction (OD, HO, head_on), ...".
 std::string collisionTypeWords();
 
 /// Returns "drivable" or "strict".
@@ -19,8 +19,9 @@ const char* toString(LimitSet limits);
 /// Returns the set of a name as toString() spells it; nullopt for another name.
 std::optional<LimitSet> limitSetFromString(const std::string& name);
 
-/// "attacker", "ego".
+/// Returns "attacker" or "ego".
 const char* toString(Turning turning);
+/// Returns the value of a name as toString() spells it; nullopt for another name.
 std::optional<Turning> turningFromString(const std::string& name);
 
 /// Sets the field of a request whose value is a word: type, choice, believable, limits,
@@ -32,10 +33,10 @@ bool setRequestWord(const std::string& field, const std::string& word, Collision
 /// all for CollisionType::kAny. `turning` matters for kLtap only.
 std::vector<Manoeuvre> manoeuvresOf(CollisionType type, Turning turning = Turning::kAttacker);
 
-/// Returns true if manoeuvresOf() has the manoeuvre.
+/// Returns true if manoeuvresOf(type, turning) has the manoeuvre.
 bool isManoeuvreOf(Manoeuvre manoeuvre, CollisionType type, Turning turning = Turning::kAttacker);
 
-/// Returns the names of manoeuvresOf(), separated by commas.
+/// Returns the names of manoeuvresOf(), separated by ", ".
 std::string manoeuvreNames(CollisionType type, Turning turning = Turning::kAttacker);
 
 /// Returns the first type of kAllCollisionTypes to which a manoeuvre belongs.

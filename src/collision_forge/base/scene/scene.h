@@ -17,17 +17,17 @@ inline constexpr const char* kEgoId = "ego";
 /// tracks hold the box centre, which is `center_offset` ahead of base_link.
 struct EgoVehicle {
   BoxSize size;
-  double center_offset = 0.0;  ///< m
+  double center_offset = 0.0;  ///< m, from base_link forwards to the box centre
 };
 
-/// A whole recording.
+/// A whole recording. All times are on one clock; poses are box centres in the global map frame.
 struct Scene {
-  std::string name;
-  Track ego;
-  std::vector<Track> agents;
-  std::vector<double> frame_times;  ///< s, ascending; times at which agents were annotated
-  std::shared_ptr<const LaneMap> map;
-  std::vector<TrafficLight> lights;  ///< empty if the log has none
+  std::string name;                    ///< unique in its log
+  Track ego;                           ///< id kEgoId; may have states between and beyond the frames
+  std::vector<Track> agents;           ///< all agents except the ego, in no certain order
+  std::vector<double> frame_times;     ///< s, ascending; times at which agents were annotated
+  std::shared_ptr<const LaneMap> map;  ///< map of the place; null if there is none
+  std::vector<TrafficLight> lights;    ///< one per lane with a light; empty if the log has none
 };
 
 /// Returns the vehicle that the ego of the scene is: the size of its track, and the offset (m) of
@@ -36,20 +36,22 @@ inline EgoVehicle egoVehicleOf(const Scene& scene, double center_offset) {
   return {scene.ego.size, center_offset};
 }
 
-/// A scene as known at t0: states up to and including `now`, none later.
+/// A scene as known at t0: states at the times of the frames up to and including `now`, none later;
+/// see snapshotAt().
 struct Snapshot {
-  double now = 0.0;  ///< t0: s, the time of the newest frame
+  double now = 0.0;  ///< t0: s, scene clock, the time of the newest frame
   Track ego;
-  std::vector<Track> agents;
-  std::shared_ptr<const LaneMap> map;
+  std::vector<Track> agents;  ///< agents with a state in one of the frames, without the ego
+  std::shared_ptr<const LaneMap> map;  ///< as Scene::map
 };
 
 /// Motion of the ego and all agents from t0 on, predicted or recorded. Recorded agents may appear
 /// later than t0.
 struct Future {
-  Track ego;  ///< the most likely prediction, or the recorded motion
-  std::vector<Track> agents;
-  std::vector<Track> ego_samples;  ///< equally likely predictions; empty if `ego` is recorded
+  Track ego;                  ///< the most likely prediction, or the recorded motion
+  std::vector<Track> agents;  ///< one motion per agent, recorded or most likely
+  /// Equally likely predictions of the ego; empty if `ego` is recorded.
+  std::vector<Track> ego_samples;
 };
 
 /// s between the frames of a snapshot, whatever the scene's own rate: the 2 Hz of nuScenes and
@@ -61,14 +63,18 @@ inline constexpr double kFrameInterval = 0.5;
 /// kFrameInterval.
 std::vector<double> historyTimes(const std::vector<double>& times, int count);
 
-/// Returns the last frame time at or before `time` (s); nullopt if the scene starts later.
+/// Returns the last frame time at or before `time` (s, scene clock, to 1 us); nullopt if the first
+/// frame is later.
 std::optional<double> lastFrameTime(const Scene& scene, double time);
 
-/// Returns the states at the last `frames` historyTimes() up to `now`, with velocities derived from
-/// the positions. Omits agents without a state at any of them.
+/// Returns the states at the last `frames` historyTimes() up to `now` (s, scene clock), with
+/// velocities derived from the positions (deriveVelocities()). The ego's states are interpolated,
+/// agents keep those recorded at these times. Omits agents without a state at any of them. Without
+/// a frame up to `now`, the ego has no states and there are no agents.
 Snapshot snapshotAt(const Scene& scene, double now, int frames);
 
-/// Returns the recorded states from `now` to the end of the ego's track.
+/// Returns the recorded states from `now` (s, scene clock, included) to the end of the ego's track,
+/// unchanged. Omits agents without a state in this time; `ego_samples` is empty.
 Future recordedFuture(const Scene& scene, double now);
 
 }  // namespace forge

@@ -10,27 +10,28 @@ namespace forge {
 
 /// One frame of agents and the ego, all at the same time.
 struct Frame {
-  double time = 0.0;          ///< s
+  double time = 0.0;          ///< s, clock of the scene
   Pose2 ego;                  ///< centre of the ego's box, global map frame
-  std::vector<Track> agents;  ///< each with exactly one state, at `time`
+  std::vector<Track> agents;  ///< without the ego; each with exactly one state, at `time`
 };
 
-/// Returns true for an agent with one state, a finite pose and a finite, positive size.
+/// Returns true for an agent with exactly one state, a finite pose and a finite, positive size.
 bool isUsable(const Track& agent);
 
 /// Returns the tracks that have a state at `time` (to 1 us), each with that state alone: the agents
 /// of a Frame.
 std::vector<Track> agentsAt(const std::vector<Track>& tracks, double time);
 
-/// Returns the frame at the snapshot's t0. The ego's pose is NaN if the ego has no state at t0.
+/// Returns the frame at the snapshot's t0, with the agents that have a state then. The ego's pose
+/// is NaN if the ego has no state at t0.
 Frame newestFrame(const Snapshot& snapshot);
 
 /// s; a frame older than the newest by at most this is late (jitter, overtaken on the way) and is
 /// dropped; an older one means that a replay was restarted.
 inline constexpr double kRestart = 1.0;
 
-/// Removes elements older than the last by more than `age` (s). `values`: states or frames, oldest
-/// first, not empty.
+/// Removes the elements whose member `time` (s) is more than `age` (s) before the time of the last
+/// element. `values`: container of states or frames, oldest first, not empty.
 template <typename Values>
 void keepNewest(Values& values, double age) {
   const double oldest = values.back().time - age;
@@ -43,29 +44,34 @@ void keepNewest(Values& values, double age) {
 /// whatever the rate of the frames. Not thread-safe.
 class SceneHistory {
  public:
-  /// `frames` is the largest number of frames of a snapshot; `ego` gives the size of the ego's box.
+  /// Starts empty. `frames` is the largest number of frames of a snapshot; `ego` gives the size of
+  /// the ego's box.
   SceneHistory(int frames, const EgoVehicle& ego);
 
-  /// Starts with the frames and the map of `start`.
+  /// Starts with the frames (one at each state of the ego) and the map of `start`.
   SceneHistory(int frames, const EgoVehicle& ego, const Snapshot& start);
 
   /// Sets the size of the ego's box in all later snapshots, m.
   void setEgoSize(const BoxSize& size) { ego_.size = size; }
 
-  /// Returns true if `time` is at most the newest frame's time and at most kRestart before it.
+  /// Returns true if a frame at `time` (s) should be dropped: `time` is at most the newest frame's
+  /// time and at most kRestart before it. Returns false for an empty history.
   bool isLate(double time) const;
 
-  /// Adds a frame; call isLate() first. Drops agents that are not usable and returns their number.
-  /// A frame older than the newest clears the history first (a replay was restarted). Throws
-  /// std::invalid_argument if the ego's pose is not finite.
+  /// Adds a frame; call isLate() first. Drops agents that are not usable (isUsable()) and returns
+  /// their number. A frame that is not later than the newest clears the history first (a replay was
+  /// restarted). Forgets frames that no snapshot can use any more. Throws std::invalid_argument if
+  /// the ego's pose is not finite.
   int add(Frame frame);
 
+  /// Returns true if there is no frame.
   bool empty() const { return frames_.empty(); }
-  /// The history must not be empty.
+  /// Returns the newest frame, valid until the next add(). The history must not be empty.
   const Frame& newest() const { return frames_.back(); }
 
   /// Returns what snapshotAt() returns for a Scene of the same frames, agents sorted by id. The
-  /// map is the one of the constructor's snapshot, or null.
+  /// map is the one of the constructor's snapshot, or null. For an empty history, `now` is 0 and
+  /// there are no states.
   Snapshot snapshot() const;
 
  private:

@@ -4,7 +4,7 @@
 
 namespace forge {
 
-/// Characters of a shortened id; nuScenes' ids have 32.
+/// Characters of a shortened id for people; nuScenes' ids have 32.
 inline constexpr std::size_t kShortId = 6;
 
 /// Returns the first kShortId characters of an id; an id at most two longer ("added-1") stays

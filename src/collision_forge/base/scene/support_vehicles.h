@@ -9,15 +9,20 @@
 /// replaces the agent from the support's first point on.
 namespace forge {
 
-/// Returns the agent that a support is, up to `end` (s, scene clock) if it stands at its last
-/// point: its past, then its points. `recorded`: the agent with its id, or null.
+/// Returns the support as an agent: the states before its first point (its past, or for a support
+/// that was not added the states of `recorded`), then its points. If it stands at its last point,
+/// states every kFrameInterval follow up to `end` (s, scene clock). `recorded`: the recorded agent
+/// with its id, or null. The support must have points.
 Track trackOf(const SupportVehicle& support, const Track* recorded, double end);
 
-/// Adds the supports at the times of the ego's states.
+/// Adds the supports with states, interpolated, at the times of the ego's states. A support without
+/// a state at any of them is not added.
 void addSupports(const std::vector<SupportVehicle>& supports, Snapshot& snapshot);
-/// Adds the supports from the ego's first state to its last.
+/// Adds the supports from the ego's first state on. Supports that stand last to the ego's last
+/// state. Does nothing if the ego has no states.
 void addSupports(const std::vector<SupportVehicle>& supports, Future& future);
-/// Adds the supports to the end of the recording.
+/// Adds the supports with their past. Supports that stand last to the ego's last state. Does
+/// nothing if the ego has no states.
 void addSupports(const std::vector<SupportVehicle>& supports, Scene& scene);
 
 }  // namespace forge

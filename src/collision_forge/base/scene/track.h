@@ -23,11 +23,12 @@ enum class AgentClass {
   kStaticObject,
 };
 
-/// Lower-case name as in messages and files, for instance "construction_vehicle".
+/// Returns the lower-case name as in messages and files, for instance "construction_vehicle".
 const char* toString(AgentClass agent_class);
 /// Returns the class of a name as toString() spells it; nullopt for another name.
 std::optional<AgentClass> agentClassFromString(const std::string& name);
-/// Classes that can be the attacker. The last two are attackers only if the request names them.
+/// Classes that can be the attacker. Bicycles and pedestrians, the last two, are attackers only if
+/// the request names the class or the agent.
 inline constexpr AgentClass kAttackerClasses[] = {
     AgentClass::kCar,
     AgentClass::kTruck,
@@ -38,38 +39,42 @@ inline constexpr AgentClass kAttackerClasses[] = {
     AgentClass::kBicycle,
     AgentClass::kPedestrian,
 };
-/// Returns true for kAttackerClasses.
+/// Returns true for the classes of kAttackerClasses.
 bool canAttack(AgentClass agent_class);
-/// Returns true for the attacker classes but bicycles and pedestrians.
+/// Returns true for the attacker classes but bicycles and pedestrians; so not for trailers.
 bool isMotorVehicle(AgentClass agent_class);
-/// Returns true for all classes but pedestrians, animals and static objects.
+/// Returns true for all classes but pedestrians, animals and static objects; so also for trailers
+/// and bicycles.
 bool isVehicle(AgentClass agent_class);
 /// Returns true for motor vehicles but motorcycles.
 bool isCarLike(AgentClass agent_class);
 
 /// State of one agent at one time. Global map frame; `pose` is the centre of the box.
 struct AgentState {
-  double time = 0.0;  ///< seconds; one clock for a whole scene
+  double time = 0.0;  ///< s, scene clock: one clock for a whole scene, ROS time or the log's time
   Pose2 pose;
   Vector2 velocity{0.0, 0.0};  ///< m/s, global map frame
 };
 
-/// The states of one agent, times strictly increasing.
+/// The states of one agent, with strictly increasing times; code that adds states must keep this
+/// order.
 struct Track {
-  std::string id;
+  std::string id;  ///< unique in a scene; kEgoId for the ego
   AgentClass agent_class = AgentClass::kCar;
   BoxSize size;
   std::vector<AgentState> states;
 };
 
-/// s; states farther apart than this are not interpolated.
+/// s; stateAt() does not interpolate between states farther apart than this.
 inline constexpr double kMaxGap = 1.1;
 
-/// Returns the state at `time` (s), interpolated: pose and velocity linearly, yaw along the shorter
-/// turn. Returns nullopt outside the track's times and in gaps above `max_gap` (s).
+/// Returns the state at `time` (s, scene clock), interpolated: position and velocity linearly, yaw
+/// along the shorter turn. Returns nullopt outside the track's times, so always for a track without
+/// states, and between states more than `max_gap` (s) apart.
 std::optional<AgentState> stateAt(const Track& track, double time, double max_gap = kMaxGap);
 
-/// Returns true if the track's last state is at `time` (to 1 us).
+/// Returns true if the track's last state is at `time` (s, to 1 us); false for a track without
+/// states.
 bool endsAt(const Track& track, double time);
 
 /// Sets each velocity from the positions by central differences; one-sided at the ends and beside

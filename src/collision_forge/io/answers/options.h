@@ -9,9 +9,9 @@ namespace forge {
 
 /// Options for generating and judging attacks on recorded scenes.
 struct AnswerOptions : DataOptions, ModelOptions {
-  CrashDefinition crash;
-  AttackOptions attack;
-  AdaptiveOptions adaptive;
+  CrashDefinition crash;     ///< replaces the crash definition of each request
+  AttackOptions attack;      ///< options of the search and of the verification
+  AdaptiveOptions adaptive;  ///< options of requests in adaptive mode
 };
 
 }  // namespace forge

@@ -8,17 +8,21 @@
 namespace forge {
 
 /// Generates the attack for each request on recorded scenes. Thread-safe and deterministic across
-/// processes. Uses only models that were trained without the requested scene.
+/// processes. Uses only models that were trained without the requested scene, where there are any.
 class RequestSolver {
  public:
-  /// `scenes` must outlive this object. `crash` replaces the crash definition of every request.
+  /// `scenes` must outlive this object. `method` makes the attack method. `crash` replaces the
+  /// crash definition of every request. Only the `center_offset` of `ego` is used: the box comes
+  /// from the scene.
   RequestSolver(SceneSource& scenes, MethodMaker method, CrashDefinition crash,
                 const EgoVehicle& ego, const AdaptiveOptions& adaptive);
 
-  /// Returns the result of generateCollision() at the frame of the request, whose type kAny becomes
-  /// the type of the attack; in adaptive mode, of
-  /// requestAdaptively() followed by rejectMisses(). If no frame is at that time, returns the
-  /// status of momentAt(). Throws as SceneSource::at().
+  /// Returns the request with its result, `Scenario::answer`: in history and replay mode, the
+  /// result of generateCollision() at the frame at `asked.now`; in adaptive mode, of
+  /// requestAdaptively() followed by rejectMisses(), with `Scenario::plans`. The returned request
+  /// has the type of the attack instead of kAny. A request that is rejected has a status other than
+  /// kOk; if no frame is at `asked.now`, it is the status of momentAt(). Throws as
+  /// SceneSource::at().
   Scenario answer(const SceneRequest& asked) const;
 
  private:

@@ -8,8 +8,8 @@
 namespace forge {
 
 /// While it exists, SIGINT, SIGTERM and SIGHUP write a message to stderr before they end the
-/// process. Signals that are ignored at construction, as SIGHUP under nohup, stay ignored. Only one
-/// may exist per process.
+/// process. The destructor restores the former handlers. Signals that are ignored at construction,
+/// as SIGHUP under nohup, stay ignored. Only one may exist per process.
 class InterruptionNotice {
  public:
   /// `message` is printed followed by a line end.
@@ -20,6 +20,7 @@ class InterruptionNotice {
 
  private:
   static constexpr std::array<int, 3> kSignals = {SIGINT, SIGTERM, SIGHUP};
+  /// Former handlers, in the order of kSignals.
   std::array<struct sigaction, kSignals.size()> before_;
 };
 

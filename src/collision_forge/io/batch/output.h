@@ -9,9 +9,10 @@ namespace forge {
 
 /// Locks on the output folders or files of a run; released on destruction.
 using OutputLocks = std::vector<OutputLock>;
-/// Lock the folders, or the file. Names that are "" or repeated are skipped. Throw as OutputLock if
-/// another process holds a lock.
+/// Locks the output folders. Names that are "" or denote an earlier folder are skipped. Throws as
+/// OutputLock::ofFolder().
 OutputLocks lockFolders(const std::vector<std::string>& folders);
+/// Locks the output file `path`. Throws as OutputLock::ofFile().
 OutputLocks lockFile(const std::string& path);
 
 }  // namespace forge

@@ -16,21 +16,24 @@ class ProgressLine {
  public:
   /// Destination of the line.
   struct Output {
-    std::ostream& stream;
-    bool is_terminal = false;
+    std::ostream& stream;           ///< must outlive the ProgressLine
+    bool is_terminal = false;       ///< true: the line is updated in place
     std::function<double()> clock;  ///< s, monotonic
   };
 
-  /// Writes to stderr. `share`: part of the work, 0..1, done before this object was made.
+  /// Writes to stderr. `title`: name of the items or of the work, first in the line. `share`: part
+  /// of the work, 0..1, done before this object was made.
   explicit ProgressLine(std::string title, double share = 0.0);
+  /// As above, to `output`, whose stream must outlive this object.
   ProgressLine(std::string title, double share, Output output);
   /// Ends the line, so that later output starts on a new one.
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Show `done` of `all` items, or a share 0..1 and a text. Cheap: may be called for every item.
+  /// Shows `done` of `all` (> 0) items, with the rate. Cheap: may be called for every item.
   void show(std::size_t done, std::size_t all);
+  /// Shows a share 0..1 of the work, followed by `detail`, without a rate. Cheap.
   void show(double share, const std::string& detail = "");
 
  private:
@@ -38,11 +41,11 @@ class ProgressLine {
   void show(double share, std::optional<double> whole, const std::string& detail);
 
   std::string title_;
-  double first_share_;
+  double first_share_;  ///< share done before this object was made
   Output output_;
-  double begin_;
-  double shown_;
-  bool is_open_ = false;  ///< shown on the terminal without a line end
+  double begin_;          ///< s on the output's clock, when this object was made
+  double shown_;          ///< s, last update; `begin_` before the first
+  bool is_open_ = false;  ///< a line is shown on the terminal without a line end
 };
 
 /// Clears a progress line from the terminal; call before printing by other means than printLine().

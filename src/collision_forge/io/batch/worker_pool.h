@@ -14,8 +14,8 @@
 
 namespace forge {
 
-/// A pool of threads that work on items in the order given. give() and collect() must be called
-/// from one thread.
+/// A pool of threads that work on items in the order given. All functions must be called from one
+/// thread.
 class WorkerPool {
  public:
   /// Returns the result of the item with this index.
@@ -29,16 +29,20 @@ class WorkerPool {
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
 
-  /// Returns true if the pool holds less than one item per thread and one in reserve.
+  /// Returns true if the pool holds at most as many items as threads, so that one item beyond the
+  /// items in work is in reserve. Items count from give() to collect().
   bool wantsMore() const { return load_ <= threads_.size(); }
-  /// Adds an item.
+  /// Adds an item for the next free thread.
   void give(std::size_t index);
 
-  /// Returns the results finished since the last call; waits at most `patience` for the first.
+  /// Returns the results finished since the last call, in the order in which they finished; waits
+  /// at most `patience` for the first. Returns none if none finished in that time.
   std::vector<ItemResult> collect(std::chrono::milliseconds patience);
 
  private:
+  /// Loop of each thread.
   void run();
+  /// Calls `work_` and catches its exception.
   ItemResult workOn(std::size_t index) const;
 
   Work work_;
@@ -46,8 +50,8 @@ class WorkerPool {
   std::mutex mutex_;
   std::condition_variable given_;
   std::condition_variable finished_;
-  std::deque<std::size_t> items_;
-  std::vector<ItemResult> results_;
+  std::deque<std::size_t> items_;    // given, not begun
+  std::vector<ItemResult> results_;  // finished, not collected
   bool is_closing_ = false;
   std::vector<std::thread> threads_;  // last: they use the members above
 };

@@ -17,17 +17,19 @@ enum class ClipObstacle {
   kAttackerMissing,   ///< the attacker is missing in a frame up to t0
   kNoCollisionFrame,  ///< the collision frame is not after t0, or the recording ends before it
   kTrajectoryEnds,    ///< the attacker's trajectory ends before the collision frame
-  kNoCar,             ///< the attacker is a motorcycle: readers give every track a car's box
-  kOtherType,         ///< the type is none of COLLIDE's five, or the ego turns in ltap
-  kUnfitName,         ///< the name of map, scene or attacker is empty or contains '_' or '/'
+  kNoCar,  ///< the attacker is not car-like, such as a motorcycle: readers give every track a car's
+           ///< box
+  kOtherType,  ///< the type is none of COLLIDE's five, or the ego turns in ltap
+  kUnfitName,  ///< the name of map, scene or attacker is empty or contains '_' or '/'
 };
 
-/// Returns a text for people that follows a number of attacks: "with fewer than 7 frames at
-/// 2 Hz before t0".
+/// Returns a text for people that follows a number of attacks: "with fewer than 7 frames at 2 Hz
+/// before t0".
 const char* toString(ClipObstacle obstacle);
 
-/// Converts an attack to the layout of COLLIDE. `scene` is the recording of its request; `variant`
-/// becomes CollideName::variant. Returns the reason instead if the layout cannot hold the attack.
+/// Converts an attack to the layout of COLLIDE. `scene` is the recording of its request, with a
+/// map; support vehicles are added to it. `variant` becomes CollideName::variant. Returns the
+/// reason instead if the layout cannot hold the attack.
 ///
 /// Frame kCollideNowFrame is t0; the last frame is TTA / 0.5 s, rounded, frames later. If the
 /// recording is not at 2 Hz (areCollideFrames()), it is interpolated at times 0.5 s apart. The ego
@@ -47,7 +49,8 @@ std::variant<CollideClip, ClipObstacle> toCollideClip(const Scenario& scenario, 
 /// counts attacks that have none. Not thread-safe.
 class CollideExporter {
  public:
-  /// Returns the folder of a split's clips.
+  /// Returns the folder of a split's clips, DIRECTORY/trajectory/SPLIT; `split`: "train" or "val"
+  /// as published, or another name.
   static std::string folderIn(const std::string& directory, const std::string& split = "val");
 
   /// Creates the folder. Throws std::filesystem::filesystem_error.
@@ -58,7 +61,7 @@ class CollideExporter {
   /// writeCollideClip().
   void add(const Scenario& scenario, const Scene& scene, int variant);
 
-  /// Returns the number of attacks that have a clip.
+  /// Returns the number of attacks that have a clip, written or found.
   int clips() const { return clips_; }
 
   /// Returns "3 of 9 attacks have no clip of COLLIDE's layout: 2 with ..., 1 without ..."; "" if
@@ -67,8 +70,8 @@ class CollideExporter {
 
  private:
   std::string folder_;
-  int clips_ = 0;
-  std::map<ClipObstacle, int> obstacles_;
+  int clips_ = 0;                          ///< attacks with a clip
+  std::map<ClipObstacle, int> obstacles_;  ///< number of attacks without a clip, by reason
 };
 
 }  // namespace forge

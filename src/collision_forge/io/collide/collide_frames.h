@@ -4,8 +4,9 @@
 
 namespace forge {
 
-/// Returns true if the median interval of ascending frame times (s) is about the interval of
-/// COLLIDE, so that consecutive frames can be consecutive frames of a clip.
+/// Returns true if the median interval of ascending frame times (s) is within 0.05 s of
+/// kCollideFrameInterval, so that consecutive frames can be consecutive frames of a clip; true for
+/// fewer than two times.
 bool areCollideFrames(const std::vector<double>& times);
 
 /// Returns the elements of ascending frame times (s) that can be frames of clips: all if
@@ -13,8 +14,9 @@ bool areCollideFrames(const std::vector<double>& times);
 /// first.
 std::vector<double> collideFrames(const std::vector<double>& times);
 
-/// Returns the times (s) `from` to `to` intervals of kCollideFrameInterval after `now`; a time that
-/// is a recorded frame's to 1 ms is exactly the frame's.
+/// Returns the times (s, ascending) `now` + i * kCollideFrameInterval for i = `from` to `to`, both
+/// included. A time that is within 1 ms of an element of `times`, the recorded frames (s,
+/// ascending, not empty), is exactly that element.
 std::vector<double> collideGrid(const std::vector<double>& times, double now, int from, int to);
 
 }  // namespace forge

@@ -8,11 +8,12 @@
 
 namespace forge {
 
-/// Converts a clip to a Scene; snapshotAt() and recordedFuture() at clip.now() return history and
-/// future. Every box has size `options.box` and is centred at the recorded position. The ego and
-/// the other agents are as recorded in all frames. A vehicle that is in the last frame continues
-/// for `options.tail` seconds at the velocity of the last interval (without a previous frame, at
-/// the recorded speed along the heading), in steps of 0.5 s.
+/// Converts a clip to a Scene with the clip's name, on the clock of its times; snapshotAt() and
+/// recordedFuture() at clip.now() return history and future. All vehicles are cars. `map` may be
+/// null. Every box has size `options.box` and is centred at the recorded position. The ego and the
+/// other agents are as recorded in all frames. A vehicle that is in the last frame continues for
+/// `options.tail` seconds at the velocity of the last interval (without a previous frame, at the
+/// recorded speed along the heading), in steps of 0.5 s.
 ///
 /// In these files the attacker's history reveals its future. Therefore only its state at t0 is used
 /// up to t0: as two states, at t0 and one frame before, at constant recorded velocity. From t0 on

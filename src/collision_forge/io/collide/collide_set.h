@@ -9,13 +9,15 @@ namespace forge {
 /// hash of the scene's name alone (FNV-1a, mixed), so not on which clips are present.
 bool isHeldOutScene(const std::string& scene, double share);
 
-/// Returns the paths of the clips in DIRECTORY/trajectory/SPLIT, sorted. Throws CollideError for a
-/// folder that does not exist or has no clip, and for a file whose name is not a clip's.
+/// Returns the paths of the clips in DIRECTORY/trajectory/SPLIT, sorted by file name. Throws
+/// CollideError for a folder that does not exist or has no clip, and for a file whose name is not a
+/// clip's.
 std::vector<std::string> listCollideClips(const std::string& directory, const std::string& split);
 
-/// Returns the clips of a split by scene: all clips of the published train and val, redistributed
-/// so that no scene is in both. `split`: "train" or "val"; another throws std::invalid_argument.
-/// Throws CollideError as above, and if the split is empty.
+/// Returns the paths of the clips of a split by scene, sorted by file name: all clips of the
+/// published train and val, redistributed so that no scene is in both; scenes with isHeldOutScene()
+/// for `held_out_share` are in val. `split`: "train" or "val"; another throws
+/// std::invalid_argument. Throws CollideError as listCollideClips(), and if the split is empty.
 std::vector<std::string> listCollideClipsByScene(const std::string& directory,
                                                  const std::string& split, double held_out_share);
 
@@ -25,8 +27,8 @@ struct ClipHalves {
   std::vector<std::string> second;
 };
 
-/// Assigns the clips of scenes, sorted by name, alternately to the first and the second half.
-/// Throws CollideError if all clips are of one scene.
+/// Assigns the clips of the scenes, sorted by name, alternately to the first and the second half;
+/// clips of one scene keep their order. Throws CollideError if all clips are of one scene.
 ClipHalves halvesByScene(const std::vector<std::string>& paths);
 
 }  // namespace forge

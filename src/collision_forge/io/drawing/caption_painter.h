@@ -10,6 +10,8 @@ namespace forge {
 /// Returns the colour of a verdict.
 Color colorOf(Verdict verdict, const DrawingOptions& options);
 
+// Positions come from `layout`, font sizes from `size`, texts from caption_text.h.
+
 /// Paints titleText(), detailsText() and, on the right, verdictText().
 void paintHeader(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
                  const ScenarioView& view, const DrawingOptions& options);
@@ -28,11 +30,11 @@ void paintLegend(Canvas& canvas, const FigureLayout& layout, const FigureSize& s
 void paintReport(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
                  const ScenarioView& view, const DrawingOptions& options);
 
-/// Returns the length of the scale bar in m: `options.scale_bar`, or 2, 5 or 10 times it if the bar
-/// would be shorter than its text. `font` in pixels.
+/// Returns the length of the scale bar in m: `options.scale_bar`, or the smallest of 2, 5 and 10
+/// times it with which the bar is at least as wide as its text, else 10 times. `font` in pixels.
 double scaleBarLength(const Viewport& viewport, double font, const DrawingOptions& options);
 
-/// Paints the scale bar and the north arrow in the lower corners of the map.
+/// Paints the scale bar and the north arrow in the lower corners of the viewport's area.
 void paintScale(Canvas& canvas, const Viewport& viewport, const FigureSize& size,
                 const DrawingOptions& options);
 

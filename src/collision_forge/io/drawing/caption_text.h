@@ -10,20 +10,20 @@ namespace forge {
 
 /// One line of the report below a picture.
 struct CaptionRow {
-  std::string name;  ///< "" for a value that fills the line
-  std::string value;
-  std::optional<bool> passed;  ///< whether a condition holds; empty for a plain value
+  std::string name;   ///< "" for a value that fills the line
+  std::string value;  ///< text with unit
+  /// True or false: whether a condition holds, which sets the colour; empty: a plain value.
+  std::optional<bool> passed;
 };
 
 /// Returns the type's name for people, as "Left turn across path".
 std::string typeTitle(CollisionType type);
 
-/// Rates an outcome. For an attack kWanted is the requested crash; for a planner test, no contact
-/// with the ego.
+/// Rates the outcome of an attack or of a planner test.
 enum class Verdict {
-  kWanted,
+  kWanted,   ///< the requested crash; for a planner test, no contact
   kPartial,  ///< a contact, but not the requested crash
-  kUnwanted
+  kUnwanted  ///< no contact at all; for a planner test, a contact with the ego
 };
 /// Returns the verdict on an attack, or on a planner if the view names one.
 Verdict verdictOf(const ScenarioView& view);
@@ -41,7 +41,8 @@ std::string detailsText(const ScenarioView& view);
 std::string verdictText(const ScenarioView& view);
 
 /// Returns the known values of the report, and the speeds of ego and attacker at t0 and at contact
-/// (without one, at the pattern's time).
+/// (without one, at the pattern's time). In display order; for a planner test, only contact and
+/// speeds.
 std::vector<CaptionRow> reportRows(const ScenarioView& view);
 
 }  // namespace forge

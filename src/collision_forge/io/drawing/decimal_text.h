@@ -8,7 +8,7 @@ namespace forge {
 /// whatever the locale; never "−0".
 std::string decimalText(double value, int decimals);
 
-/// Returns a signed time, as "+4.0 s" or "−1.5 s".
+/// Returns a signed time with `decimals` decimals, as "+4.0 s" or "−1.5 s"; zero is "+0.0 s".
 std::string signedSeconds(double seconds, int decimals);
 
 }  // namespace forge

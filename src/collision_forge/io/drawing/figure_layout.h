@@ -8,23 +8,24 @@ namespace forge {
 /// Size of a whole picture and of its text, pixels.
 struct FigureSize {
   int width = 0;
-  int height = 0;
+  int height = 0;  ///< at most; the picture is less high if its map is cropped
   double font_size = 0.0;
 };
 
-/// Return the sizes of the options for stills and animations.
+/// Returns the size of stills, with the greatest height.
 FigureSize pngSize(const DrawingOptions& options);
+/// Returns the size of animations, with the greatest height.
 FigureSize gifSize(const DrawingOptions& options);
 
 /// Areas of a picture, pixels: title above, the map, and three columns below. Texts never cover the
 /// map.
 struct FigureLayout {
-  PixelRect header;
-  PixelRect map;
-  PixelRect legend;
-  PixelRect report;
-  PixelRect close_up;        ///< a square below its column's title
-  double line_height = 0.0;  ///< of the text
+  PixelRect header;          ///< title, details, verdict and clock
+  PixelRect map;             ///< the map, over the whole width
+  PixelRect legend;          ///< left column, with its title
+  PixelRect report;          ///< middle column, with its title
+  PixelRect close_up;        ///< right column: a square below the column's title
+  double line_height = 0.0;  ///< distance of baselines of the text below the map
   double padding = 0.0;      ///< between areas and around texts
 };
 

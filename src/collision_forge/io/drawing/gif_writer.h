@@ -16,18 +16,19 @@ namespace forge {
 /// std::runtime_error.
 class GifWriter {
  public:
-  /// `palette`: at most 255 colours; the last of GIF's 256 means "unchanged". The palette and the
-  /// binary stream must outlive the writer.
+  /// Writes the header. `width` and `height` in pixels. `palette`: at most 255 colours; the last of
+  /// GIF's 256 means "unchanged". The palette and the binary stream must outlive the writer.
   GifWriter(std::ostream& stream, int width, int height, const ColorPalette& palette);
 
   /// Adds a frame that is shown for `delay` hundredths of a second. `image` must have the GIF's
   /// size.
   void addFrame(const Image& image, int delay);
 
-  /// Ends the file.
+  /// Ends the file. Must be called once, after the last frame; no call may follow.
   void close();
 
  private:
+  /// Closes the file of giflib.
   struct Close {
     void operator()(GifFileType* file) const;
   };
@@ -39,9 +40,14 @@ class GifWriter {
     int height = 0;
   };
 
+  /// Throws std::runtime_error unless `result`, of a function of giflib, is GIF_OK.
   void check(int result) const;
+  /// Writes the delay (hundredths of a second) of the next frame.
   void writeControl(int delay);
+  /// Writes the part of a frame in `region`; `indices`: palette index of each pixel, row by row.
   void writeRegion(const std::vector<std::uint8_t>& indices, const Region& region);
+  /// Returns the smallest region that holds all differences to `previous_`: one pixel if there are
+  /// none.
   Region changedRegion(const std::vector<std::uint8_t>& indices) const;
 
   int width_;

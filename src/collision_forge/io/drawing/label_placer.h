@@ -15,12 +15,16 @@ class LabelPlacer {
   /// Marks a pixel as an obstacle for later labels.
   void avoid(const Vector2& pixel) { obstacles_.push_back(pixel); }
 
-  /// Returns a place of the given size near `anchor` that covers the fewest obstacles, the nearest
-  /// such place. It becomes an obstacle for later labels.
+  /// Returns a rectangle of the given size near `anchor` that covers the fewest obstacles; of equal
+  /// ones, a near one. A place outside of the area is taken only if all are. It becomes an obstacle
+  /// for later labels.
   PixelRect place(const Vector2& anchor, double width, double height);
 
  private:
+  /// Returns the number of obstacles in and around a place, and a large number for a place outside
+  /// of the area.
   double cost(const PixelRect& rect) const;
+  /// Marks the area of a label as an obstacle.
   void avoid(const PixelRect& rect);
 
   PixelRect area_;

@@ -5,8 +5,8 @@
 
 namespace forge {
 
-/// Paints walkways, drivable area, features, lane borders and centrelines with arrow heads;
-/// connectors fainter. `line_width`: of a centreline, pixels.
+/// Paints walkways, drivable area, features except driveways, lane borders, and centrelines with
+/// arrow heads in driving direction; connectors fainter. `line_width`: of a centreline, pixels.
 void paintMap(Canvas& canvas, const Viewport& viewport, const LaneMap& map,
               const DrawingOptions& options, double line_width);
 

@@ -15,7 +15,7 @@ namespace forge {
 /// global map frame.
 struct ScenarioView {
   std::string scene_name;
-  double tta = 0.0;  ///< requested TTA, s from t0
+  double tta = 0.0;  ///< requested TTA, s
   Mode mode = Mode::kHistory;
 
   /// Up to t0: the map and the past of the ego, the attacker and the other agents. Animations start
@@ -29,17 +29,19 @@ struct ScenarioView {
   AttackerTrajectory trajectory;           ///< the attacker's motion
   CollisionReport report;                  ///< report on `trajectory` against `future`
   std::vector<std::string> supports = {};  ///< ids of agents that are support vehicles
-  /// Motion of ego and attacker after the contact; without it the picture shows nothing later than
-  /// the contact.
+  /// Motion of ego and attacker after the contact of `report`; empty: both stay at their contact
+  /// poses and animations end at the contact.
   std::optional<PostCrashMotion> crash = {};
-  double seconds_after_stand = 0.0;  ///< s of animation after both vehicles stand
+  /// s that an animation goes on after both vehicles have stopped.
+  double seconds_after_stand = 0.0;
 
   /// Planner test: the planner's name in tables; `future.ego` is then the ego driven by the
   /// planner, and only the contact of the report is shown. "" for an attack.
   std::string planner = {};
-  /// Avoided hit: the time at which the ego would have been hit; there is no contact.
+  /// Avoided hit of a planner test: the time, s on the scene's clock, at which the ego would have
+  /// been hit; `report` has no contact. Empty: no such hit.
   std::optional<double> avoided_hit = {};
-  std::vector<TrafficLight> lights = {};  ///< as Scene::lights
+  std::vector<TrafficLight> lights = {};  ///< as Scene::lights, on the same clock
 };
 
 /// Returns true if the attacker touches the ego.

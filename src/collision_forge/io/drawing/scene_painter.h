@@ -8,12 +8,12 @@
 
 namespace forge {
 
-/// Throws std::runtime_error if the view cannot be painted: the attacker's trajectory or
-/// the ego's future is empty, the trajectory does not cover t0 to contact, or an option is not
-/// positive.
+/// Throws std::runtime_error if the view cannot be painted: the attacker's trajectory or the ego's
+/// future is empty, the trajectory does not cover t0 to keyTime(), or a rate, interval or extent of
+/// `options` is not positive.
 void checkDrawable(const ScenarioView& view, const DrawingOptions& options);
 
-/// Factor on DrawingOptions::ghost_opacity for boxes at rest.
+/// Factor on DrawingOptions::ghost_opacity for the boxes at which ego and attacker come to rest.
 inline constexpr double kRestGhosts = 1.5;
 
 /// Paints the scene of one scenario, without text, into any part of a picture. The caller clips to
@@ -24,7 +24,7 @@ class ScenePainter {
   ScenePainter(const ScenarioView& view, const DrawingOptions& options, double mark_size,
                PictureKind kind);
 
-  /// The motion of the vehicles of the view.
+  /// Returns the motion of the vehicles of the view.
   const ScenarioMotion& motion() const { return motion_; }
   /// Returns true if the view has a contact.
   bool hasContact() const { return forge::hasContact(view_); }
@@ -35,17 +35,20 @@ class ScenePainter {
   double rightwards() const;
   /// Returns the time at which the trails of the past begin, s on the scene's clock.
   double trailsFrom() const;
-  /// Returns the corners of the boxes of ego and attacker from `from` to standTime().
+  /// Returns the corners (m, map frame) of the boxes of ego and attacker from `from` (s, scene's
+  /// clock) to standTime(), every 0.1 s.
   std::vector<Vector2> shownCorners(double from) const;
 
-  /// Paints the map.
+  /// Paints the map; nothing without a map.
   void paintGround(Canvas& canvas, const Viewport& viewport) const;
 
-  /// Paints all vehicles at `time`, ghosts of ego and attacker from `ghosts_from` to contact, and
-  /// in a still their rest positions.
+  /// Paints trails, lights, all vehicles and the pattern at `time`, ghosts of ego and attacker from
+  /// `ghosts_from` to contact (times: s, scene's clock), the star from the contact on, and in a
+  /// still the rest positions.
   void paint(Canvas& canvas, const Viewport& viewport, double time, double ghosts_from) const;
 
  private:
+  // The steps of paint(); times in s on the scene's clock.
   void paintLights(Canvas& canvas, const Viewport& viewport, double time) const;
   void paintTrails(Canvas& canvas, const Viewport& viewport) const;
   void paintGhosts(Canvas& canvas, const Viewport& viewport, double from) const;

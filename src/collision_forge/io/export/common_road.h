@@ -8,7 +8,7 @@ namespace forge {
 
 /// Returns a writer of CommonRoad XML 2020a (TU Munich; XML_commonRoad_XSD.xsd of commonroad-io):
 /// NAME.xml, a scenario with one planning problem, in the record's map frame, metres, radians and
-/// steps.
+/// times as numbers of CrashRecord::step.
 ///
 /// - Lanelets: the lanes with a centreline; the bounds are half a lane width to either side.
 /// - Obstacles: the ego is dynamic obstacle 1, the attacker 2; the planning problem has id 3. An
@@ -21,7 +21,8 @@ namespace forge {
 ///   `date` is the day of the recording.
 ///
 /// Two deviations from the schema, which commonroad-io accepts: initial states after step 0, and no
-/// lanelet if no lane is near.
+/// lanelet if no lane is near. write() throws std::invalid_argument for a number that is not
+/// finite.
 std::unique_ptr<CrashWriter> makeCommonRoadWriter(const ExportPlan& plan);
 
 }  // namespace forge

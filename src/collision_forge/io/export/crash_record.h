@@ -17,41 +17,49 @@ namespace forge {
 /// around. Global map frame, metres, radians. Poses are box centres.
 ///
 /// Until contact the ego and the other agents are as recorded and the attacker follows its
-/// trajectory. After it, ego and attacker move by PostCrashMotion; at the first step from the
-/// contact on, their boxes overlap by at least 5 mm.
+/// trajectory. Support vehicles are among the other agents. After the contact, ego and attacker
+/// move by PostCrashMotion; at the first step from the contact on, their boxes overlap by at least
+/// 5 mm.
 struct CrashRecord {
-  std::string name;               ///< base name of the files, as "scene-0061_17"
-  Scenario scenario;              ///< request and result; times on the scene's clock
-  double step = 0.0;              ///< s between states
-  double now = 0.0;               ///< t0, s; a multiple of `step`
-  std::optional<double> contact;  ///< s, contact time with the recorded ego; empty: none
-  Track ego;                      ///< a state every step from 0 s to the end; its id is kEgoId
-  Track attacker;                 ///< a state every step from its first state on
-  /// Other agents within ExportOptions::radius, sorted by id; states at the steps at which they
-  /// were in sight.
+  std::string name;   ///< base name of the files: SCENE_LINE, as "scene-0061_17"
+  Scenario scenario;  ///< request and result; times on the scene's clock
+  double step = 0.0;  ///< s between states
+  double now = 0.0;   ///< t0, s on the record's clock; a multiple of `step`
+  /// s on the record's clock, contact time with the recorded ego; empty: no contact.
+  std::optional<double> contact;
+  Track ego;  ///< a state every step from 0 s to the end; its id is kEgoId
+  /// A state every step from its first state on; after t0 its trajectory, before it its past.
+  Track attacker;
+  /// Other agents that come within ExportOptions::radius of the ego's or the attacker's path,
+  /// sorted by id; states at the steps at which they were in sight.
   std::vector<Track> other_agents;
-  LaneMap lanes;                     ///< map within the radius, with the links among the lanes
-  std::vector<TrafficLight> lights;  ///< of `lanes`, times on the record's clock
-  LaneArcs arcs;                     ///< arcs of `lanes`
-  GeoPoint origin;                   ///< of the map frame
+  LaneMap lanes;  ///< map within the radius of both paths, with the links among the lanes
+  std::vector<TrafficLight> lights;  ///< lights of `lanes`, times on the record's clock
+  LaneArcs arcs;                     ///< arcs of `lanes`; empty if the map has points only
+  GeoPoint origin;                   ///< of the map frame; 0, 0 if unknown
 
   double end() const { return ego.states.back().time; }  ///< s, end of the record
 };
 
-/// Splits a track's states into stretches without a gap; `step` in s.
+/// Splits a track's states into stretches without a gap: a gap is an interval of more than 1.5
+/// steps (`step` in s). Returns no stretch for a track without states.
 std::vector<std::vector<AgentState>> splitAtGaps(const Track& track, double step);
 
-/// Inputs of crashRecord() beside the scenario.
+/// Inputs of crashRecord() beside the scenario. The references must be valid during the call.
 struct RecordContext {
-  const IndexedScene& indexed;
-  const LaneArcs& arcs;
-  const ExportOptions& options;
+  const IndexedScene& indexed;   ///< the recording of the scenario and its map
+  const LaneArcs& arcs;          ///< arcs of the whole map, by lane id
+  const ExportOptions& options;  ///< step, tail, radius and origins
+  /// `overlap_tolerance` of the contact; `severity` for the motion after it.
   const VerificationOptions& verification;
 };
 
-/// Builds the record of an attack. `line`: number of the attack in its file, from 1; `history`: s
-/// before t0. Throws std::runtime_error if the scene's name has characters other than letters,
-/// digits, '-', '_' and '.', and if the ego is missing at t0 or for a time after it.
+/// Builds the record of an attack, from `history` s before t0 (or the ego's first state, if later)
+/// to ExportOptions::tail s after contact. Without contact, the record ends with the attacker's
+/// trajectory or the ego's last state. `line`: number of the attack in its file, from 1. `scenario`
+/// must have an attack. Throws std::runtime_error if the scene's name has characters other than
+/// letters, digits, '-', '_' and '.' or starts with '.', and if the ego is missing at t0 or at a
+/// step of the record.
 CrashRecord crashRecord(const Scenario& scenario, std::size_t line, double history,
                         const RecordContext& context);
 

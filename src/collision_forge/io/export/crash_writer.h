@@ -22,25 +22,28 @@ class CrashWriter {
  public:
   virtual ~CrashWriter() = default;
 
-  /// Writes the files of one crash, each with an AsideFile, and returns their paths relative to the
-  /// folder. Called by `forge export` once per crash, concurrently from several threads: must be
-  /// thread-safe, must write only files of this crash, and must give the same bytes for the same
-  /// record. May throw any std::exception, which ends the export.
+  /// Writes the files of one crash, each with an AsideFile, and returns their paths relative to
+  /// ExportPlan::folder. Called by `forge export` once per crash, concurrently from several
+  /// threads: must be thread-safe, must write only files of this crash, and must give the same
+  /// bytes for the same record. May throw any std::exception, which ends the export.
   virtual std::vector<std::string> write(const CrashRecord& record) const = 0;
 
-  /// Writes files over all crashes, if the format has any. Called by `forge export` once, after the
+  /// Writes files over all crashes, if the format has any. `crashes`: all exported crashes, earlier
+  /// runs included, in the order of the scenario file. Called by `forge export` once, after the
   /// last write(), from one thread. May throw any std::exception, which ends the export.
   virtual void finish(const std::vector<ExportedCrash>& crashes) const { (void)crashes; }
 };
 
 /// Configuration of a writer.
 struct ExportPlan {
-  std::string folder;     ///< output folder; must exist
-  bool ego_free = false;  ///< export only the ego's start: the tool drives the ego
-  ExportOptions options;
+  std::string folder;  ///< output folder; must exist
+  /// True: export only the ego's start, the tool drives the ego; false: the ego follows its record.
+  bool ego_free = false;
+  ExportOptions options;     ///< heights of boxes, lane width and radius for a writer's use
   DriveLimitOptions limits;  ///< vehicle limits by class, for formats that have them
   std::vector<CatalogueEntry> catalogue = {};  ///< names of scenarios, for tags
-  bool for_carla = false;  ///< OpenSCENARIO 1.0 as CARLA's ScenarioRunner reads it; else ASAM's 1.2
+  /// True: OpenSCENARIO 1.0 as CARLA's ScenarioRunner reads it; false: ASAM's 1.2.
+  bool for_carla = false;
 };
 
 }  // namespace forge

@@ -13,7 +13,7 @@ namespace forge {
 std::vector<std::string> exportFormats();
 
 /// Makes the writer of a format. Throws std::invalid_argument for an unknown format, and for a plan
-/// that the format does not support.
+/// that the format does not support. `plan` is copied.
 std::unique_ptr<CrashWriter> makeCrashWriter(const std::string& format, const ExportPlan& plan);
 
 }  // namespace forge

@@ -9,61 +9,70 @@
 
 namespace forge {
 
-/// A lane that may share a road with others.
+/// A lane that may share a road with other lanes. Arc lengths are in m; courses are in the map
+/// frame.
 struct BundleLane {
   RoadCourse course;        ///< in driving direction; not empty
   double width = 0.0;       ///< m
-  bool may_share = false;   ///< false: the lane stays alone
+  bool may_share = false;   ///< false (connectors): the lane stays alone in its bundle
   bool is_entered = false;  ///< another lane leads into its start
-  bool is_left = false;     ///< its end leads into another lane
+  /// The lane is exited: its end leads into another lane (not: on the left side).
+  bool is_left = false;
 };
 
 /// A lane within a bundle. All arc lengths are measured on the course of the bundle.
 struct BundleMember {
-  std::size_t lane = 0;  ///< index of the BundleLane
-  bool along = true;     ///< driven in the direction of the bundle's course
-  double from = 0.0;     ///< m, where the lane begins in the direction of the course
-  double to = 0.0;       ///< m, where it ends
+  std::size_t lane = 0;  ///< index of the BundleLane in the input of bundlesOf()
+  bool along = true;  ///< true: driven in the direction of the bundle's course; false: against it
+  /// m, where the lane begins in the direction of the course, whichever way it is driven; may be
+  /// negative.
+  double from = 0.0;
+  double to = 0.0;  ///< m, > from; where the lane ends in that direction
 };
 
 /// Lanes side by side that become one road, and the shape of that road.
 struct LaneBundle {
-  RoadCourse course;                  ///< reference line, in driving direction of the `along` lanes
-  std::vector<BundleMember> members;  ///< from left to right; the `along` lanes on the driving side
-  double begin = 0.0;                 ///< m, arc length of the course at which the road begins
-  double end = 0.0;                   ///< m, > begin; where it ends
+  RoadCourse course;  ///< reference line: the course of one of the `along` members
+  /// From left to right, seen along the course; the `along` lanes on the driving side.
+  std::vector<BundleMember> members;
+  /// m, arc length of the course at which the road begins; the course continues straight beyond its
+  /// ends.
+  double begin = 0.0;
+  double end = 0.0;  ///< m, > begin; where it ends
 };
 
 /// Borders of a bundle's lanes at arc lengths of its course.
 struct BundleProfile {
   std::vector<double> arc_lengths;  ///< m, ascending, from `begin` to `end`
-  /// m from the course, positive to the left: per arc length, the left and the right border of each
-  /// member. The middle of both is the lane's centreline. Borders of neighbours are equal or leave
-  /// a gap.
+  /// m from the course, positive to the left: for each element of `arc_lengths`, the left and the
+  /// right border of each member, in the order of LaneBundle::members (2 x members values). The
+  /// middle of both is the lane's centreline. Borders of neighbours are equal or leave a gap.
   std::vector<std::vector<double>> borders;
 };
 
 /// Lanes as bundles.
 struct LaneBundles {
-  std::vector<LaneBundle> bundles;  ///< every lane is in exactly one
+  /// Every lane is in exactly one; sorted by the smallest lane index in each.
+  std::vector<LaneBundle> bundles;
   /// Lanes that lie beside another one and still have a road of their own, because they end
   /// elsewhere, bend too sharply or are too close.
   std::size_t unbundled = 0;
 };
 
-/// Groups lanes that lie side by side, of one direction or of both.
-/// A road covers the part that all its lanes with a link at that end have; where none has one, it
-/// covers all of them.
+/// Groups lanes that lie side by side, of one direction or of both. A road covers the stretch that
+/// all its lanes with a link at that end have; if no lane has a link there, the road covers all of
+/// its lanes. `side`: the driving side of the map. Indices in the result refer to `lanes`.
 LaneBundles bundlesOf(const std::vector<BundleLane>& lanes, DrivingSide side);
 
-/// Returns the arc length (m) on a member's lane beside an arc length (m) of the bundle's course;
-/// NaN if there is none.
+/// Returns the arc length (m) on a member's lane, whose course is `lane`, at the place beside
+/// `arc_length` (m) of the bundle's course: where the lane crosses the line across the course.
+/// Returns NaN if there is none.
 double besideOf(const LaneBundle& bundle, const BundleMember& member, const RoadCourse& lane,
                 double arc_length);
 
 inline constexpr double kProfileTolerance = 0.01;  ///< m, between centrelines and the profile
-/// Returns the borders of a bundle, at few arc lengths: linear in between within
-/// kProfileTolerance. `lanes` as for bundlesOf().
+/// Returns the borders of a bundle at few arc lengths from begin to end; linear interpolation in
+/// between is right within kProfileTolerance. `lanes` as for bundlesOf().
 BundleProfile profileOf(const LaneBundle& bundle, const std::vector<BundleLane>& lanes);
 
 }  // namespace forge

@@ -12,7 +12,7 @@ Vector2 localOrigin(const CrashRecord& record);
 
 /// An OpenDRIVE file.
 struct OpenDriveFile {
-  std::string text;
+  std::string text;           ///< XML, UTF-8
   std::size_t unbundled = 0;  ///< RoadNetwork::unbundled
 };
 
@@ -20,7 +20,9 @@ struct OpenDriveFile {
 /// come from roadNetwork(). The reference line is the centreline of one lane; `laneOffset` and
 /// widths, both piecewise linear, put the middles of all lanes on their centrelines. Left-hand
 /// roads have `rule` LHT and the lanes along the reference line on the left. The header has the
-/// map's origin as a transverse Mercator projection and localOrigin() as offset.
+/// map's origin as a transverse Mercator projection and localOrigin() as offset. Crosswalks within
+/// 20 m of a reference line are objects of the nearest road. Throws std::invalid_argument for a
+/// number that is not finite.
 OpenDriveFile openDriveFile(const CrashRecord& record, const ExportOptions& options);
 
 }  // namespace forge

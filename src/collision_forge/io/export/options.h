@@ -11,12 +11,15 @@ namespace forge {
 
 class Section;
 
-/// Content of exported crashes (config/export.yaml).
+/// Content of exported crashes (config/export.yaml). The file sets `history`, `radius` and
+/// `origins`; the other values are fixed.
 struct ExportOptions {
   double step = 0.1;     ///< s between states: the sampling of attacks
-  double history = 0.0;  ///< s before t0, if recorded
-  double tail = 1.0;     ///< s after contact: shows the crash, little of the simulated motion
-  double radius = 0.0;   ///< m around the paths of ego and attacker: lanes and other agents
+  double history = 0.0;  ///< s that the record begins before t0, if recorded
+  /// s after contact: shows the crash, little of the simulated motion; not in the file.
+  double tail = 1.0;  ///< s after contact: shows the crash, little of the simulated motion
+  /// m around the paths of ego and attacker within which lanes and other agents are exported.
+  double radius = 0.0;
   double lane_width = kLaneWidth;  ///< m, of lanes without an outline
   /// m, box height by class: medians of nuScenes' annotations (anchors of mmdetection3d's nuScenes
   /// models). Emergency vehicles, mostly cars, have no anchor; animals are an estimate.
@@ -33,10 +36,12 @@ struct ExportOptions {
       {AgentClass::kAnimal, 0.5},
       {AgentClass::kStaticObject, 0.98},
   };
-  std::map<std::string, GeoPoint> origins;  ///< by map location; default 0, 0
+  /// Origin of the map frame, by LaneMap::location; 0, 0 for others.
+  std::map<std::string, GeoPoint> origins;
 };
 
-/// Reads the struct from its section. Throws ConfigError for a missing key or a value out of range.
+/// Reads `history`, `radius` and `origins` from the root section of the file. Throws ConfigError
+/// for a missing key or a value out of range.
 void readOptions(Section& section, ExportOptions& options);
 
 }  // namespace forge

@@ -11,39 +11,45 @@ namespace forge {
 
 /// The element to which the start or end of a road is linked.
 struct RoadJoint {
+  /// Kind of the other element.
   enum class To { kNothing, kRoad, kJunction };
   To to = To::kNothing;
-  int id = 0;           ///< of the road or junction
-  bool at_end = false;  ///< the other road is joined at its end, else at its start
+  int id = 0;           ///< id of the road or junction; unused for kNothing
+  bool at_end = false;  ///< for a road: true if it is joined at its end, false at its start
 };
 
 /// A lane of a road.
 struct RoadLane {
-  int id = 0;                 ///< OpenDRIVE's: > 0 left of the centre, < 0 right of it; never 0
-  std::string lane;           ///< id of the map's lane; "" for the gap between the directions or
-                              ///< between lanes
-  double from = 0.0;          ///< m, arc length of the road at which the lane begins
-  double to = 0.0;            ///< m, at which it ends; only gaps elsewhere
-  std::vector<double> width;  ///< m, per Road::knots
-  std::optional<int> before;  ///< id of the lane linked at the start of the road
-  std::optional<int> after;   ///< id of the lane linked at its end
-  std::optional<double> speed_limit;  ///< m/s
+  /// OpenDRIVE's: > 0 left of the centre, < 0 right of it, counted outwards from 1 or -1; never 0.
+  int id = 0;
+  std::string lane;   ///< id of the map's lane; "" for the gap between the directions or
+                      ///< between lanes
+  double from = 0.0;  ///< m, arc length of the road at which the lane begins
+  /// m, arc length at which the lane ends; outside `from` to `to`, its strip of the road is a gap.
+  double to = 0.0;
+  std::vector<double> width;  ///< m, one per element of Road::knots
+  /// Id of the lane linked at the start of the road, in the road there; empty: none or through a
+  /// junction.
+  std::optional<int> before;
+  std::optional<int> after;           ///< id of the lane linked at the end of the road; likewise
+  std::optional<double> speed_limit;  ///< m/s; empty: unknown
 };
 
 /// Lanes side by side. The reference line is the course of one of the lanes that are driven along
-/// it; the others are driven against it.
+/// it; the other lanes are driven along or against it, by the side of the road. Start and end are
+/// as on the reference line.
 struct Road {
   int id = 0;                  ///< from 1
-  RoadCourse course;           ///< not empty
+  RoadCourse course;           ///< reference line, map frame; not empty
   std::vector<double> knots;   ///< m, arc lengths, ascending from 0; widths and offset are linear
                                ///< in between and constant after the last
   std::vector<double> offset;  ///< m, per knot: from the course to the centre (lane 0), positive to
                                ///< the left
-  std::vector<RoadLane> left;  ///< from the centre outwards
-  std::vector<RoadLane> right;
-  int junction = 0;  ///< id, for connecting roads; 0: not in a junction
-  RoadJoint before;
-  RoadJoint after;
+  std::vector<RoadLane> left;  ///< from the centre outwards, left of the reference direction
+  std::vector<RoadLane> right;  ///< from the centre outwards, right of it
+  int junction = 0;             ///< id, for connecting roads; 0: not in a junction
+  RoadJoint before;             ///< element at the start of the road
+  RoadJoint after;              ///< element at the end of the road
 
   /// Returns the ids of the map's lanes, joined by spaces.
   std::string name() const;
@@ -52,9 +58,10 @@ struct Road {
 /// A fork or merge of roads. Connecting roads that share an incoming or an outgoing road end belong
 /// to the same junction.
 struct Junction {
+  /// One lane that enters a connecting road.
   struct Connection {
-    int incoming = 0;    ///< id of a road
-    int connecting = 0;  ///< id of a road, joined at its start
+    int incoming = 0;    ///< id of the road that leads in
+    int connecting = 0;  ///< id of the connecting road, entered at its start
     int from = 0;        ///< id of the lane of the incoming road
     int to = 0;          ///< id of the lane of the connecting road
   };
@@ -64,9 +71,9 @@ struct Junction {
 
 /// Roads and junctions of one OpenDRIVE file.
 struct RoadNetwork {
-  std::vector<Road> roads;
-  std::vector<Junction> junctions;
-  std::size_t unbundled = 0;  ///< LaneBundles::unbundled
+  std::vector<Road> roads;          ///< sorted by id, without gaps from 1
+  std::vector<Junction> junctions;  ///< sorted by id
+  std::size_t unbundled = 0;        ///< LaneBundles::unbundled
 };
 
 inline constexpr double kForkPiece = 0.3;    ///< m; length of a connecting road at a fork

@@ -9,17 +9,19 @@
 
 namespace forge {
 
-/// Writes "map_features": lanes that have a centreline, with the links among them, walkways, the
-/// map's features, and the boundary lines `road_edges` of the drivable area, for a map without
-/// recorded road edges. Returns the number of features written.
+/// Writes "map_features" into a scenario: lanes that have a centreline, with the links among them,
+/// walkways, the map's features, and `road_edges`: boundary lines of the drivable area (m, map
+/// frame), for a map without recorded road edges, else empty. Returns the number of features
+/// written.
 std::size_t writeMapFeatures(PickleWriter& scenario, const LaneMap& map,
                              const std::vector<std::vector<Vector2>>& road_edges);
 
-/// Writes "dynamic_map_states": the lights in rows at `times` (s, on the clock of the lights).
+/// Writes "dynamic_map_states": for each light, its colour at each of `times` (s, ascending, on the
+/// clock of the lights).
 void writeLights(PickleWriter& scenario, const std::vector<TrafficLight>& lights,
                  const std::vector<double>& times);
 
-/// Writes the fields on lights of the metadata's "number_summary".
+/// Writes the fields on lights of the metadata's "number_summary"; arguments as in writeLights().
 void writeLightNumbers(PickleWriter& metadata, const std::vector<TrafficLight>& lights,
                        const std::vector<double>& times);
 

@@ -8,7 +8,8 @@ namespace forge {
 
 /// The times of the rows of an exported recording.
 enum class RowTimes {
-  kEveryStep,  ///< every ExportOptions::step from the first frame on: what MetaDrive replays
+  kEveryStep,  ///< every ExportOptions::step from the first frame with the ego on: what MetaDrive
+               ///< replays
   /// At the frames and at the ego's poses, agents only where annotated: lossless.
   kAsRecorded,
 };

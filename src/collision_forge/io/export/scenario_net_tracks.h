@@ -8,20 +8,24 @@
 
 namespace forge {
 
-/// The motion of all agents as ScenarioNet stores it: rows on one clock.
+/// The motion of all agents as ScenarioNet stores it: rows on one clock. Poses are box centres, map
+/// frame.
 struct TrackTable {
-  std::vector<double> times;  ///< s, one per row, ascending
-  std::vector<Track> tracks;  ///< non-empty; each state's time is in `times`
+  std::vector<double> times;  ///< s, one per row, ascending, 0 at the first row
+  /// Each has states, sorted by time; each state's time is an element of `times`.
+  std::vector<Track> tracks;
 };
 
-/// Writes "tracks", with zeros in rows without a state. `heights`: m, box height by class.
+/// Writes "tracks" into a scenario, with zeros in rows without a state. `heights`: m, box height,
+/// for every class.
 void writeTracks(PickleWriter& scenario, const TrackTable& table,
                  const std::map<AgentClass, double>& heights);
 
 /// Writes the metadata's "object_summary".
 void writeObjectSummary(PickleWriter& metadata, const TrackTable& table);
 
-/// Writes the fields on tracks of the metadata's "number_summary".
+/// Writes the fields on tracks of the metadata's "number_summary": numbers of agents, and of moving
+/// agents (path longer than 1 m), by type.
 void writeObjectNumbers(PickleWriter& metadata, const TrackTable& table);
 
 }  // namespace forge

@@ -7,7 +7,8 @@
 
 namespace forge {
 
-/// Adds an element with attributes, in the given order, and returns it.
+/// Appends an element with attributes (pairs of name and value), in the given order, to the
+/// children of `parent` and returns it.
 pugi::xml_node addElement(
     pugi::xml_node parent, const char* name,
     std::initializer_list<std::pair<const char*, std::string>> attributes = {});
@@ -16,7 +17,7 @@ pugi::xml_node addElement(
 /// number that is not finite.
 std::string xmlNumber(double value);
 
-/// Returns seconds since 1970 as xs:dateTime in UTC, "2018-08-01T15:26:43".
+/// Returns seconds since 1970, rounded down, as xs:dateTime in UTC, "2018-08-01T15:26:43".
 std::string xmlDate(double seconds);
 
 /// Returns the document with its declaration, indented by two spaces per level.

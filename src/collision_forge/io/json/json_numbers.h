@@ -17,11 +17,14 @@ std::optional<double> nearestDouble(std::string_view text);
 /// them, except -0.
 class ExactNumbers : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, ExactNumbers> {
  public:
+  /// Appends the parsed values to `document`, which must outlive this object.
   explicit ExactNumbers(rapidjson::Document& document) : document_(document) {}
 
   // The names are RapidJSON's. NOLINTBEGIN(readability-identifier-naming)
+  // Each returns false to stop the parser.
   bool Null() { return document_.Null(); }
   bool Bool(bool value) { return document_.Bool(value); }
+  /// Converts the text of a number; returns false for a number beyond the largest double.
   bool RawNumber(const char* text, rapidjson::SizeType size, bool copy);
   bool String(const char* text, rapidjson::SizeType size, bool copy) {
     return document_.String(text, size, copy);
@@ -39,7 +42,9 @@ class ExactNumbers : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, Exac
   rapidjson::Document& document_;
 };
 
-/// Parses JSON with correctly rounded numbers. Iterative: a text nested a million levels deep does
+/// Parses JSON from `stream` into `document` with correctly rounded numbers, with the RapidJSON
+/// parse flags `kMoreFlags` besides its own. Returns RapidJSON's result, whose offset counts bytes;
+/// after an error `document` is unspecified. Iterative: a text nested a million levels deep does
 /// not exhaust the stack. A number beyond the largest double gives kParseErrorNumberTooBig.
 template <unsigned kMoreFlags, typename Stream>
 rapidjson::ParseResult parseExactly(Stream& stream, rapidjson::Document& document) {

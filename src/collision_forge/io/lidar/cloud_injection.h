@@ -10,7 +10,8 @@ namespace forge {
 
 /// The place of a recorded vehicle whose points are taken out of a cloud.
 struct VacatedBox {
-  Eigen::Isometry3d pose;  ///< in the cloud's frame; origin on the ground below the box's middle
+  Eigen::Isometry3d pose;  ///< pose in the cloud's frame (BackgroundMap::add(): map frame); origin
+                           ///< on the ground below the box's middle, x forward
   Eigen::Vector3d size;    ///< length, width, height, m
 };
 
@@ -18,39 +19,49 @@ struct VacatedBox {
 class CloudBackground {
  public:
   virtual ~CloudBackground() = default;
-  /// Returns the range (m from the ray's origin) at which the ray of a removed point ends instead,
-  /// and sets `intensity`, in the unit of the cloud's field. Returns LidarRay::kNoReturn if nothing
-  /// is known behind. Called once per removed point by editCloud(), on its thread.
+  /// Returns the range (m from the ray's origin, the sensor) at which the ray of a removed point
+  /// ends instead, and sets `intensity`, in the unit of the cloud's field. `ray` has the recorded
+  /// range. Returns LidarRay::kNoReturn if nothing is known behind. Called once per removed point
+  /// by editCloud(), on its thread.
   virtual float rangeBehind(const LidarRay& ray, double& intensity) const = 0;
 };
 
 /// The changes to make in one cloud.
 struct CloudEdit {
-  std::vector<PosedBody> bodies;                ///< added vehicles, in the cloud's frame
-  std::vector<VacatedBox> vacated;              ///< recorded vehicles whose points are removed
-  const CloudBackground* background = nullptr;  ///< null: rays of removed points have no return
-  double range_noise = 0.0;                     ///< m, LidarOptions::range_noise
-  std::uint64_t seed = 0;                       ///< of the noise and of lost returns
+  /// Added vehicles, in the cloud's frame; editCloud() sets their `fit`.
+  std::vector<PosedBody> bodies;
+  std::vector<VacatedBox> vacated;  ///< recorded vehicles whose points are removed
+  /// Not owned; null: rays of removed points have no return.
+  const CloudBackground* background = nullptr;
+  double range_noise = 0.0;  ///< m, standard deviation: LidarOptions::range_noise
+  std::uint64_t seed = 0;    ///< of the noise, of lost returns and of the vehicles' brightness
 };
 
 /// The number of points that an edit changed.
 struct CloudChange {
-  std::size_t on_bodies = 0;  ///< returns from the bodies
-  std::size_t added = 0;      ///< of these, points that the cloud had no point for
-  std::size_t removed = 0;    ///< points of rays that have no return any more, vacated or not
-  std::size_t vacated = 0;    ///< points inside vacated boxes
-  std::size_t filled = 0;     ///< of these, points moved to the background
+  std::size_t on_bodies = 0;  ///< rays that return from the bodies
+  std::size_t added = 0;      ///< new points; included in `on_bodies`
+  std::size_t removed = 0;    ///< points whose ray has no return any more, in vacated boxes or not
+  std::size_t vacated = 0;    ///< recorded points in vacated boxes, to 0.15 m around them and from
+                              ///< 0.2 m above the ground on
+  std::size_t filled = 0;     ///< points moved to the background; included in `vacated`
 };
 
-/// Changes the points of a cloud, ray by ray. First, a return inside a vacated box moves to the
-/// background, or is lost. Then a ray that meets a body in front of its return ends on the body, at
-/// its own time within the sweep and with an intensity of `surfaces`, or has no return, by the
-/// share of returns of `surfaces`; a ray whose return is nearer keeps it. Rays without recorded
-/// return hit bodies, too. Removed points become what the cloud has for rays without return
-/// (SweepRays::empty_points; NaN clears `is_dense`), so that the number of points never exceeds the
-/// number of rays. All other points keep their bytes and their order; without an effect the cloud
-/// is unchanged. New points take the fields that are not known from the point before them. The same
-/// input and seed give the same bytes. `layout` and `sweep` (raysOf()) must belong to `cloud`.
+/// Changes the points of a cloud in place, ray by ray, and returns the numbers of changed points.
+///
+/// - First, a return inside a vacated box moves to the background, or is lost.
+/// - Then a ray that meets a body in front of its return ends on the body, at its own time within
+///   the sweep and with an intensity of `surfaces`, or has no return, by the share of returns of
+///   `surfaces`. The new range is at most the recorded one, also in vacated boxes. A ray whose
+///   return is nearer keeps it. Rays without recorded return hit bodies, too.
+/// - Removed points become what the cloud has for rays without return (SweepRays::empty_points; NaN
+///   clears `is_dense`), so that the number of points never exceeds the number of rays. All other
+///   points keep their bytes and their order. If no point is added or left out, `data` keeps its
+///   size; otherwise row padding is dropped.
+/// - New points copy the fields that are not known from the point before them.
+///
+/// The same input and seed give the same bytes. `layout` and `sweep` (raysOf()) must belong to
+/// `cloud`.
 CloudChange editCloud(PointCloud& cloud, const CloudLayout& layout, const SweepRays& sweep,
                       const CloudEdit& edit, const SurfaceReturns& surfaces);
 

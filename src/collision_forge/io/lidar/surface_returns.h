@@ -12,82 +12,102 @@ namespace forge {
 /// A cone of directions around a body, seen from the cloud's origin.
 struct RayWindow {
   static constexpr float kAll = -2.0F;  ///< below all cosines: contains all directions
-  Eigen::Vector3f axis;                 ///< unit
-  float cosine = kAll;                  ///< of the cone's half angle
+  Eigen::Vector3f axis;                 ///< unit, in the cloud's frame
+  float cosine = kAll;                  ///< cosine of the cone's half angle
 
+  /// Returns true if the unit vector `direction` (cloud's frame) is within the cone.
   bool contains(const Eigen::Vector3f& direction) const { return axis.dot(direction) >= cosine; }
 };
 
-/// A body in motion, in the frame of a cloud.
+/// A body in motion, in the frame of a cloud. Poses: of the body's origin, on the ground below its
+/// middle.
 struct PosedBody {
   LidarBody body;
   Eigen::Isometry3d begin;  ///< pose at `begin_time`
   Eigen::Isometry3d end;    ///< pose at `end_time`
   double begin_time = 0.0;  ///< s after the cloud's stamp
+  /// s after the cloud's stamp; not after `begin_time`: the body stays at `end`.
   double end_time = 0.0;
-  double fit = 1.0;  ///< share of length and width that the outline fills; half as much in height
+  double fit = 1.0;  ///< scale of length and width of the outline that returns; the scale of its
+                     ///< height is (1 + fit) / 2
 
-  /// Returns the pose at a time (s after the stamp), interpolated or extrapolated.
+  /// Returns the pose at a time (s after the stamp), linearly interpolated or extrapolated from
+  /// `begin` and `end`.
   Eigen::Isometry3d poseAt(double time) const;
-  /// Returns a cone that contains the body during the sweep.
+  /// Returns a cone that contains the body during the sweep, with a margin; all directions if the
+  /// body is around the cloud's origin.
   RayWindow window() const;
-  /// Returns the first hit of a ray that starts at the cloud's origin.
+  /// Returns the first hit of a ray that starts at the cloud's origin, on the body, scaled by
+  /// `fit`, at its pose at the ray's time. nullopt: the ray misses it.
   std::optional<BodyHit> hitOf(const LidarRay& ray) const;
 };
 
 /// Which rays return from a vehicle, and how bright: learnt from recorded vehicles of known boxes.
 ///
-/// Outline: annotated boxes are larger than what returns. The fit of a group of classes is the
-/// PosedBody::fit with which bodies return as many rays as the recorded vehicles did. Inside: share
-/// of returns and intensities by group, range and height on the vehicle, from rays that meet the
-/// body at a fit of 0.8, too. Where fewer than 30 rays were seen, the model `materials`: a fit of
-/// 0.88, a share per kind of surface that falls with range and grazing incidence, and an intensity
-/// that is reflectivity (0 to 255) times the cosine of the incidence.
+/// - Outline: annotated boxes are larger than the surface that returns. The fit of a group of
+///   classes (car-like vehicles; two-wheelers and pedestrians) is the PosedBody::fit with which
+///   bodies return as many rays as the recorded vehicles did.
+/// - Inside: share of returns and intensities by group, range and height on the vehicle, from rays
+///   that meet the body at a fit of 0.8, too.
+/// - Where fewer than 30 rays (for the fit: 150) were seen, the model `materials` applies: a fit of
+///   0.88, a share per kind of surface that falls with range and grazing incidence, and an
+///   intensity that is reflectivity (0 to 255) times the cosine of the incidence.
+///
+/// learn() is not thread-safe; the other functions are.
 class SurfaceReturns {
  public:
-  /// Learns from the bodies, of fit 1, that stand for recorded vehicles: a ray that meets the body
-  /// either returned from within its box, or passed, or was stopped in front of it and is ignored.
-  /// Static objects and animals are ignored.
+  /// Adds one sweep to the statistics. `recorded`: bodies that stand for recorded vehicles, in the
+  /// cloud's frame; their `fit` is ignored. A ray that meets the body at fit 1 either returned from
+  /// within its box (enlarged by 0.25 m), or passed, or was stopped in front of it and is ignored.
+  /// Static objects and animals are ignored. `layout` and `sweep` must belong to `cloud`.
   void learn(const PointCloud& cloud, const CloudLayout& layout, const SweepRays& sweep,
              const std::vector<PosedBody>& recorded);
 
-  /// Number of rays learnt from.
+  /// Returns the number of rays that learn() used so far.
   std::size_t learntRays() const { return learnt_; }
 
-  /// Returns the fit for a body.
+  /// Returns the PosedBody::fit for the body's group, 0.7 to 1.
   double fitOf(const LidarBody& body) const;
 
-  /// Returns the probability 0..1 that a ray which hits the body returns. `height`: of the hit, as
-  /// a share of the body's.
+  /// Returns the probability 0..1 that a ray which hits the body returns. `height`: of the hit
+  /// above the ground, as a share of the body's height.
   double shareOf(const LidarBody& body, const BodyHit& hit, double height) const;
 
-  /// Returns the intensity of a return at the quantile `brightness` (0 to 1).
+  /// Returns the intensity of a return at the quantile `brightness` (0 to 1) of the recorded
+  /// intensities, in the unit of the recorded clouds (model `materials`: 0 to 255). `height` as in
+  /// shareOf().
   double intensityOf(const LidarBody& body, const BodyHit& hit, double height,
                      double brightness) const;
 
  private:
+  /// Ranges of hits, with ends at 10, 15, 20, 30 and 45 m.
   static constexpr std::size_t kRanges = 6;
-  static constexpr std::size_t kHeights = 5;
+  static constexpr std::size_t kHeights = 5;  ///< equal shares of the body's height
+  /// Statistics of rays that hit bodies in one range and height.
   struct Bin {
-    double rays = 0.0;
-    double returns = 0.0;
-    std::vector<float> intensities;  ///< ascending
+    double rays = 0.0;               ///< rays that met a body
+    double returns = 0.0;            ///< rays that returned
+    std::vector<float> intensities;  ///< of returns, ascending, at most 4000
   };
+  /// Counts a ray; an `intensity` that is not finite is not stored.
   static void addTo(Bin& bin, bool is_return, double intensity);
   /// Returns the bin of a hit, or the one of all ranges if that has too few rays; null if both do.
   const Bin* binOf(const LidarBody& body, const BodyHit& hit, double height) const;
 
+  /// Number of the fits that learn() tries: 1, 0.95, ... 0.7.
   static constexpr std::size_t kFits = 7;
 
+  /// Statistics of a group of classes.
   struct Group {
     std::array<std::array<Bin, kHeights>, kRanges + 1> bins;  ///< by range (last: all) and height
-    std::array<double, kFits> rays{};  ///< that meet the body at each fit of kTriedFits
-    double returns = 0.0;
-    double inner_returns = 0.0;  ///< at the fit of 0.8
+    /// Rays that meet the body at each tried fit, from 1 down to 0.7.
+    std::array<double, kFits> rays{};
+    double returns = 0.0;        ///< returns of rays that meet the body at fit 1
+    double inner_returns = 0.0;  ///< returns of rays that meet the body at fit 0.8
   };
 
   std::array<Group, 2> groups_;  ///< car-like vehicles; two-wheelers and pedestrians
-  std::size_t learnt_ = 0;
+  std::size_t learnt_ = 0;       ///< rays
 };
 
 }  // namespace forge

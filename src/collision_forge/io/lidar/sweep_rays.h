@@ -12,22 +12,25 @@ namespace forge {
 
 /// How a cloud holds the rays without return.
 enum class EmptyPoints {
-  kLeftOut,
-  kZero,  ///< as points at (or, after a correction of the ego's motion, near) the origin
-  kNan,
+  kLeftOut,  ///< no points
+  kZero,     ///< as points at (or, after a correction of the ego's motion, near) the origin
+  kNan,      ///< points with NaN coordinates
 };
 
-/// The rays of a sweep: first one per point, in the cloud's order, then the missing ones.
+/// The rays of a sweep: first one per point, in the cloud's order, then the rays for which the
+/// cloud has no point.
 struct SweepRays {
-  std::vector<LidarRay> rays;
+  std::vector<LidarRay> rays;  ///< the first pointCount() ones belong to the points
+  /// kZero or kNan from 1 % of such points on; kNan for any organised cloud that is not kZero.
   EmptyPoints empty_points = EmptyPoints::kLeftOut;
-  std::vector<std::string> notes;  ///< what could not be reconstructed, one line each
+  /// Messages for the user: what could not be reconstructed; empty: no problem.
+  std::vector<std::string> notes;
 };
 
 /// How to read a sweep.
 struct SweepTiming {
-  double stamp = 0.0;       ///< s, the cloud's
-  double sweep_time = 0.0;  ///< s, LidarOptions::sweep_time
+  double stamp = 0.0;       ///< s, the stamp in the cloud's header
+  double sweep_time = 0.0;  ///< s, LidarOptions::sweep_time; used for clouds without a time field
 };
 
 /// Returns the rays of a cloud of a spinning lidar. The ray of a point with a return is exact: the
@@ -37,12 +40,16 @@ struct SweepTiming {
 /// gaps of the ring's azimuths. Evenly spaced rings without any return are added up to the next
 /// usual number of rings, 16 to 128. Rings come from the ring field if the elevations agree with
 /// it, else from the order of the points, else from the elevations of a VLP-16 or HDL-32E. Times
-/// come from the time field, else from the place in the sweep, which ends at the stamp.
+/// come from the time field, else from the place in the sweep, which ends at the stamp. Times from
+/// the time field are clamped to 10 s around the stamp. If rings or azimuth steps cannot be found,
+/// rays without return are not rebuilt, which is reported in `notes`, and their directions are
+/// zero. A cloud without points gives no rays.
 SweepRays raysOf(const PointCloud& cloud, const CloudLayout& layout, const SweepTiming& timing);
 
-/// Returns the height of the ground above the xy plane of the frame `pose` (in the cloud's frame),
-/// m, from the points below and around a box of length and width `size`; nullopt with too few
-/// points within 1 m of that plane.
+/// Returns the height of the ground above the xy plane of the frame `pose` (in the cloud's frame;
+/// origin below the box's middle), m, from the returns within 1 m of that plane below and up to 1.5
+/// m around a box of length and width `size` (m): the mean of the points within 0.15 m of the 20 %
+/// quantile of height. Returns nullopt with fewer than 6 points.
 std::optional<double> groundBelow(const SweepRays& sweep, const Eigen::Isometry3d& pose,
                                   const Eigen::Vector2d& size);
 

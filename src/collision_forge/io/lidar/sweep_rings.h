@@ -12,23 +12,27 @@
 /// Steps of raysOf(): the points of a sweep as the sensor saw them, and their rings.
 namespace forge {
 
-/// A point as the sensor saw it.
+/// A point as the sensor saw it, in spherical coordinates around the sensor.
 struct SeenPoint {
   Eigen::Vector3d position;  ///< m, cloud frame; as in the cloud, also without return
   float range = 0.0F;        ///< m; LidarRay::kNoReturn for a ray without return
   float azimuth = 0.0F;      ///< rad, from x to y; 0 without return
   float elevation = 0.0F;    ///< rad, above the xy plane; 0 without return
-  std::int32_t ring = -1;    ///< -1: unknown
+  std::int32_t ring = -1;    ///< index of the laser; -1: unknown
 };
 
-inline constexpr int kRingCounts[] = {16, 32, 40, 64, 128};  ///< of usual sensors
+/// Numbers of rings of usual sensors, ascending.
+inline constexpr int kRingCounts[] = {16, 32, 40, 64, 128};
 
-/// Returns the points of a cloud, in its order, without rings.
+/// Returns the points of a cloud, in its order, without rings. Points with NaN coordinates or
+/// nearer than 0.05 m are rays without return.
 std::vector<SeenPoint> seenPoints(const PointCloud& cloud, const CloudLayout& layout);
 
-/// Marks zero ranges that the correction of the ego's motion moved off the origin: a sweep that is
-/// corrected to its end moves a point by the ego's motion in the rest of the sweep. Tries the
-/// motions that single points suggest, and takes the one with most points.
+/// Sets `range` to LidarRay::kNoReturn for zero ranges that the correction of the ego's motion
+/// moved off the origin: a sweep that is corrected to its end moves a point by the ego's motion in
+/// the rest of the sweep. `seen` must be in the order of firing. Tries the motions that single
+/// points nearer than 1 m suggest, and takes the motion with which most points agree; changes
+/// nothing if at most one point in 200 agrees.
 void markMovedZeros(std::vector<SeenPoint>& seen);
 
 /// Sets all rings by the rules of raysOf(), or leaves them at -1 if they cannot be found. Adds a
@@ -36,14 +40,18 @@ void markMovedZeros(std::vector<SeenPoint>& seen);
 void setRings(const PointCloud& cloud, const CloudLayout& layout, std::vector<SeenPoint>& seen,
               std::vector<std::string>& notes);
 
-/// Elevations of the returns of each ring: of the far ones where it has any.
+/// Elevations of the returns of each ring. Returns from 5 m on (far ones) are used; a ring without
+/// far returns uses its returns from 1 m on.
 struct RingElevations {
-  std::vector<double> mean;  ///< rad, by ring; NaN without returns off the ego
-  double scatter = 0.0;      ///< rad, standard deviation of the far ones within the rings
-  std::size_t points = 0;
+  /// rad, by ring, 512 elements; NaN for a ring without returns from 1 m on.
+  std::vector<double> mean;
+  double scatter = 0.0;    ///< rad, standard deviation of the far returns around the mean of their
+                           ///< ring; 0 without far returns
+  std::size_t points = 0;  ///< number of far returns
 };
 
-/// Returns the elevations of points whose rings are set.
+/// Returns the elevations of points whose rings are set, each below 512; points with ring -1 are
+/// ignored.
 RingElevations elevationsOf(const std::vector<SeenPoint>& seen);
 
 }  // namespace forge

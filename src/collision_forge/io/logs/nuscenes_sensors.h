@@ -13,31 +13,36 @@ namespace forge {
 
 /// A sensor as it was mounted in a scene.
 struct NuScenesSensor {
-  std::string channel;                                    ///< as "LIDAR_TOP"
-  std::string modality;                                   ///< "lidar", "camera" or "radar"
-  Eigen::Vector3d translation = Eigen::Vector3d::Zero();  ///< m, in base_link
+  std::string channel;   ///< as "LIDAR_TOP"
+  std::string modality;  ///< "lidar", "camera" or "radar"
+  /// m, origin of the sensor's frame in base_link.
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+  /// From the sensor's frame to base_link.
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
-  std::array<double, 9> intrinsic{};  ///< camera matrix, row by row; zero without one
+  /// Camera matrix, pixels, row by row; zeros for other sensors.
+  std::array<double, 9> intrinsic{};
 };
 
 /// One file of a sensor: a sweep or a picture.
 struct NuScenesSensorFile {
-  std::int64_t timestamp_us = 0;
-  std::uint32_t sensor = 0;  ///< index into NuScenesSensorScene::sensors
-  std::string path;          ///< of the file; empty: to simulate (simulatedSensors())
-  std::uint32_t width = 0;   ///< pixels, of pictures
-  std::uint32_t height = 0;
+  std::int64_t timestamp_us = 0;  ///< microseconds since 1970
+  std::uint32_t sensor = 0;       ///< index into NuScenesSensorScene::sensors
+  std::string path;               ///< path of the file; empty: to simulate (simulatedSensors())
+  std::uint32_t width = 0;        ///< pixels, of pictures; 0 for sweeps
+  std::uint32_t height = 0;       ///< pixels, of pictures; 0 for sweeps
 };
 
 /// The sensor data of one scene: keyframes and sweeps.
 struct NuScenesSensorScene {
-  std::vector<NuScenesSensor> sensors;
+  std::vector<NuScenesSensor> sensors;    ///< in the order of their first files in the table
   std::vector<NuScenesSensorFile> files;  ///< by time, then by sensor
 };
 
 /// Reads from the tables in `dataroot`/`version` which files the sensors of the scenes `only`
-/// (empty: all) recorded; returns them by the scene's name. The files are not opened. Throws
-/// NuScenesError as readNuScenesTables().
+/// (names; empty: all) recorded; returns them by the scene's name. An unknown name in `only` is
+/// ignored. The files are not opened. Throws NuScenesError for a table that is missing or
+/// malformed, a row with a missing field or a field of another type, and a token that refers to no
+/// row.
 std::map<std::string, NuScenesSensorScene> readNuScenesSensors(
     const std::string& dataroot, const std::string& version, const std::vector<std::string>& only);
 

@@ -24,11 +24,12 @@ class NuScenesRoot {
   NuScenesRoot(const std::string& dataroot, const std::string& version,
                const NuScenesReadOptions& options = {});
 
-  /// Returns the names of the scenes read, in the table's order.
+  /// Returns the names of the selected scenes, in the table's order.
   std::vector<std::string> sceneNames() const;
 
-  /// Assembles a recording. Throws NuScenesError if the scene was not read, has no samples or no
-  /// ego poses, or has two of them, or two annotations of one instance, at the same time.
+  /// Assembles a recording, with derived velocities (deriveVelocities()). Throws NuScenesError if
+  /// the scene does not exist or was not selected, has no samples or no ego poses, or has two ego
+  /// poses or two samples at the same time, or two annotations of one instance in the same sample.
   NuScenesRecording readScene(const std::string& name) const;
 
  private:

@@ -24,29 +24,32 @@ struct ConversionOptions {
 
 /// Content of a bag with an injected attack (config/attacked_bag.yaml).
 struct AttackedBagOptions {
-  double frame_rate = 0.0;           ///< Hz, minimum rate of agents after t0
+  double frame_rate = 0.0;           ///< Hz, minimum rate of agents' frames after t0, 10 to 100
   double seconds_after_stand = 0.0;  ///< s from standstill of both vehicles to the end of the bag
   double end_time = 0.0;             ///< s from contact to the end with --after-contact end
 };
 
 /// How recordings and maps are read.
 struct DataOptions {
-  EgoVehicle ego_vehicle;  ///< config/ego_vehicle.yaml
-  ConversionOptions conversion;
-  InputLimits input_limits;                      ///< config/input_limits.yaml
-  std::map<std::string, DrivingSide> locations;  ///< config/locations.yaml, by prefix of the name
-  std::map<std::string, GeoPoint> origins;       ///< ExportOptions::origins
-  std::map<std::string, AgentClass> categories;  ///< config/categories.yaml
+  EgoVehicle ego_vehicle;  ///< box and offset of its centre from base_link; config/ego_vehicle.yaml
+  ConversionOptions conversion;  ///< config/conversion.yaml
+  InputLimits input_limits;      ///< config/input_limits.yaml
+  /// Side by prefix of LaneMap::location; config/locations.yaml.
+  std::map<std::string, DrivingSide> locations;
+  std::map<std::string, GeoPoint> origins;  ///< as ExportOptions::origins
+  /// Class by category that nuScenes does not have, in lower case; config/categories.yaml.
+  std::map<std::string, AgentClass> categories;
 };
 
-/// Files fitted to recordings (config/models.yaml); paths are "" if not set. methods.yaml adds
+/// Files fitted to recordings (config/models.yaml); paths are "" if not set. methods.yaml sets
 /// `method_libraries`.
 struct ModelOptions {
-  bool non_commercial_weights = true;  ///< false: ignore isNonCommercial() weights
-  std::string pattern_network;
-  std::string speed_model;
-  std::vector<std::string> method_libraries;  ///< shared libraries, see methodsWith()
-  ConfigFolder folder;                        ///< source of generatorWeights()
+  /// False: weight files for which isNonCommercial() holds are ignored.
+  bool non_commercial_weights = true;
+  std::string pattern_network;                ///< path, read by loadPatternNetwork()
+  std::string speed_model;                    ///< path, read by readSpeedModel()
+  std::vector<std::string> method_libraries;  ///< paths of shared libraries, see methodsWith()
+  ConfigFolder folder;                        ///< configuration in which generatorWeights() looks
 };
 
 /// The key that switches non-commercial weights off, for messages.
@@ -56,7 +59,7 @@ inline constexpr char kNonCommercialKey[] = "models.non_commercial_weights in mo
 /// non-commercial use only.
 bool isNonCommercial(const std::string& file);
 
-/// Returns `file`, or "" if `options` exclude its licence.
+/// Returns the path `file`, or "" if `options` exclude its licence.
 std::string allowedWeights(const ModelOptions& options, const std::string& file);
 
 /// Returns the weight files of the learned baselines by model name: first the weights trained on
@@ -64,21 +67,23 @@ std::string allowedWeights(const ModelOptions& options, const std::string& file)
 /// files or their licence is excluded. Reads study/generator_weights.yaml. Throws ConfigError.
 std::map<std::string, std::vector<std::string>> generatorWeights(const ModelOptions& options);
 
-/// How clips of COLLIDE (arXiv 2510.12206) become scenes.
+/// How clips of COLLIDE (arXiv 2510.12206) become scenes. No file sets these values.
 struct CollideOptions {
   BoxSize box{4.7, 2.0};  ///< m; size of every vehicle, as in the paper: the files have no sizes
   double tail = 2.0;      ///< s of constant velocity appended after a clip's last frame
-  double held_out_share = 0.1;  ///< share 0..1 of scenes for validation
+  double held_out_share = 0.1;  ///< share 0..1 of scenes for validation (isHeldOutScene())
 };
 
-// Read the struct from its section. Throw ConfigError for a missing key or a value out of range.
+// Read the struct from its section; a map takes every key of the section. Throw ConfigError for a
+// missing key or a value out of range.
 void readOptions(Section& section, ConversionOptions& options);
 void readOptions(Section& section, AttackedBagOptions& options);
 void readOptions(Section& section, std::map<std::string, DrivingSide>& locations);
 void readOptions(Section& section, std::map<std::string, AgentClass>& categories);
 void readOptions(Section& section, ModelOptions& options);
 
-/// Returns the driving side of a location by its longest matching prefix; nullopt if none matches.
+/// Returns the driving side of a location (LaneMap::location) by the longest prefix of it in
+/// `options.locations`; nullopt if none matches.
 std::optional<DrivingSide> configuredSide(const DataOptions& options, const std::string& location);
 /// As above; throws ConfigError if no prefix matches.
 DrivingSide drivingSide(const DataOptions& options, const std::string& location);

@@ -25,8 +25,9 @@ struct PickleContent {
   std::string items;
 };
 
-/// A pool of pickle_worker processes, which read and write pickles with Python. Starts a process if
-/// none is idle; never reuses a process that failed to respond. Thread-safe.
+/// A pool of pickle_worker processes, which read and write pickles with Python. The destructor ends
+/// them. Starts a process if none is idle; never reuses a process that failed to respond.
+/// Thread-safe.
 class PickleWorkers {
  public:
   /// Reads "tracks", "map_features" and "metadata" of the scenario description in the file `path`.
@@ -34,17 +35,22 @@ class PickleWorkers {
   /// values other than plain ones and NumPy arrays, exceeds the limits in pickle_worker, or takes
   /// over a minute.
   PickleContent read(const std::string& path);
-  /// Returns the value as a pickle (protocol 3). Arrays are float64, int64 and bool. Throws as
-  /// read().
+  /// Returns the value as a pickle (protocol 3), as bytes. Arrays are float64, int64 and bool.
+  /// Throws PickleError for a content that is not valid, std::runtime_error if the process fails or
+  /// takes over a minute.
   std::string write(const PickleContent& content);
-  /// Returns a pickled dict that maps each name in `files` (pairs of name and path) to the
-  /// "metadata" of the scenario description at its path. Throws as read().
+  /// Returns a pickled dict, as bytes, that maps each name in `files` (pairs of name and path) to
+  /// the "metadata" of the scenario description at its path. Throws PickleError for a file that
+  /// cannot be read, std::runtime_error as write().
   std::string summarize(const std::vector<std::pair<std::string, std::string>>& files);
 
  private:
   /// Sends one request to an idle process and returns the text and the items of the reply.
+  /// `request`: 'r', 'w' or 's' for read(), write() and summarize(). Throws PickleError with the
+  /// error in the reply.
   std::pair<std::string, std::string> ask(char request, const std::string& text,
                                           const std::string& items);
+  /// Returns an idle process, or a new one.
   std::unique_ptr<WorkerProcess> take();
 
   std::mutex mutex_;

@@ -8,33 +8,40 @@
 
 namespace forge {
 
-/// Returns the median length, width and height (m); `sizes` must not be empty.
+/// Returns the median length, width and height (m), each taken alone; the upper one of two. `sizes`
+/// must not be empty.
 Eigen::Vector3d medianSize(const std::vector<Eigen::Vector3d>& sizes);
 
-/// Returns true if length or width differ so much (1 m) that the smaller box misleads.
+/// Returns true if length or width of `size` differ from `median` by more than 1 m, so that the
+/// smaller box misleads. Sizes: length, width, height, m.
 bool isOtherSize(const Eigen::Vector3d& size, const Eigen::Vector3d& median);
 
-/// Returns the warning about the agents with an isOtherSize() first size; `ids` must not be empty.
+/// Returns the warning about the agents `ids` with an isOtherSize() first size; `ids` must not be
+/// empty.
 std::string sizeWarning(const std::vector<std::string>& ids);
 
-/// Returns the indices of the positions (m, at ascending `times`, s) that jump, ascending.
-/// - Of the positions on either side of an impossible step, more than 20 m/s faster than most of
-///   the track, the longest sequence without such a step is kept.
+/// Returns the indices of the positions (m, at strictly ascending `times`, s; as many of both) that
+/// jump, ascending.
+/// - A step is impossible if it is more than 20 m/s faster than three quarters of the track's
+///   steps. The chain of stretches with most positions and without an impossible step between them
+///   is kept; all other positions jump.
 /// - A single position jumps if it is more than 2 m beside the line between its neighbours, would
 ///   need more than 20 m/s2 to get there, and the neighbours fit each other.
 std::vector<std::size_t> jumpsOf(const std::vector<double>& times,
                                  const std::vector<Vector2>& positions);
 
-/// Repairs defects of recordings, whatever their format, before anything is computed from them:
+/// Repairs defects of recordings, whatever their format, in place, before anything is computed from
+/// them:
 /// - removes ego poses and annotations that jump (jumpsOf()), and derives the velocities of these
 ///   agents again;
-/// - removes agents whose middle is in the ego's box in at least 90 % of their frames: the ego
-///   among its own agents;
+/// - removes agents whose middle is in the ego's box in at least 3, and at least 90 %, of their
+///   frames: the ego among its own agents;
 /// - gives agents of `options.categories` the category of nuScenes with the same class, and warns
-/// of
-///   unknown categories, whose agents become static objects;
+///   of unknown categories, whose agents become static objects;
 /// - gives every agent its median size in all frames: boxes of partly seen agents are too small.
-/// Appends one line per kind of defect to `warnings`, if given.
+///
+/// Appends one line per kind of defect to `warnings`, if not null. A recording without frames stays
+/// unchanged.
 void repair(NuScenesRecording& recording, const DataOptions& options,
             std::vector<std::string>* warnings);
 

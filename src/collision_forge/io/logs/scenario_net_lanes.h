@@ -8,7 +8,7 @@
 
 namespace forge {
 
-/// Messages about parts of map features that cannot be read.
+/// Messages about parts of map features that cannot be read, each with its position.
 struct FeatureProblems {
   std::vector<std::string> left_out;  ///< whole features
   std::vector<std::string> unused;    ///< values of features that are kept
@@ -19,12 +19,13 @@ const char* toScenarioNet(FeatureKind kind);
 
 /// Returns the lanes (with mutual links), walkways, road edges, medians, crosswalks, driveways and
 /// speed bumps of a scenario description's `map_features`, m, in the frame of the file; without
-/// drivable area. Leaves out lanes of bicycles, which are not lanes of motor vehicles, and features
-/// that cannot be read. Throws std::runtime_error if `features` is not a dict.
+/// drivable area. A lane without an outline gets a strip of kLaneWidth. Leaves out lanes of
+/// bicycles, which are not lanes of motor vehicles, and features that cannot be read, and adds a
+/// message for each problem to `problems`. Throws std::runtime_error if `features` is not a dict.
 LaneMap lanesOf(const PickleField& features, FeatureProblems& problems);
 
-/// Returns polygons with holes from a list of dicts with "exterior" and "interiors". Throws
-/// std::runtime_error for an element of another form.
+/// Returns polygons with holes, m, from a list of dicts with "exterior" and, optionally,
+/// "interiors". Throws std::runtime_error for an element of another form.
 std::vector<Polygon> areasOf(const PickleField& areas);
 
 }  // namespace forge

@@ -9,7 +9,8 @@
 
 namespace forge {
 
-/// Returns the lanes of a CommonRoad file. Its location is `location`.
+/// Returns the lanes of a CommonRoad file as a map with the location `location`; adds defects to
+/// `warnings`.
 ///
 /// - Lanes: lanelets that cars use, by userOneWay and userBidirectional, else by laneletType. A
 ///   lanelet that cars use in both directions becomes two lanes, the second with the id suffix
@@ -23,7 +24,9 @@ namespace forge {
 LaneMap commonRoadLanes(const CommonRoadFile& file, const std::string& location,
                         const DataOptions& options, WarningCounter& warnings);
 
-/// Reads the lanes of a CommonRoad file. Throws as readCommonRoadFile().
+/// Reads the lanes of the CommonRoad file `path` (readCommonRoadFile(), commonRoadLanes()); the
+/// location is the file's name without its extension. Appends one line per kind of defect to
+/// `warnings`. Throws as readCommonRoadFile().
 LaneMap readCommonRoadMap(const std::string& path, const DataOptions& options,
                           std::vector<std::string>& warnings);
 

@@ -9,7 +9,7 @@
 namespace forge {
 
 /// Reads a Lanelet2 map in an OpenStreetMap file (Poggenhans et al., ITSC 2018, and the formats of
-/// Autoware). Elevation is ignored.
+/// Autoware). Elevation is ignored. The location is the file's name without its extension.
 ///
 /// - Lanes: lanelets on which cars may drive, by `participant:*`, else by `subtype`. A lanelet with
 ///   `one_way=no` becomes two lanes, the second with the id suffix kReverse. The centreline is the

@@ -14,18 +14,19 @@ enum class LaneUse {
   kNothing,  ///< no surface for traffic, such as a median
   kLane,     ///< a lane, and drivable area
   kRoad,     ///< drivable area only, such as parking
-  kWalkway,
+  kWalkway,  ///< walkway, such as a sidewalk
 };
 
 /// Returns the use of a lane type of ASAM OpenDRIVE 1.4 to 1.8; nullopt for an unknown type.
 std::optional<LaneUse> laneUse(const std::string& type);
 
-/// Adds the drivable area and the walkways of a section to `map`. Neighbours of the same use become
-/// one polygon. `strips` must be the result of laneStrips() for `section`.
+/// Appends the drivable area and the walkways of a section, m in the map frame, to `map`.
+/// Neighbours of the same use become one polygon. `strips` must be the result of laneStrips() for
+/// `section`.
 void addAreas(const OpenDriveSection& section, const SectionStrips& strips, LaneMap& map);
 
-/// Returns the gaps of up to 20 m^2 that the areas of a junction's roads enclose, such as its
-/// middle. Larger gaps may be islands.
+/// Returns the gaps of up to 20 m^2 that the areas (m) of a junction's roads enclose, such as its
+/// middle. Larger gaps may be islands. Returns none if the union of the areas cannot be computed.
 std::vector<Polygon> gapsBetween(const std::vector<Polygon>& areas);
 
 }  // namespace forge

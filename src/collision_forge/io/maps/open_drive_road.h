@@ -23,51 +23,53 @@ enum class LaneDirection {
 
 /// A lane of a lane section.
 struct OpenDriveLane {
-  int id = 0;  ///< > 0: left of the reference line; < 0: right; never 0
-  std::string type;
+  int id = 0;        ///< > 0: left of the reference line; < 0: right; counted outwards; never 0
+  std::string type;  ///< as in the file; see laneUse()
   LaneDirection direction = LaneDirection::kStandard;
   /// Over the arc length of the road, m: the width of the lane, or its outer border's distance from
   /// the lane offset, positive to the left.
   PiecewiseCubic outline;
-  bool is_border = false;             ///< `outline` is the border
+  bool is_border = false;             ///< true: `outline` is the border; false: the width
   std::vector<int> predecessors;      ///< ids in the previous section, or at the start of the road
   std::vector<int> successors;        ///< ids in the next section, or at the end of the road
-  std::optional<double> speed_limit;  ///< m/s, of the lane or its road
+  std::optional<double> speed_limit;  ///< m/s, of the lane or else of its road; empty: none
 };
 
 /// Lanes between two arc lengths of a road.
 struct OpenDriveSection {
-  double begin = 0.0;                ///< m
-  double end = 0.0;                  ///< m, >= begin
+  double begin = 0.0;                ///< m, arc length on OpenDriveRoad::line
+  double end = 0.0;                  ///< m, arc length, >= begin
   std::vector<OpenDriveLane> left;   ///< from the reference line outwards
   std::vector<OpenDriveLane> right;  ///< from the reference line outwards
-  /// The next section is the rest of this one: its lanes have the same ids.
+  /// True: the next section is the rest of this one (kLongestSection): its lanes have the same ids.
   bool continues = false;
 };
 
 /// The element that follows a road at its start or end.
 struct OpenDriveLink {
+  /// Kind of the other element.
   enum class To { kNothing, kRoad, kJunction };
   To to = To::kNothing;
-  std::string id;
-  bool at_end = false;  ///< the other road is joined at its end, else at its start
+  std::string id;       ///< id of the road or junction; "" for kNothing
+  bool at_end = false;  ///< for a road: true if it is joined at its end, false at its start
 };
 
 /// A road of an OpenDRIVE file.
 struct OpenDriveRoad {
-  std::string id;
-  std::string junction;  ///< "" for a road that is not inside a junction
-  DrivingSide side = DrivingSide::kRight;
-  ReferenceLine line;          ///< frame of the map; at least one piece
+  std::string id;        ///< id in the file
+  std::string junction;  ///< id of the junction; "" for a road that is not inside a junction
+  DrivingSide side = DrivingSide::kRight;  ///< attribute `rule`; right if it is missing
+  ReferenceLine line;                      ///< frame of the map; at least one piece
   PiecewiseCubic lane_offset;  ///< m from `line` to the border between left and right lanes,
                                ///< positive to the left
-  std::vector<OpenDriveSection> sections;  ///< ascending; at least one
-  OpenDriveLink before;                    ///< the element at the start of the road
-  OpenDriveLink after;                     ///< the element at its end
+  /// Ascending, without gaps to the end of `line`; at least one.
+  std::vector<OpenDriveSection> sections;
+  OpenDriveLink before;  ///< the element at the start of the road
+  OpenDriveLink after;   ///< the element at its end
 };
 
-/// Reads one element <road>, of OpenDRIVE 1.4 to 1.8. `origin`: pose of the file's coordinates in
-/// the map (element <offset>); `path` is for messages. Sections longer than
+/// Reads one element <road>, of OpenDRIVE 1.4 to 1.8, into the map frame. `origin`: pose of the
+/// file's coordinates in the map (element <offset>); `path` is for messages. Sections longer than
 /// kLongestSection are cut.
 ///
 /// Throws MapError, naming element, attribute and value, for a road without geometry or lanes, an

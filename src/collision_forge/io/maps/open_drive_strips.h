@@ -6,18 +6,20 @@
 
 namespace forge {
 
-/// The area of a lane in one lane section. Points follow the reference line; frame of the map.
+/// The area of a lane in one lane section. Points follow the reference line, whichever way the lane
+/// is driven; frame of the map, m.
 struct LaneStrip {
-  std::vector<Pose2> centre;   ///< yaw along the lane in the direction of the reference line
-  std::vector<Vector2> left;   ///< border to the left of the reference line's direction
-  std::vector<Vector2> right;  ///< one point of each border per pose of `centre`
-  double widest = 0.0;         ///< m, largest width
+  std::vector<Pose2> centre;  ///< yaw along the lane in the direction of the reference line
+  /// Border to the left of the reference line's direction, a point per pose of `centre`.
+  std::vector<Vector2> left;
+  std::vector<Vector2> right;  ///< border to the right of it, a point per pose of `centre`
+  double widest = 0.0;         ///< m, largest width over the section
 };
 
-/// The strips of a section's lanes, in their order.
+/// The strips of a section's lanes, in the order of the lanes: from the reference line outwards.
 struct SectionStrips {
-  std::vector<LaneStrip> left;
-  std::vector<LaneStrip> right;
+  std::vector<LaneStrip> left;   ///< one per element of OpenDriveSection::left
+  std::vector<LaneStrip> right;  ///< one per element of OpenDriveSection::right
 };
 
 /// Returns the strips of a section of `road`. All strips have points at the same arc lengths, so

@@ -11,30 +11,32 @@
 
 namespace forge {
 
-/// Tags of an element of OpenStreetMap.
+/// Tags of an element of OpenStreetMap: values by key.
 using OsmTags = std::map<std::string, std::string>;
 
 /// Returns the value of a tag, "" if the element does not have it.
 const std::string& tagOf(const OsmTags& tags, const std::string& key);
 
-/// A way: the ids of its nodes, in its direction.
+/// A way, a line of nodes.
 struct OsmWay {
+  /// Ids, in the way's direction; may be missing in OsmFile::nodes.
   std::vector<std::string> nodes;
   OsmTags tags;
 };
 
-/// A relation and its members: the ids of ways by role, in the file's order.
+/// A relation and its members that are ways.
 struct OsmRelation {
   std::string id;
+  /// Ids of ways by role, of one role in the file's order; may be missing in the file.
   std::multimap<std::string, std::string> ways;
   OsmTags tags;
 };
 
 /// The elements of an OpenStreetMap file that is a Lanelet2 map.
 struct OsmFile {
-  std::unordered_map<std::string, Vector2> nodes;  ///< m, map frame
-  std::map<std::string, OsmWay> ways;
-  std::vector<OsmRelation> relations;  ///< in the file's order
+  std::unordered_map<std::string, Vector2> nodes;  ///< m, map frame, by id
+  std::map<std::string, OsmWay> ways;              ///< by id
+  std::vector<OsmRelation> relations;              ///< in the file's order
 };
 
 /// Reads an OpenStreetMap file. Leaves out deleted elements, and nodes without a usable position.
@@ -42,7 +44,8 @@ struct OsmFile {
 /// Nodes have the position in their tags local_x and local_y, as Autoware writes. If no node has
 /// these tags, their lat and lon are projected: UTM coordinates minus the UTM coordinates of the
 /// location's origin in `options`, as lanelet2's UtmProjector. Throws MapError for malformed XML
-/// and for a file without lanelets, and ConfigError if an origin is needed and missing.
+/// and for a file without lanelets, and ConfigError if an origin is needed and missing. Adds the
+/// nodes that are left out to `warnings`. The location is the file's name without its extension.
 OsmFile readOsmFile(const std::string& path, const DataOptions& options, WarningCounter& warnings);
 
 }  // namespace forge

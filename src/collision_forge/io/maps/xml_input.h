@@ -15,8 +15,8 @@ inline constexpr char kJsonRoot[] = "{";
 /// read.
 std::string rootOf(const std::string& path);
 
-/// Reads an XML file, without its comments. Throws MapError for a file that cannot be read, and for
-/// malformed XML, with the position in bytes.
+/// Reads the XML file `path`, without its comments, into `document`. Throws MapError for a file
+/// that cannot be read, and for malformed XML, with the position in bytes.
 void loadXml(const std::string& path, pugi::xml_document& document);
 
 /// Returns the number in a text, which may have white space around it; nullopt if the text is not
@@ -27,7 +27,7 @@ std::optional<double> finiteNumber(std::string_view text);
 std::string describedElement(const pugi::xml_node& element);
 
 /// Returns the number in an attribute. Throws MapError, naming path, element, attribute and value,
-/// if the attribute is missing or is not a finite number.
+/// if the attribute is missing or is not a finite number. `path`: the file's, for the message.
 double numberIn(const pugi::xml_node& element, const char* attribute, const std::string& path);
 
 }  // namespace forge

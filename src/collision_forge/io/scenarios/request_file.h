@@ -26,12 +26,14 @@ SceneRequest readRequestLine(const std::string& where, const std::string& line,
 
 /// Reads a request list. `scenes`: names of the existing scenes; `crash` as in readRequestLine().
 /// Throws JsonLineError naming file, line, field and value for a file that cannot be read or has no
-/// request, a malformed line, and a scene not in `scenes`; InputError as readInputLine().
+/// request, a malformed line, and a scene not in `scenes`; InputError as readInputLine(). Returns
+/// the requests in the order of the file.
 std::vector<SceneRequest> readRequests(const std::string& path, const std::set<std::string>& scenes,
                                        const InputLimits& limits,
                                        const CrashDefinition& crash = {});
 
-/// Returns the number of requests and a fingerprint of their lines, to compare lists.
+/// Returns a text with the number of requests and a fingerprint of their lines in order, "10 of
+/// fingerprint HASH", to compare lists.
 std::string fingerprintOf(const std::vector<SceneRequest>& requests);
 
 /// Writes a request list; `defaults` as in requestLine(). Throws as AsideFile.

@@ -16,10 +16,11 @@ namespace forge {
 
 /// A request and its result: one line of a scenario file.
 struct Scenario {
-  SceneRequest asked;
-  EgoVehicle ego;
-  Attack answer;                         ///< the result; times on the scene's clock
-  std::vector<AttackerPlan> plans = {};  ///< adaptive mode: AttackerPolicy::plans()
+  SceneRequest asked;  ///< the request, its scene and t0
+  EgoVehicle ego;      ///< box of the ego, and offset of its centre from base_link
+  Attack answer;       ///< the result; times on the scene's clock
+  /// Adaptive mode: AttackerPolicy::plans(); empty in other modes and without an attack.
+  std::vector<AttackerPlan> plans = {};
 };
 
 /// Returns one line, without a line end, as docs/scenarios.md and docs/scenario.schema.json define
@@ -29,28 +30,30 @@ struct Scenario {
 /// number that is not finite.
 std::string scenarioLine(const Scenario& scenario);
 
-/// Parses a line of scenarioLine(); scenarioLine() of the result gives the same bytes. A line of
-/// version 6 has no severity and careful_drivers (empty), one of version 5 also no tolerance (set
-/// to 4 m), effort, first_other_t or off_road (set to 0). Throws JsonLineError, naming `where`, for
-/// a line of another format or version, and for a number beyond the limits; InputError as
-/// checkLineLength().
+/// Parses a line of scenarioLine(); scenarioLine() of the result gives the same bytes. Older
+/// versions lack fields, which are then set: version 6 lacks severity and careful_drivers (empty),
+/// version 5 also tolerance (4 m), effort, first_other_t and off_road (0). `where` names file and
+/// line in errors. Throws JsonLineError for a line of another format or version, for fields that
+/// contradict each other, and for a number beyond the limits; InputError as checkLineLength().
 Scenario readScenarioLine(const std::string& where, const std::string& line,
                           const InputLimits& limits);
 
 // Write parts of the line, for files that share them; times in s from `now`.
 
-/// Writes an object with x and y in m, yaw in rad.
+/// Writes the object `key` with x and y in m, yaw in rad.
 void writePose(JsonLineWriter& writer, const char* key, const Pose2& pose);
 
-/// Writes the object `key` with the fields of a report, as docs/scenarios.md defines them; the
-/// field `conditions` only if `has_conditions`, for requests that asksForConditions().
+/// Writes the object `key` (null: an element of an array) with the fields of a report, as
+/// docs/scenarios.md defines them. Times are written in s from `now` (s, clock of the report). The
+/// field `conditions` is written only if `has_conditions`, for requests that asksForConditions().
 void writeCollisionReport(JsonLineWriter& writer, const char* key, const CollisionReport& report,
                           double now, bool has_conditions);
 
 /// Adds the field "trajectory" with `points` to the open object of `writer`; times in s from `now`.
 using WritePoints = std::function<void(JsonLineWriter& writer,
                                        const std::vector<TrajectoryPoint>& points, double now)>;
-/// Writes the array "plans"; calls `write_points` for each plan.
+/// Writes the array "plans"; times in s from `now` (s, clock of the plans). Calls `write_points`
+/// once for each plan, with the plan's object open.
 void writePlans(JsonLineWriter& writer, const std::vector<AttackerPlan>& plans, double now,
                 const WritePoints& write_points);
 

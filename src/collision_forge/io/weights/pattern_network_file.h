@@ -24,19 +24,21 @@ struct PatternNetworkFileError : std::runtime_error {
 /// architecture.
 std::vector<PatternWeights> readPatternWeights(const std::string& path);
 
-/// Writes a file that readPatternWeights() reads. Throws as AsideFile.
+/// Writes a file that readPatternWeights() reads. Throws as AsideFile. The first network must be
+/// the one trained on all scenes.
 void writePatternWeights(const std::vector<PatternWeights>& networks, const std::string& path);
 
-/// Loads the network of a file with its folds; null if `path` is "". Throws as
-/// readPatternWeights().
+/// Loads the network of a file with its folds (networks trained without some scenes); null if
+/// `path` is "". Throws as readPatternWeights().
 std::shared_ptr<const PatternNetwork> loadPatternNetwork(const std::string& path);
 
-/// Loads the configured speed forecaster and pattern network. Throws as loadSpeedForecaster() and
-/// loadPatternNetwork().
+/// Loads the speed forecaster and the pattern network whose paths are in `options`; a model without
+/// a path is null. Throws as loadSpeedForecaster() and loadPatternNetwork().
 PredictionModels loadPredictionModels(const ModelOptions& options);
 
 /// Returns the built-in methods, the methods of `method_libraries` and the learned baselines
-/// (addGeneratorMethods()). Throws as methodsWith().
+/// (addGeneratorMethods()). Throws as methodsWith(). The weights of the baselines are loaded on
+/// first use.
 MethodRegistry loadMethods(const ModelOptions& options);
 
 /// Returns a method of loadMethods() with loadPredictionModels(); name "" is the package's own

@@ -14,14 +14,16 @@ struct SpeedModelFileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads a speed model file (format: README of data/weights). Throws SpeedModelFileError for a file
-/// that is missing or malformed.
+/// Reads a speed model file (format: README of data/weights): a line per model, first the one
+/// trained on all scenes, then its folds. Throws SpeedModelFileError for a file that is missing or
+/// malformed.
 SpeedModel readSpeedModel(const std::string& path);
 
-/// Writes such a file, numbers rounded to five significant digits. Throws as AsideFile.
+/// Writes a file that readSpeedModel() reads, numbers rounded to five significant digits. Throws as
+/// AsideFile.
 void writeSpeedModel(const SpeedModel& model, const std::string& path);
 
-/// Loads `options.speed_model`; null if it is "". Throws SpeedModelFileError.
+/// Loads the file at `options.speed_model`; null if that path is "". Throws SpeedModelFileError.
 std::shared_ptr<const SpeedForecaster> loadSpeedForecaster(const ModelOptions& options);
 
 }  // namespace forge

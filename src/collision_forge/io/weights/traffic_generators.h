@@ -33,13 +33,14 @@ class TrafficMethods {
 /// TrafficGeneratorError.
 void addGeneratorMethods(const ModelOptions& options, MethodRegistry& registry);
 
-/// Returns true for a method of addGeneratorMethods().
+/// Returns true for a method of addGeneratorMethods(). `method`: name in the registry.
 bool isLearnedBaseline(const std::string& method);
 
 }  // namespace forge
 
 /// Loads a model's files into `methods`: the first was trained on all scenes, the others without
 /// some of them. Implemented in the library that links libtorch, and looked up there by this name.
-/// Throws forge::TrafficGeneratorError.
+/// Throws forge::TrafficGeneratorError. `name`: the method's name in the registry; `paths`: not
+/// empty.
 extern "C" void forgeLoadGenerator(const std::string& name, const std::vector<std::string>& paths,
                                    std::shared_ptr<const forge::TrafficMethods>& methods);

@@ -9,11 +9,13 @@
 namespace forge {
 
 /// Pool of idle workers, which are costly to start. `Worker` has the constructor Worker(Options),
-/// key() and isUsable(). Thread-safe.
+/// key(), which identifies workers that can replace each other, and isUsable(), which is false for
+/// a worker that has failed. Thread-safe.
 template <class Worker, class Options>
 class IdleWorkers {
  public:
-  /// Returns an idle worker with this key, or starts one. Throws as the constructor.
+  /// Removes an idle worker with this key from the pool and returns it; without one, returns a new
+  /// Worker(options), whose key() should be `key`. Throws as the constructor. Never returns null.
   std::unique_ptr<Worker> take(const Options& options, const std::string& key) {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
@@ -27,7 +29,7 @@ class IdleWorkers {
     return std::make_unique<Worker>(options);
   }
 
-  /// Returns a worker to the pool; one that is not usable is destroyed.
+  /// Puts a worker (not null) into the pool; destroys one that is not usable.
   void giveBack(std::unique_ptr<Worker> worker) {
     if (!worker->isUsable()) return;
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -50,23 +50,26 @@ inline double idmAcceleration(const IdmParameters& idm, double speed, double lea
 
 /// A lead relative to its follower.
 struct IdmLead {
-  double gap = 0.0;    ///< m, bumper to bumper
+  double gap =
+      0.0;  ///< m, bumper to bumper; may be negative once the follower has reached the lead
   double speed = 0.0;  ///< m/s along the follower's path
 };
 
-/// plainIdmAcceleration() with the gap clamped to at least `idm.min_gap`, as nuPlan does.
+/// Returns plainIdmAcceleration() (m/s2) with the gap clamped to at least `idm.min_gap`, as nuPlan
+/// does. `speed`: the follower's, m/s.
 inline double nuplanIdmAcceleration(const IdmParameters& idm, double speed, const IdmLead& lead) {
   return plainIdmAcceleration(idm, speed, lead.speed, std::max(lead.gap, idm.min_gap));
 }
 
 /// A follower on its path.
 struct IdmState {
-  double progress = 0.0;  ///< m along the path
-  double speed = 0.0;     ///< m/s
+  double progress = 0.0;  ///< m along the path, of the caller's reference point on the vehicle
+  double speed = 0.0;     ///< m/s along the path
 };
 
 /// Returns the state `duration` seconds later by one step of Euler's method: position at the
-/// current speed, acceleration clamped to [-b, a]. The speed may become negative.
+/// current speed, nuplanIdmAcceleration() behind `lead` clamped to [-b, a]. The speed may become
+/// negative.
 inline IdmState eulerStep(const IdmParameters& idm, const IdmState& state, const IdmLead& lead,
                           double duration) {
   const double acceleration =

@@ -8,26 +8,26 @@ namespace forge {
 /// Options of KinematicBicycle: config/planners.yaml, section car, where each number's source
 /// stands; the limits of acceleration and braking come from config/vehicle_limits.yaml.
 struct KinematicBicycleOptions {
-  double wheelbase = 0.0;         ///< m
-  double max_steering = 0.0;      ///< rad
+  double wheelbase = 0.0;         ///< m between the axles
+  double max_steering = 0.0;      ///< rad, of the front wheel to either side
   double max_acceleration = 0.0;  ///< m/s2
   double max_braking = 0.0;       ///< m/s2, positive
-  double acceleration_lag = 0.0;  ///< s, time constant
-  double steering_lag = 0.0;      ///< s, time constant
+  double acceleration_lag = 0.0;  ///< s, time constant of the acceleration
+  double steering_lag = 0.0;      ///< s, time constant of the steering angle
 };
 
 /// State of the bicycle model; pose in the global map frame.
 struct BicycleState {
-  Pose2 rear_axle;
-  double speed = 0.0;         ///< m/s along the heading
+  Pose2 rear_axle;            ///< middle of the rear axle, yaw along the vehicle
+  double speed = 0.0;         ///< m/s along the heading, negative backwards
   double acceleration = 0.0;  ///< m/s2 along the heading
   double steering = 0.0;      ///< rad, angle of the front wheel, positive to the left
 };
 
 /// Input of the bicycle model, held over one step.
 struct BicycleCommand {
-  double acceleration = 0.0;   ///< m/s2
-  double steering_rate = 0.0;  ///< rad/s
+  double acceleration = 0.0;   ///< m/s2 along the heading, negative brakes
+  double steering_rate = 0.0;  ///< rad/s, positive to the left
 };
 
 /// Kinematic bicycle model without slip, as nuPlan's KinematicBicycleModel: acceleration and
@@ -42,25 +42,29 @@ class KinematicBicycle {
   BicycleState step(const BicycleState& state, const BicycleCommand& command,
                     double duration) const;
 
-  /// Returns the curvature of the rear axle's path, 1/m, positive to the left.
+  /// Returns the curvature of the rear axle's path for the state's steering angle, 1/m, positive to
+  /// the left.
   double curvature(const BicycleState& state) const;
 
-  /// Converts a trajectory point (middle of the box) to a bicycle state. `point.curvature` must be
-  /// yaw rate over speed, as pointOf() returns it.
+  /// Converts a trajectory point (middle of the box) to a bicycle state; the steering angle is
+  /// clamped to its limit. `point.curvature` must be yaw rate over speed, as pointOf() returns it.
+  /// `center_offset`: m from the rear axle to the middle of the box, as in EgoVehicle.
   BicycleState stateOf(const TrajectoryPoint& point, double center_offset) const;
 
   /// Converts a bicycle state to a trajectory point (middle of the box) at `time` (s).
-  /// `center_offset` (m) as in EgoVehicle.
+  /// `center_offset` as in stateOf(). The curvature of the point is curvature().
   TrajectoryPoint pointOf(const BicycleState& state, double time, double center_offset) const;
 
  private:
   KinematicBicycleOptions options_;
 };
 
-/// Returns the pose of the rear axle, `center_offset` metres behind the middle of the box.
+/// Returns the pose of the rear axle, `center_offset` metres behind the middle of the box, in the
+/// frame of `box_middle`.
 Pose2 rearAxleOf(const Pose2& box_middle, double center_offset);
 
-/// Returns the pose of the middle of the box, `center_offset` metres ahead of the rear axle.
+/// Returns the pose of the middle of the box, `center_offset` metres ahead of the rear axle, in the
+/// frame of `rear_axle`.
 Pose2 boxMiddleOf(const Pose2& rear_axle, double center_offset);
 
 }  // namespace forge

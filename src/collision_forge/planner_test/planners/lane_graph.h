@@ -12,27 +12,28 @@ namespace forge {
 /// identified by their indices; the neighbours of a node are listed in the order of the edges.
 class LaneGraph {
  public:
-  /// Indices of the start node and the end node.
+  /// Indices in nodes() of the start node and the end node.
   using Edge = std::pair<std::size_t, std::size_t>;
 
-  /// `nodes`: m, global map frame. Throws std::invalid_argument for an edge of zero length or with
-  /// an unknown node.
+  /// `nodes`: m, global map frame; `edges`: in driving direction. Throws std::invalid_argument for
+  /// an edge of zero length or with an unknown node.
   LaneGraph(std::vector<Vector2> nodes, std::vector<Edge> edges);
 
   const std::vector<Vector2>& nodes() const { return nodes_; }  ///< m, global map frame
-  const std::vector<Edge>& edges() const { return edges_; }
-  /// Returns the nodes that an edge connects `node` to.
+  const std::vector<Edge>& edges() const { return edges_; }     ///< in the order of the constructor
+  /// Returns the nodes (indices) that an edge connects `node` to, in the order of the edges.
   const std::vector<std::size_t>& successors(std::size_t node) const { return successors_[node]; }
-  /// Returns the nodes with an edge to `node`.
+  /// Returns the nodes (indices) with an edge to `node`, in the order of the edges.
   const std::vector<std::size_t>& predecessors(std::size_t node) const {
     return predecessors_[node];
   }
 
-  /// Returns a superset of the edges within `radius` metres of `point`: ascending indices, no
-  /// duplicates.
+  /// Returns a superset of the edges within `radius` metres of `point` (m, global map frame):
+  /// ascending indices in edges(), no duplicates.
   std::vector<std::size_t> edgesAround(const Vector2& point, double radius) const;
 
  private:
+  /// Fills cells_.
   void sortIntoCells();
 
   std::vector<Vector2> nodes_;
@@ -44,8 +45,9 @@ class LaneGraph {
 };
 
 /// Builds the graph of all lanes of a map from the points of their centrelines; splits stretches
-/// longer than `spacing` metres. If a lane's end and the start of its successor coincide, they
-/// share a node; otherwise an edge joins them.
+/// longer than `spacing` metres. If a lane's end and the start of its successor are less than 0.1 m
+/// apart, they share a node; otherwise an edge joins them. Edges lead in driving direction; lanes
+/// without a centreline have none.
 LaneGraph laneGraphOf(const LaneIndex& lanes, double spacing);
 
 }  // namespace forge

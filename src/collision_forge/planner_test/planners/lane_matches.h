@@ -10,14 +10,15 @@ namespace forge {
 /// An edge of a lane graph that a vehicle may be driving on.
 struct EdgeMatch {
   std::size_t edge = 0;   ///< index in LaneGraph::edges()
-  double distance = 0.0;  ///< m from the vehicle to the edge
-  Vector2 closest{0.0,
-                  0.0};  ///< point of the edge that is nearest to the vehicle; m, global map frame
+  double distance = 0.0;  ///< m from the vehicle's middle to the edge
+  /// Point of the edge that is nearest to the vehicle's middle; m, global map frame.
+  Vector2 closest{0.0, 0.0};
 };
 
-/// Returns the edges within `options.on_lane_distance` of the vehicle whose direction is within
-/// `options.on_lane_heading` of its heading, nearest first. From each chain of connected nearby
-/// edges, keeps only the nearest.
+/// Returns the edges within `options.on_lane_distance` of the vehicle's middle (pose in the global
+/// map frame) whose direction is within `options.on_lane_heading` of its heading, nearest first.
+/// From each chain of connected nearby edges, keeps only the nearest. Empty if the vehicle is on no
+/// lane.
 std::vector<EdgeMatch> matchedEdges(const LaneGraph& graph, const Pose2& vehicle,
                                     const RuleBasedOptions& options);
 

@@ -6,15 +6,16 @@
 
 namespace forge {
 
-/// Nodes of a lane graph along a path; an edge connects each node with the one before it, in
-/// driving direction or against it.
+/// Nodes of a lane graph (indices in LaneGraph::nodes()) along a path; an edge connects each node
+/// with the one before it, in driving direction or against it.
 using NodePath = std::vector<std::size_t>;
 
 /// Direction of a path: along the edges (ahead) or against them (behind).
 enum class PathDirection { kAhead, kBehind };
 
-/// Returns the first `max_paths` paths from `node`, in the order of the edges at each branch. A
-/// path ends at the first node at which it is `length` metres long, or where the lanes end.
+/// Returns the first `max_paths` (> 0) paths that begin with `node`, in the order of the edges at
+/// each branch; at least one. A path ends at the first node at which it is at least `length` metres
+/// long, or where the lanes end.
 std::vector<NodePath> nodePaths(const LaneGraph& graph, std::size_t node, PathDirection direction,
                                 double length, std::size_t max_paths);
 

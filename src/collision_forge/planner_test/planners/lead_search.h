@@ -11,16 +11,18 @@ namespace forge {
 
 /// An agent in the corridor ahead of a vehicle that drives along a path.
 struct Lead {
-  std::string id;
-  double gap = 0.0;    ///< m along the path, bumper to bumper; not negative
-  double speed = 0.0;  ///< m/s along the path
+  std::string id;    ///< Track::id of the agent
+  double gap = 0.0;  ///< m along the path from the follower's front to the lead's nearest point,
+                     ///< not negative
+  /// m/s, component of the lead's velocity along the path, negative if oncoming.
+  double speed = 0.0;
 };
 
-/// A vehicle that follows a path.
+/// A vehicle that follows a path. `path` must outlive the object.
 struct Follower {
-  const Polyline& path;
-  double arc_length = 0.0;  ///< m, of the box's middle
-  BoxSize size;
+  const Polyline& path;     ///< line of the vehicle's middle, global map frame
+  double arc_length = 0.0;  ///< m along `path`, of the box's middle
+  BoxSize size;             ///< of the vehicle
 };
 
 /// Extent of the search for a lead.
@@ -30,9 +32,9 @@ struct LeadSearch {
 };
 
 /// Returns the nearest agent whose box reaches into the corridor that the follower's body sweeps
-/// along its path, ahead of its middle. Tests points at most 0.5 m apart on the boxes' outlines, at
-/// each agent's newest state. Ignores agents without states and the agent with the id
-/// `follower_id`.
+/// along its path, from its middle to `search.radius` ahead of its front; nullopt if there is none.
+/// Tests points at most 0.5 m apart on the boxes' outlines, at each agent's newest state. Ignores
+/// agents without states and the agent with the id `follower_id`.
 std::optional<Lead> findLead(const Follower& follower, const std::string& follower_id,
                              const std::vector<Track>& agents, const LeadSearch& search);
 

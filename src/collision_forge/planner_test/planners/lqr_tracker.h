@@ -6,33 +6,37 @@
 
 namespace forge {
 
-/// Options of LqrTracker; values of nuPlan's LQRTracker.
+/// Options of LqrTracker; values of nuPlan's LQRTracker. Each weight and penalty is the factor of
+/// the squared quantity that its comment names, in the cost that the controller or the fit
+/// minimises.
 struct LqrOptions {
-  double step = 0.1;                  ///< s between the poses of a reference
-  int horizon = 10;                   ///< steps that the controller optimises over
+  double step = 0.1;  ///< s between the poses of a reference
+  int horizon = 10;   ///< steps that the controller optimises over, and looks ahead for the speed
   double speed_weight = 10.0;         ///< of a squared error of speed (m/s), longitudinal Q
   double acceleration_weight = 1.0;   ///< of the squared acceleration (m/s2), longitudinal R
   double lateral_weight = 1.0;        ///< of a squared lateral error (m), lateral Q ...
   double heading_weight = 10.0;       ///< ... of a squared heading error (rad) ...
   double steering_weight = 0.0;       ///< ... of the squared steering angle (rad)
   double steering_rate_weight = 1.0;  ///< of the squared steering rate (rad/s), lateral R
-  double stop_speed =
-      0.2;  ///< m/s; below it, if the reference is too, speed alone is controlled ...
-  double stop_gain = 0.5;                ///< 1/s ... proportionally
+  /// m/s; if the speeds of car and reference are at or below it, only the speed is controlled.
+  double stop_speed = 0.2;
+  /// 1/s; the acceleration is then stop_gain * (reference speed - speed), without steering.
+  double stop_gain = 0.5;
   double jerk_penalty = 0.0001;          ///< of the squared jerk (m/s3) in the fit of speeds
   double curvature_rate_penalty = 0.01;  ///< of the squared curvature rate (1/(m s)) in its fit
 };
 
 /// Quantity that the fit of the speeds penalises.
 enum class SpeedFit {
-  kJerk,         ///< as nuPlan's LQRTracker
-  kAcceleration  ///< as PDM-Closed: every acceleration but the last, and the last one's change
+  kJerk,  ///< as nuPlan's LQRTracker
+  /// As PDM-Closed: every acceleration but the last, and the last one's change.
+  kAcceleration
 };
 
-/// Speed and curvature along a sequence of poses, one value between each two consecutive poses.
+/// Speed and curvature along a sequence of poses; element i is between pose i and pose i + 1.
 struct ReferenceProfile {
-  std::vector<double> speeds;      ///< m/s
-  std::vector<double> curvatures;  ///< 1/m
+  std::vector<double> speeds;      ///< m/s along the heading, negative backwards
+  std::vector<double> curvatures;  ///< 1/m, positive to the left
 };
 
 /// Fits speeds and curvatures to poses (every `options.step` seconds) by regularised least squares.
@@ -46,27 +50,35 @@ ReferenceProfile fitProfile(const std::vector<Pose2>& poses, const LqrOptions& o
 /// motion linearised about the reference.
 class LqrTracker {
  public:
-  /// `wheelbase`: m.
+  /// `wheelbase`: m, of the controller's own model; may differ from the car's. `fit`: see
+  /// fitProfile().
   LqrTracker(const LqrOptions& options, double wheelbase, SpeedFit fit = SpeedFit::kJerk);
 
-  /// Sets the reference: poses of the rear axle, one every `options.step` seconds; index 0 is the
-  /// first. Throws std::invalid_argument for fewer than two poses.
+  /// Sets the reference: poses of the rear axle in the global map frame, one every `options.step`
+  /// seconds; index 0 is the first, where tracking starts. Throws std::invalid_argument for fewer
+  /// than two poses.
   void setReference(std::vector<Pose2> rear_axle_poses);
 
-  /// Returns the command at the time of reference `index` (clamped to the last).
+  /// Returns the command (not clamped to limits of the car) for a car in `state` at the time of
+  /// pose `index` of the reference; an index beyond the last pose counts as the last.
+  /// setReference() must have been called.
   BicycleCommand command(const BicycleState& state, std::size_t index) const;
 
-  /// Speeds and curvatures fitted to the reference.
+  /// Returns the speeds and curvatures fitted to the reference; empty before setReference().
   const ReferenceProfile& profile() const { return profile_; }
 
  private:
+  /// Returns the constant acceleration (m/s2) over the horizon that minimises the cost of speed
+  /// error and acceleration.
   double acceleration(double speed, double reference_speed) const;
+  /// Returns the constant steering rate (rad/s) over the horizon that minimises the lateral cost,
+  /// with the car at `acceleration` (m/s2). `index`: pose of the reference at the time of `state`.
   double steeringRate(const BicycleState& state, double acceleration, std::size_t index) const;
 
   LqrOptions options_;
   double wheelbase_;
   SpeedFit fit_;
-  std::vector<Pose2> poses_;
+  std::vector<Pose2> poses_;  ///< the reference, rear axle
   ReferenceProfile profile_;
 };
 

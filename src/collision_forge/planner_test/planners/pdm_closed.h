@@ -12,9 +12,9 @@ namespace forge {
 
 /// A proposal with its simulated motion and score.
 struct PdmCandidate {
-  PdmProposal proposal;
-  PdmMotion motion;  ///< simulated from the ego's state along the proposal
-  PdmScore score;
+  PdmProposal proposal;  ///< path and speeds before vehicle dynamics
+  PdmMotion motion;      ///< simulated from the ego's state along the proposal
+  PdmScore score;        ///< of `motion`
 };
 
 /// PDM-Closed (Dauner et al. 2023, arXiv 2306.07962) on a path and a map. Creates proposals at
@@ -23,18 +23,23 @@ struct PdmCandidate {
 /// plan is the best proposal itself, not its simulation.
 class PdmClosed {
  public:
-  /// `centerline`: path of the route, global map frame.
+  /// `centerline`: path of the route, global map frame. `car`: of the simulation, which ignores its
+  /// limits of acceleration and braking, as published.
   PdmClosed(PdmPath centerline, const EgoVehicle& ego, const KinematicBicycleOptions& car,
             const LqrOptions& lqr, const PdmOptions& options);
 
-  /// Plans from `start`. Returns `options.output_steps` + 1 poses of the rear axle, one every
-  /// `options.step` seconds, the first at t0. `speed_limit`: m/s.
+  /// Plans from `start`, the ego's state at t0. Returns `options.output_steps` + 1 poses of the
+  /// rear axle in the global map frame, one every `options.step` seconds, the first at t0.
+  /// `agents`: other agents and red lights (withRedLights()); their newest state counts as t0.
+  /// `map` is used only during the call. `speed_limit`: m/s. Agents that the ego touches at t0 are
+  /// ignored in this and all later calls.
   std::vector<Pose2> plan(const BicycleState& start, const std::vector<Track>& agents,
                           const PdmMap& map, double speed_limit);
 
-  /// Candidates of the last plan(), ordered by offset, then by speed.
+  /// Returns the candidates of the last plan(), ordered by offset, then by speed; empty before it.
   const std::vector<PdmCandidate>& candidates() const { return candidates_; }
-  /// Returns the index of the candidate with the highest score, the first of equals.
+  /// Returns the index in candidates() of the highest PdmScore::total, the first of equals; 0
+  /// before the first plan().
   std::size_t best() const { return best_; }
   /// Returns whether the last plan() applies the emergency brake instead of the best candidate.
   bool isEmergencyBraking() const { return is_emergency_braking_; }
@@ -42,6 +47,7 @@ class PdmClosed {
   const PdmPath& centerline() const { return centerline_; }
 
  private:
+  /// Returns the poses of the best proposal, or of the emergency brake if it fires.
   std::vector<Pose2> chosenPoses(PdmProposer& proposer, const BicycleState& start);
 
   PdmPath centerline_;

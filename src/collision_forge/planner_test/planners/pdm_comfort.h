@@ -19,17 +19,18 @@ Eigen::MatrixXd savitzkyGolay(int count, int window, int order, int derivative, 
 
 /// Signals that comfort is derived from; one value per state.
 struct EgoSignals {
-  std::vector<double> yaw;           ///< rad
-  std::vector<double> longitudinal;  ///< m/s2
-  std::vector<double> lateral;       ///< m/s2
+  std::vector<double> yaw;           ///< rad, in any turn; wrapped values are unwrapped
+  std::vector<double> longitudinal;  ///< m/s2, acceleration along the heading
+  std::vector<double> lateral;       ///< m/s2, acceleration to the left
 };
-/// Returns the signals of a simulated motion, with a lateral acceleration of 0.
+/// Returns the signals of a simulated motion, one value per state, with a lateral acceleration of
+/// 0, as published.
 EgoSignals signalsOf(const std::vector<BicycleState>& states);
 
-/// Smallest and largest value of a signal.
+/// Smallest and largest value of a signal, in its unit.
 struct SignalRange {
-  double low = 0.0;
-  double high = 0.0;
+  double low = 0.0;   ///< smallest
+  double high = 0.0;  ///< largest
 };
 /// Ranges of longitudinal acceleration, lateral acceleration (m/s2), jerk, longitudinal jerk
 /// (m/s3), yaw acceleration (rad/s2) and yaw rate (rad/s), in this order.
@@ -38,15 +39,18 @@ using ComfortRanges = std::array<SignalRange, 6>;
 /// Checks the comfort of motions as PDM-Closed does, on the filtered signals of nuPlan's metrics.
 class PdmComfort {
  public:
-  /// `states`: number of states of each motion, at least the size of a window; `step`: s between
+  /// `states`: number of states of each motion, at least `options.yaw_window`; `step`: s between
   /// them.
   PdmComfort(int states, double step, const PdmComfortOptions& options);
 
-  /// Filters the signals and returns the range of each derived signal.
+  /// Filters the signals (each with one value per state of the constructor) and returns the range
+  /// of each derived signal.
   ComfortRanges ranges(const EgoSignals& signals) const;
-  /// Returns for each range whether it is within the limits of the options.
+  /// Returns, for each range in the order of ComfortRanges, whether it lies strictly within the
+  /// limits of the options.
   std::array<bool, 6> keptLimits(const ComfortRanges& ranges) const;
-  /// Returns whether all six ranges of the motion are within the limits.
+  /// Returns whether all six ranges of the motion are within the limits. `states`: as many as in
+  /// the constructor.
   bool isComfortable(const std::vector<BicycleState>& states) const;
 
  private:

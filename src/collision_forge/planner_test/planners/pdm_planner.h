@@ -13,15 +13,24 @@ namespace forge {
 /// scored.
 class PdmPlanner : public Planner {
  public:
+  /// `route`: how the route's lanes are found. `bicycle`: car of the simulation; its wheelbase is
+  /// replaced by the task's. `lqr`: of the simulation's tracker.
   PdmPlanner(const PdmOptions& options, const RouteCenterlineOptions& route,
              const KinematicBicycleOptions& bicycle, const LqrOptions& lqr);
 
+  /// As Planner::initialize(). Throws std::invalid_argument for a task without lanes and for a
+  /// route without two distinct points.
   void initialize(const DrivingTask& task) override;
-  /// As Planner::plan(); the points have only time, pose and speed.
+  /// As Planner::plan(): `output_steps` + 1 points, `step` seconds apart, the first at the
+  /// observation's time. The points have only time, pose and speed; acceleration and curvature are
+  /// 0.
   std::vector<TrajectoryPoint> plan(const Observation& observation) override;
+  /// As Planner::proposals(): the simulated motions of all proposals in the order of
+  /// PdmClosed::candidates(), one pose every `step` seconds from the observation's time on; empty
+  /// before the first plan().
   std::vector<std::vector<Pose2>> proposals() const override;
 
-  /// Access to the last plan's details; empty before initialize().
+  /// Returns the details of the last plan; empty before initialize().
   const std::optional<PdmClosed>& closed() const { return closed_; }
 
  private:

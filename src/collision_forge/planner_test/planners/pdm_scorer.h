@@ -13,37 +13,46 @@ namespace forge {
 
 /// Score of a motion; every term and the total are in [0, 1], where 1 is good.
 struct PdmScore {
-  double collision =
-      1.0;  ///< 0 after an at-fault collision; static_collision_score with a static object
-  std::optional<double> collision_time;  ///< s from t0, of the first at-fault collision
-  double drivable_area = 0.0;            ///< 0 after leaving the drivable area
-  double driving_direction =
-      0.0;                ///< 1, wrong_way_score or 0 by the distance driven off the route's lanes
-  double driven = 0.0;    ///< m along the centreline, not negative
-  double progress = 0.0;  ///< share 0..1 of the best motion's; see PdmScorer::score()
-  double time_to_collision = 1.0;  ///< 0 after a state that is too close
-  std::optional<double> ttc_time;  ///< s from t0, of the first state that is too close
-  double comfort = 0.0;            ///< 1 if comfortable, else 0
-  double total = 0.0;  ///< product of the first three terms times the weighted mean of the others
+  /// 0 after an at-fault collision with an agent, PdmScoringOptions::static_collision_score with a
+  /// static object, else 1.
+  double collision = 1.0;
+  /// s from t0, of the first at-fault collision; empty if there is none.
+  std::optional<double> collision_time;
+  /// 1, or 0 if a corner of the box leaves the drivable area at any state.
+  double drivable_area = 0.0;
+  /// 1, wrong_way_score or 0 by the longest distance driven without a break off the route's lanes.
+  double driving_direction = 0.0;
+  double driven = 0.0;  ///< m along the centreline from the first to the last state, not negative;
+                        ///< not a term of the score
+  double progress = 0.0;           ///< share 0..1 of the best motion's; see PdmScorer::score()
+  double time_to_collision = 1.0;  ///< 0 if a state is too close to a collision, else 1
+  /// s from t0, of the first state that is too close; empty if there is none.
+  std::optional<double> ttc_time;
+  double comfort = 0.0;  ///< 1 if comfortable, else 0
+  /// Product of collision, drivable_area and driving_direction times the weighted mean of progress,
+  /// time_to_collision and comfort (weights of PdmScoringOptions).
+  double total = 0.0;
 };
 
 /// Everything that motions are scored against. All references must outlive the scorer.
 struct PdmSurroundings {
+  /// Other agents; must reach beyond the motions by the longest of ttc_times.
   const PdmForecast& forecast;
-  const PdmMap& map;
-  const PdmPath& centerline;
-  const PdmComfort& comfort;
+  const PdmMap& map;          ///< of the same frame
+  const PdmPath& centerline;  ///< of the route, for progress
+  const PdmComfort& comfort;  ///< for motions of as many states
 };
 
 /// Scores motions as PDM-Closed does (Dauner et al. 2023), one term at a time.
 class PdmScorer {
  public:
-  /// Keeps the references in `surroundings`.
+  /// Keeps the references in `surroundings`; copies `options`.
   PdmScorer(const PdmSurroundings& surroundings, const PdmScoringOptions& options);
 
-  /// Scores all terms of all motions. Progress is `driven` times the product of the first three
-  /// terms, as a share of the largest such value. If no value exceeds `options.min_progress`,
-  /// progress is 1, or 0 for motions whose product is 0.
+  /// Returns the score of each motion, in order. All motions have as many states as `comfort`
+  /// expects. Progress is `driven` times the product of collision, drivable_area and
+  /// driving_direction, as a share of the largest such value among `motions`. If no value exceeds
+  /// `options.min_progress`, progress is 1, or 0 for motions whose product is 0.
   std::vector<PdmScore> score(const std::vector<PdmMotion>& motions) const;
 
  private:
@@ -53,12 +62,16 @@ class PdmScorer {
   /// it while the ego is in several lanes or off the road; never if the ego stands or the agent is
   /// behind it. After a contact without fault, the agent is ignored.
   void scoreCollisions(const PdmMotion& motion, const Places& places, PdmScore& score) const;
+  /// Returns whether a contact with `agent` (index) at `step` is the ego's fault. `place`: of the
+  /// ego's box then.
   bool isAtFault(const PdmMotion& motion, const PdmPlace& place, std::size_t agent,
                  std::size_t step) const;
   /// Requires that the ego, driving straight at constant speed, hits no agent ahead of it within
   /// the TTC times; nor one beside it while it is in several lanes, off the road or in an
   /// intersection.
   void scoreTimeToCollision(const PdmMotion& motion, const Places& places, PdmScore& score) const;
+  /// Returns whether the state at `step` fails the test of scoreTimeToCollision(); marks agents in
+  /// `is_ignored` that it touches without failing.
   bool isTooClose(const PdmMotion& motion, const PdmPlace& place, std::size_t step,
                   std::vector<bool>& is_ignored) const;
   /// Scores the longest uninterrupted distance driven off the route's lanes.
@@ -71,7 +84,7 @@ class PdmScorer {
   PdmScoringOptions options_;
   double ahead_cosine_;
   double behind_cosine_;
-  std::vector<std::size_t> ttc_steps_;
+  std::vector<std::size_t> ttc_steps_;  ///< ttc_times as numbers of steps
 };
 
 }  // namespace forge

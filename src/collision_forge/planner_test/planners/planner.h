@@ -13,19 +13,23 @@ namespace forge {
 
 /// Input of Planner::initialize(): what stays the same throughout a rollout.
 struct DrivingTask {
-  std::shared_ptr<const LaneIndex> lanes;
+  std::shared_ptr<const LaneIndex> lanes;  ///< the map; not null in a rollout
   /// Path that the ego should follow (from its recording), m, global map frame; at least two
   /// distinct points.
   std::vector<Vector2> route;
-  EgoVehicle ego;
-  double wheelbase = 0.0;  ///< m
+  EgoVehicle ego;          ///< size of the ego's box and its place on the rear axle
+  double wheelbase = 0.0;  ///< m, of the ego, KinematicBicycleOptions::wheelbase
 };
 
 /// Input of Planner::plan(): the state of the scene at the time of the call, without future states.
 struct Observation {
-  TrajectoryPoint ego;        ///< current state, middle of the box, global map frame
-  std::vector<Track> agents;  ///< agents in sight, each with its past states, the newest last
-  std::vector<std::string> red_lanes = {};  ///< ids of the lanes whose traffic light is red
+  TrajectoryPoint ego;  ///< current state, middle of the box, global map frame; its time (s, scene
+                        ///< clock) is the time of the call
+  /// Agents in sight without the ego, each with its states of the last PlanningOptions::history
+  /// seconds, the newest last; global map frame.
+  std::vector<Track> agents;
+  /// Lane::id of the lanes whose traffic light is red now.
+  std::vector<std::string> red_lanes = {};
 };
 
 /// Thrown by a planner whose external process or node does not respond in time.
@@ -59,8 +63,10 @@ class Planner {
   /// The scene waits for the result, so a slow planner slows the test down but does not change it.
   virtual std::vector<TrajectoryPoint> plan(const Observation& observation) = 0;
 
-  /// Called after the rollout, for figures. Returns the motions that the last plan() chose from, as
-  /// poses of the middle of the ego's box; empty if the planner does not choose. Must not throw.
+  /// Called after plan(), for figures; for one trial after every plan(). Returns the motions that
+  /// the last plan() chose from, as poses of the middle of the ego's box in the global map frame,
+  /// from the time of that plan on; empty if the planner does not choose or before plan(). Must not
+  /// throw.
   virtual std::vector<std::vector<Pose2>> proposals() const { return {}; }
 };
 

@@ -8,29 +8,37 @@ namespace forge {
 // Input and output formats of a learned planner and of a learned traffic model, as
 // docs/learned_planner.md defines them. These numbers are fixed: model files depend on them.
 
-inline constexpr std::size_t kContractFrames = 5;   ///< past frames; the last is the current one
-inline constexpr double kContractFrameStep = 0.5;   ///< s between them
-inline constexpr std::size_t kContractAgents = 64;  ///< nearest first
-inline constexpr std::size_t kContractLanes = 64;   ///< nearest first
-inline constexpr std::size_t kContractLanePoints = 20;   ///< in driving direction
-inline constexpr double kContractLaneSpacing = 4.0;      ///< m between them
-inline constexpr double kContractLaneRadius = 60.0;      ///< m around the ego
-inline constexpr std::size_t kContractRoutePoints = 50;  ///< the first is beside the ego
-inline constexpr double kContractRouteSpacing = 2.0;     ///< m between them
-inline constexpr std::size_t kContractPoses = 80;        ///< poses of a plan
-inline constexpr double kContractPoseStep =
-    0.1;  ///< s between them; the first is one step after the call
-inline constexpr std::size_t kContractEgoNumbers = 6;  ///< x, y, yaw, speed, acceleration, is_known
-inline constexpr std::size_t kContractAgentNumbers =
-    8;                                                  ///< x, y, yaw, vx, vy, length, width, class
-inline constexpr std::size_t kContractLaneNumbers = 4;  ///< x, y, yaw, is_in_intersection
-inline constexpr std::size_t kContractPoseNumbers = 3;  ///< x, y, yaw
+inline constexpr std::size_t kContractFrames = 5;  ///< past frames; the last is the current one
+inline constexpr double kContractFrameStep = 0.5;  ///< s between them
+/// Greatest number of agents; nearest to the ego first.
+inline constexpr std::size_t kContractAgents = 64;
+/// Greatest number of lanes; nearest to the ego first.
+inline constexpr std::size_t kContractLanes = 64;
+/// Greatest number of points of a lane, in driving direction, around its point nearest to the ego.
+inline constexpr std::size_t kContractLanePoints = 20;
+inline constexpr double kContractLaneSpacing = 4.0;  ///< m between them
+/// m around the middle of the ego's box; lanes farther away are left out.
+inline constexpr double kContractLaneRadius = 60.0;
+/// Points ahead along the route; the first is beside the ego.
+inline constexpr std::size_t kContractRoutePoints = 50;
+inline constexpr double kContractRouteSpacing = 2.0;  ///< m between them
+inline constexpr std::size_t kContractPoses = 80;     ///< poses of a plan
+/// s between them; the first is one step after the call.
+inline constexpr double kContractPoseStep = 0.1;
+/// x, y, yaw, speed, acceleration, is_known (1, or 0 if the frame is before the first state).
+inline constexpr std::size_t kContractEgoNumbers = 6;
+/// x, y, yaw, vx, vy, length, width, class (0 vehicle, 1 two-wheeler, 2 pedestrian or animal, 3
+/// static object).
+inline constexpr std::size_t kContractAgentNumbers = 8;
+inline constexpr std::size_t kContractLaneNumbers = 4;  ///< x, y, yaw, is_in_intersection (1 or 0)
+inline constexpr std::size_t kContractPoseNumbers = 3;  ///< x, y, yaw of the middle of a box
 
 /// Shape of a tensor of 32-bit floats in row-major order.
 struct ContractTensor {
-  const char* name;                  ///< for messages
-  std::array<std::size_t, 3> sizes;  ///< elements per dimension
-  std::size_t dimensions;            ///< number of valid `sizes`
+  const char* name;  ///< of the input; for messages and to check the arguments of forward()
+  /// Elements per dimension, outermost first; 0 beyond `dimensions`.
+  std::array<std::size_t, 3> sizes;
+  std::size_t dimensions;  ///< number of valid `sizes`
 
   /// Returns the number of elements.
   constexpr std::size_t count() const {
@@ -43,7 +51,8 @@ struct ContractTensor {
 /// Index into kContractInputs.
 enum ContractInput { kEgoHistory, kAgents, kAgentsMask, kLanes, kLanesMask, kRoute };
 
-/// The arguments of forward(), in this order.
+/// The arguments of forward() of a planner, in this order. Masks have 1 where an entry is used,
+/// else 0.
 inline constexpr std::array<ContractTensor, 6> kContractInputs = {{
     {"ego_history", {kContractFrames, kContractEgoNumbers, 0}, 2},
     {"agents", {kContractAgents, kContractFrames, kContractAgentNumbers}, 3},
@@ -53,22 +62,23 @@ inline constexpr std::array<ContractTensor, 6> kContractInputs = {{
     {"route", {kContractRoutePoints, kContractPoseNumbers, 0}, 2},
 }};
 
-/// Returns the index of the first number of `input` in the concatenation of all inputs.
+/// Returns the index of the first number of `input` (a ContractInput) in the concatenation of all
+/// kContractInputs.
 constexpr std::size_t contractStart(std::size_t input) {
   std::size_t start = 0;
   for (std::size_t i = 0; i < input; ++i) start += kContractInputs[i].count();
   return start;
 }
 
-/// Number of values in all inputs together.
+/// Number of values in all kContractInputs together.
 inline constexpr std::size_t kContractNumbers = contractStart(kContractInputs.size());
 
-/// The return value of forward().
+/// The return value of forward() of a planner: poses of the ego in its current frame.
 inline constexpr ContractTensor kContractOutput = {
     "the output", {kContractPoses, kContractPoseNumbers, 0}, 2};
 
-/// The arguments of forward() of a traffic model: the first ones of a planner, and the time, s,
-/// from now to the poses of the output.
+/// The arguments of forward() of a traffic model: the first five of a planner, and "step", the time
+/// (s) from now to the poses of the output.
 inline constexpr std::array<ContractTensor, 6> kTrafficInputs = {{
     kContractInputs[kEgoHistory],
     kContractInputs[kAgents],
@@ -80,9 +90,9 @@ inline constexpr std::array<ContractTensor, 6> kTrafficInputs = {{
 
 /// Inputs and output of a model file.
 struct ModelContract {
-  const char* name;  ///< also an argument of the worker process
-  const std::array<ContractTensor, 6>& inputs;
-  ContractTensor output;
+  const char* name;  ///< "planner" or "traffic"; also an argument of the worker process
+  const std::array<ContractTensor, 6>& inputs;  ///< arguments of forward(), in order
+  ContractTensor output;                        ///< return value of forward()
 
   /// Returns the number of values in all inputs together.
   constexpr std::size_t numbers() const {
@@ -92,8 +102,10 @@ struct ModelContract {
   }
 };
 
+/// Contract of a learned planner.
 inline constexpr ModelContract kPlannerContract = {"planner", kContractInputs, kContractOutput};
-/// The output: the next pose of each agent of `agents`.
+/// Contract of a traffic model. The output: the next pose of each agent of `agents` in their order,
+/// in the ego's current frame.
 inline constexpr ModelContract kTrafficContract = {
     "traffic", kTrafficInputs, {"the output", {kContractAgents, kContractPoseNumbers, 0}, 2}};
 

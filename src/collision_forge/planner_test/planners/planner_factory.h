@@ -11,7 +11,8 @@ namespace forge {
 
 /// How often a planner is called and how the ego follows its plans.
 struct Driving {
-  double interval = 0.0;  ///< s between two calls; a multiple of the rollout's step
+  /// s of scene time between two calls of plan(); a multiple of RolloutOptions::step.
+  double interval = 0.0;
   /// True: the ego follows the plan exactly, without vehicle limits. False: the kinematic bicycle
   /// follows it.
   bool is_exact = false;
@@ -19,8 +20,8 @@ struct Driving {
 
 /// A planner with its driving settings.
 struct PlannerUnderTest {
-  std::unique_ptr<Planner> planner;
-  Driving driving;
+  std::unique_ptr<Planner> planner;  ///< not yet initialised; never null
+  Driving driving;                   ///< as the planner requires
 };
 
 /// Name of the learned planner, which is loaded from a file.
@@ -33,9 +34,10 @@ inline constexpr const char* kExternal = "external";
 /// "external", "torchscript".
 const std::vector<std::string>& plannerNames();
 
-/// Creates the planner `name` (one of plannerNames()). `attacker_id` is used only by idm_published,
-/// which knows the attacker. Throws std::invalid_argument for an unknown name, and PlannerFileError
-/// if a learned planner's file cannot be used.
+/// Creates the planner `name` (one of plannerNames()). `attacker_id`: Track::id of the attacker,
+/// used only by idm_published, which knows the attacker. Throws std::invalid_argument, listing the
+/// known names, for an unknown name, and PlannerFileError if a learned planner's file cannot be
+/// used. The process of "external" starts later, in initialize().
 PlannerUnderTest makePlanner(const std::string& name, const PlannerOptions& options,
                              const std::string& attacker_id);
 

@@ -9,11 +9,12 @@
 
 namespace forge {
 
-/// Returns the agents with a state, nearest to the ego first.
+/// Returns pointers to the elements of `agents` that have a state, sorted by the distance of their
+/// newest position to the ego's middle `ego`, nearest first; equally near ones keep their order.
 std::vector<const Track*> nearestAgents(const std::vector<Track>& agents, const Pose2& ego);
 
-/// Returns the numbers of the inputs that a learned planner and a traffic model share, the first
-/// five of kContractInputs; arguments as in PlannerInputs::at().
+/// Returns the concatenated numbers of the inputs that a learned planner and a traffic model share,
+/// the first five of kContractInputs; arguments as in PlannerInputs::at().
 std::vector<float> sharedInputs(const LaneIndex& lanes,
                                 const std::vector<TrajectoryPoint>& ego_history,
                                 const std::vector<Track>& agents);
@@ -26,12 +27,15 @@ class PlannerInputs {
   /// Throws std::invalid_argument for a task without lanes or without a route.
   PlannerInputs(const DrivingTask& task, const RouteCenterlineOptions& options);
 
-  /// Returns the concatenated numbers of all kContractInputs. `ego_history`: past states of the ego
-  /// at increasing times, the last is the current one.
+  /// Returns the concatenated numbers of all kContractInputs. `ego_history`: states of the ego
+  /// (middle of the box, global map frame) at increasing times, the last is the current one; must
+  /// not be empty. States between its points are interpolated; frames before the first are unknown.
+  /// `agents`: as Observation::agents.
   std::vector<float> at(const std::vector<TrajectoryPoint>& ego_history,
                         const std::vector<Track>& agents) const;
 
  private:
+  /// Writes the input "route" of an ego at `ego` to `route`, the place of its first number.
   void writeRoute(const Pose2& ego, float* route) const;
 
   std::shared_ptr<const LaneIndex> lanes_;

@@ -11,40 +11,46 @@
 /// same doubles. Metres, seconds, radians; global map frame; poses are the middle of a box.
 namespace forge {
 
-/// The first line of a process: {"ready": 1}, with the version of the protocol.
+/// Version of the protocol. The first line of a process announces it: {"ready": 1}.
 inline constexpr int kPlannerProtocol = 1;
 
-/// Returns the request that begins a rollout. Contains the map within 200 m of the route. The
-/// functions of this file return and read lines without a line end.
+/// Returns the request that begins a rollout. Contains the task with the map within 200 m of the
+/// route. `interval`: s of scene time between two plans. The functions of this file return and read
+/// lines without a line end.
 std::string beginLine(const DrivingTask& task, double interval);
-/// Returns the request for a plan.
+/// Returns the request for a plan, which contains the whole observation.
 std::string planLine(const Observation& observation);
 
-/// Returns the points in a response; none if it has no key "points". A response with the key
-/// "error" throws its text as PlannerTimeout if its "failure" is "timed_out", as LatePlan if it is
-/// "late", else as std::runtime_error. Throws JsonLineError for a line that is not a response.
+/// Returns the points in a response, acceleration and curvature 0 where they are missing; empty if
+/// the response has no key "points". A response with the key "error" throws its text as
+/// PlannerTimeout if its "failure" is "timed_out", as LatePlan if it is "late", else as
+/// std::runtime_error. Throws JsonLineError for a line that is not a response. Does not check times
+/// or numbers of the points.
 std::vector<TrajectoryPoint> readPlanResponse(const std::string& line);
 
-/// Throws JsonLineError if the first line of a process does not announce kPlannerProtocol.
+/// Throws JsonLineError if the first line of a process does not announce kPlannerProtocol,
+/// std::runtime_error with its text if the line has the key "error".
 void checkReadyLine(const std::string& line);
 
 /// A request as a planner's process reads it: the inverse of beginLine() and planLine().
 struct PlanRequest {
-  bool is_begin = false;    ///< beginLine(); else planLine()
-  DrivingTask task;         ///< with is_begin; its map is the part in the line
-  double interval = 0.0;    ///< s, with is_begin
-  Observation observation;  ///< else
+  bool is_begin = false;  ///< true: beginLine(), `task` and `interval` are set; false: planLine(),
+                          ///< `observation` is set
+  DrivingTask task;       ///< its map is the part in the line
+  double interval = 0.0;  ///< s of scene time between two plans
+  Observation observation;  ///< as given to planLine()
 };
-/// Returns the request in a line. Throws JsonLineError.
+/// Returns the request in a line. Throws JsonLineError for a line that is not a request.
 PlanRequest readPlanRequest(const std::string& line);
 
-/// Returns the response to planLine().
+/// Returns the response to planLine(): {"points": ...}, one row per point.
 std::string pointsLine(const std::vector<TrajectoryPoint>& points);
-/// Returns the response to beginLine().
+/// Returns the response to beginLine(): {}.
 std::string begunLine();
-/// Returns the response for an exception of a planner, with the "failure" of its type.
+/// Returns the response for an exception of a planner: its message as "error", and as "failure"
+/// "timed_out" for PlannerTimeout, "late" for LatePlan, no such key for other types.
 std::string errorLine(const std::exception& error);
-/// Returns the first line of a process.
+/// Returns the first line of a process, {"ready": VERSION}.
 std::string readyLine();
 
 }  // namespace forge

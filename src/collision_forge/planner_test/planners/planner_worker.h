@@ -13,11 +13,12 @@ namespace forge {
 /// Model file of a learned planner or of a traffic model: config/planners.yaml, section
 /// torchscript, where each number's source stands.
 struct TorchscriptFileOptions {
-  std::string file;            ///< path of the TorchScript file
-  std::string device;          ///< "cpu", "cuda" or "auto"
+  std::string file;            ///< path of the TorchScript file; empty: none
+  std::string device;          ///< "cpu", "cuda" or "auto" (CUDA if there is a device)
   double timeout = 0.0;        ///< s of the wall clock per call
   double start_timeout = 0.0;  ///< s of the wall clock to load libtorch and the file
-  const ModelContract* contract = &kPlannerContract;  ///< inputs and output of the file
+  /// Inputs and output of the file; not null, static.
+  const ModelContract* contract = &kPlannerContract;
 };
 
 /// Thrown if a model file cannot be used; the message names the file and the reason.
@@ -29,24 +30,31 @@ struct PlannerFileError : std::runtime_error {
 /// an endless loop in the file does not affect the caller. Not thread-safe.
 class PlannerWorker {
  public:
-  /// Starts the process, loads the file and runs it on test inputs. Throws PlannerFileError.
+  /// Starts the process, loads the file and runs it on test inputs (PlannerModule). Throws
+  /// PlannerFileError if no file is given, this build has no worker program, or the file cannot be
+  /// used.
   explicit PlannerWorker(const TorchscriptFileOptions& options);
 
   /// Starts a new rollout and resets the model's state. begin() and plan() throw
-  /// std::runtime_error for errors in the file and WorkerTimeout if it does not respond in time.
-  /// After either, isUsable() returns false.
+  /// std::runtime_error, naming the file, for errors in the file or of the process, and
+  /// WorkerTimeout if it does not respond in `options.timeout` seconds. After either, isUsable()
+  /// returns false.
   void begin();
-  /// Runs the file on the concatenated numbers of the contract's inputs; returns the numbers of its
-  /// output.
+  /// Runs the file on the concatenated numbers of the contract's inputs, `contract->numbers()`
+  /// many; returns the numbers of its output, row by row. begin() must have been called.
   std::vector<float> plan(const std::vector<float>& inputs);
 
   /// Returns false after begin() or plan() has thrown; such a worker must be replaced.
   bool isUsable() const { return is_usable_; }
-  /// workerKey() at load time.
+  /// Returns workerKey() as of the start of the worker.
   const std::string& key() const { return key_; }
 
  private:
+  /// Sends a request with its numbers and reads the reply into `answer`, whose size is the expected
+  /// count.
   void ask(char request, const std::vector<float>& numbers, std::vector<float>& answer);
+  /// Reads a reply with as many numbers as `numbers` has. Throws std::runtime_error for a failure
+  /// that the worker reports.
   void receiveAnswer(std::vector<float>& numbers);
 
   TorchscriptFileOptions options_;
@@ -55,7 +63,8 @@ class PlannerWorker {
   bool is_usable_ = true;
 };
 
-/// Returns a text that is equal for equal options and unchanged content of the file.
+/// Returns a text that is equal for equal options if the file was not written in between (time of
+/// its last change). Does not throw if the file is missing.
 std::string workerKey(const TorchscriptFileOptions& options);
 
 /// Reuses loaded files, because loading takes about a second.

@@ -9,13 +9,14 @@
 
 namespace forge {
 
-/// Returns true for the id of a track that stands for a red light.
+/// Returns true for the Track::id of an object of withRedLights().
 bool isRedLight(const std::string& agent_id);
 
 /// Returns the agents of an observation and, as nuPlan's planners see a red light, a standing
-/// static object behind the stop line of each lane in `route` (indices, in driving order) whose
-/// light is red. nuPlan takes the whole lane connector; here it is its first metre, so that a light
-/// does not stop an ego that has passed it. Leaves out lights that the front of the ego's box (size
+/// static object behind the stop line (start) of each lane in `route` whose light is red. `route`:
+/// indices in lanes.map().lanes, in driving order. The object has one state at the observation's
+/// time. nuPlan takes the whole lane connector; here it is its first metre, so that a light does
+/// not stop an ego that has passed it. Leaves out lights that the front of the ego's box (size
 /// `ego`, m) has passed.
 std::vector<Track> withRedLights(const Observation& observation, const BoxSize& ego,
                                  const LaneIndex& lanes, const std::vector<std::size_t>& route);

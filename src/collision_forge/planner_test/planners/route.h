@@ -9,11 +9,13 @@ namespace forge {
 
 /// Options of routeOf().
 struct RouteOptions {
-  double spacing = 1.0;             ///< m between the route's points, at least
-  double length_ahead = 100.0;      ///< m along lanes after the recording: 8 s at 12.5 m/s
-  double join_distance = 5.0;       ///< m from the recording's end to where it joins these lanes
-  double end_lane_distance = 3.0;   ///< m from the recording's last pose to a lane, at most
-  double end_lane_heading = 0.785;  ///< rad (45 degrees) between that pose and the lane, at most
+  double spacing = 1.0;         ///< m between two recorded positions of the route, at least
+  double length_ahead = 100.0;  ///< m of route along lanes after the recording: 8 s at 12.5 m/s
+  /// m ahead of the recording's last pose at which the route joins these lanes.
+  double join_distance = 5.0;
+  double end_lane_distance = 3.0;  ///< m from the recording's last pose to a lane, at most
+  /// rad (45 degrees) between that pose and the lane's direction, at most.
+  double end_lane_heading = 0.785;
 };
 
 /// Returns the path that a recorded ego should follow (m, global map frame): its recorded positions

@@ -11,12 +11,15 @@ namespace forge {
 
 /// The road along a route in the form of nuPlan's maps, derived from a map of lanes.
 struct RouteRoad {
-  std::vector<Pose2> nodes;  ///< of the smooth routeCenterline(), about 1 m apart
-  PdmMap map;                ///< `lanes` of roadAlong() must outlive it
+  std::vector<Pose2> nodes;  ///< of the smoothed routeCenterline(), in driving order, about 1 m
+                             ///< apart; global map frame
+  PdmMap map;  ///< lanes within PdmMapOptions::radius of the nodes; the `lanes` of roadAlong() must
+               ///< outlive it
 };
 
-/// Builds the road along `route` (m, global map frame). Throws std::invalid_argument for a route
-/// without two distinct points.
+/// Builds the road along `route` (m, global map frame). `centerline`: how its lanes are found;
+/// `options`: how roads are derived from lanes. Throws std::invalid_argument for a route without
+/// two distinct points.
 RouteRoad roadAlong(const LaneIndex& lanes, const std::vector<Vector2>& route,
                     const RouteCenterlineOptions& centerline, const PdmMapOptions& options);
 

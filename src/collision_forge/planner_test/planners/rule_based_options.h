@@ -6,7 +6,7 @@ namespace forge {
 
 /// Choice among the ego's candidate paths.
 enum class EgoWay {
-  kFirst,       ///< the first of the nearest lane
+  kFirst,       ///< the first path from the nearest lane, matchedEdges()
   kAlongRoute,  ///< the path that stays nearest to its route
 };
 
@@ -15,19 +15,23 @@ enum class EgoWay {
 /// key are those in STRIVE's published implementation (Rempe et al. 2022, arXiv 2112.05077);
 /// "measured" ones were derived from its outputs (test/parity/rule_based_parity_test.cpp).
 struct RuleBasedOptions {
-  double max_speed = 0.0;             ///< m/s
-  double max_acceleration = 0.0;      ///< m/s2, also of braking
-  double distance_weight = 0.0;       ///< 1/m, weight of a gap at t0
+  double max_speed = 0.0;  ///< m/s, of the ego
+  /// m/s2, also of braking; of the ego, and of other agents times a share.
+  double max_acceleration = 0.0;
+  double distance_weight = 0.0;       ///< 1/m, weight of a gap at t0 in collisionProbability()
   double distance_weight_rate = 0.0;  ///< 1/m, increase of the weight per step
-  double step = 0.2;      ///< s, also between two calls: STRIVE executes one step, then replans
-  int steps = 25;         ///< 5 s; the first 12 lead to a middle speed, the others to an end speed
-  int middle_speeds = 5;  ///< number of middle speeds, even over the reachable allowed range ...
-  int end_speeds = 5;     ///< ... and of end speeds for each middle speed
-  double interaction_radius = 0.0;          ///< m between middles; farther agents are ignored
-  std::vector<double> speed_shares;         ///< share 0..1 of another agent's speed
-  std::vector<double> acceleration_shares;  ///< share 0..1 of max_acceleration
-  double on_lane_distance = 2.0;            ///< m from a vehicle to its lane, at most
-  double on_lane_heading = 0.349066;        ///< rad (20 degrees) between both, at most
+  double step = 0.2;  ///< s, also between two calls: STRIVE executes one step, then replans
+  int steps = 25;     ///< 5 s; the first 12 lead to a middle speed, the others to an end speed
+  /// Number of middle speeds, evenly spread over the reachable and allowed range.
+  int middle_speeds = 5;
+  int end_speeds = 5;               ///< number of end speeds for each middle speed, likewise
+  double interaction_radius = 0.0;  ///< m between middles; farther agents are ignored
+  /// Predicted target speeds of another agent, as shares of its speed.
+  std::vector<double> speed_shares;
+  /// Its predicted accelerations, as shares of max_acceleration.
+  std::vector<double> acceleration_shares;
+  double on_lane_distance = 2.0;  ///< m from a vehicle's middle to its lane's centreline, at most
+  double on_lane_heading = 0.349066;  ///< rad (20 degrees) between the directions of both, at most
   /// Largest number of paths over the branches ahead of and behind an edge. Added here: the
   /// published implementation has no limit, and few places have as many.
   int max_paths = 100;
@@ -37,8 +41,8 @@ struct RuleBasedOptions {
   double bend_length = 3.5;  ///< m over which the bend of a path towards the vehicle decays to 1/e
   double sample_spacing = 0.4;   ///< m of lane between the knots of a path, approximately
   double node_spacing = 1.0;     ///< m of lane between nodes of the graph, at most
-  double max_probability = 0.0;  ///< 0..1, of a collision; a motion is safe below it
-  EgoWay ego_way = EgoWay::kFirst;
+  double max_probability = 0.0;  ///< 0..1, of a collision at any step; a profile is safe below it
+  EgoWay ego_way = EgoWay::kFirst;  ///< which candidate path the ego takes
 };
 
 }  // namespace forge

@@ -18,8 +18,14 @@ class RuleBasedPlanner : public Planner {
  public:
   explicit RuleBasedPlanner(const RuleBasedOptions& options) : options_(options) {}
 
+  /// As Planner::initialize(). Throws std::invalid_argument for a task without lanes and for a
+  /// route without two distinct points.
   void initialize(const DrivingTask& task) override;
+  /// As Planner::plan(): `steps` + 1 points, `step` seconds apart, the first at the observation's
+  /// time.
   std::vector<TrajectoryPoint> plan(const Observation& observation) override;
+  /// As Planner::proposals(): one pose per step for each profile of choice(); empty before the
+  /// first plan().
   std::vector<std::vector<Pose2>> proposals() const override;
 
   /// Returns the speed profiles of the last plan() and the chosen one. Throws

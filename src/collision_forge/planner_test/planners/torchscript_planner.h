@@ -12,7 +12,7 @@ namespace forge {
 
 /// Options of TorchscriptPlanner: config/planners.yaml, section torchscript.
 struct TorchscriptOptions : TorchscriptFileOptions {
-  double interval = 0.0;  ///< s between two calls
+  double interval = 0.0;  ///< s of scene time between two calls of plan()
   /// Worker pool, shared by all planners that are created from copies of these options.
   std::shared_ptr<PlannerWorkers> workers = std::make_shared<PlannerWorkers>();
 };
@@ -21,14 +21,23 @@ struct TorchscriptOptions : TorchscriptFileOptions {
 /// docs/learned_planner.md defines.
 class TorchscriptPlanner : public Planner {
  public:
-  /// Takes a worker that has loaded and tested the file. Throws PlannerFileError.
+  /// Takes a worker of `options.workers` that has loaded and tested the file, or starts one;
+  /// `options.contract` must be &kPlannerContract. `route`: how the centreline of the route is
+  /// found. Throws PlannerFileError.
   TorchscriptPlanner(const TorchscriptOptions& options, const RouteCenterlineOptions& route);
+  /// Returns the worker to the pool.
   ~TorchscriptPlanner() override;
 
+  /// As Planner::initialize(); resets the model's state. Throws as PlannerInputs, PlannerTimeout if
+  /// the worker does not respond, and std::runtime_error for a failure of the file.
   void initialize(const DrivingTask& task) override;
+  /// As Planner::plan(): the observation's ego and kContractPoses points, kContractPoseStep seconds
+  /// apart; speeds, accelerations and curvatures are derived from the poses. Throws PlannerTimeout
+  /// if the worker does not respond and std::runtime_error for a failure of the file.
   std::vector<TrajectoryPoint> plan(const Observation& observation) override;
 
  private:
+  /// Appends the state to history_ and drops states that no input needs.
   void remember(const TrajectoryPoint& ego);
 
   TorchscriptOptions options_;

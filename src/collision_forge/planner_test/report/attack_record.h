@@ -14,21 +14,25 @@ namespace forge {
 
 /// Post-crash motion of the ego and the touched vehicle, as the page shows it.
 struct ShownCrash {
-  PostCrashMotion motion;
-  double seconds_after_stand = 0.0;  ///< s shown after both have stopped
-  std::optional<Track> other = {};   ///< the touched vehicle's motion; empty for the attacker
+  PostCrashMotion motion;            ///< of the ego and, as attackerAt(), of the touched vehicle
+  double seconds_after_stand = 0.0;  ///< s of motion shown after both vehicles have stopped
+  std::optional<Track> other = {};   ///< motion before contact of a touched vehicle other than the
+                                     ///< attacker; empty if the attacker was touched
+  /// secondaryContacts(): later contacts of either vehicle with other agents.
   std::vector<SecondaryContact> secondary_contacts = {};
 };
 
 /// Result of an attack replayed against the recorded ego.
 struct RecordedOutcome {
-  CollisionReport report;                ///< of verify()
-  std::optional<ShownCrash> crash = {};  ///< set if there is a contact
+  CollisionReport report;  ///< of verify() against the recorded future
+  /// nullopt if the attacker does not touch the recorded ego.
+  std::optional<ShownCrash> crash = {};
 };
 
-/// Returns the page's record of an attack (JSON): everything beyond its row. `attack` is the
-/// scenario's attack or one of its alternatives; `recorded` is empty if the recording is not
-/// available.
+/// Returns the page's record of an attack as one line of JSON: everything beyond its ReportRow,
+/// with times relative to t0. `attack` must be a reference to `scenario.answer` or to one of its
+/// alternatives, because only the former shows `scenario.plans`. `recorded`: nullopt if the
+/// recording is not available.
 std::string attackRecord(const Scenario& scenario, const Attack& attack,
                          const std::optional<RecordedOutcome>& recorded,
                          const VerificationOptions& options);
@@ -36,17 +40,20 @@ std::string attackRecord(const Scenario& scenario, const Attack& attack,
 /// A figure of a test and the page's link to it.
 struct PictureLink {
   std::string name;  ///< shown to the user
-  std::string link;  ///< URL relative to the page
+  std::string link;  ///< percent-encoded URL relative to the page, linkTo()
 };
 
-/// Data of a planner's test beyond its results.
+/// Data that the page shows of a planner's test beyond its results.
 struct ShownTest {
-  bool has_attack = false;               ///< the page contains the attack, so motions can be shown
-  std::optional<ShownCrash> crash = {};  ///< set if there is a contact
-  std::vector<PictureLink> pictures = {};
+  /// The page contains the tested attack, so the motions of the test are shown.
+  bool has_attack = false;
+  /// Motion after the ego's contact; nullopt without a contact, or if motions are missing.
+  std::optional<ShownCrash> crash = {};
+  std::vector<PictureLink> pictures = {};  ///< figures of the test, picturesBeside()
 };
 
-/// Returns the page's record of one planner in one case, as JSON.
+/// Returns the page's record of one planner in one case as one line of JSON: all fields of `row`,
+/// the avoidability of the case, and the data in `shown`. `row`: an element of `result.rows`.
 std::string plannerRecord(const PlannerTestResult& result, const PlannerRow& row,
                           const ShownTest& shown);
 

@@ -9,18 +9,19 @@
 /// previous one, which compresses well.
 namespace forge {
 
-/// Returns the values as multiples of `unit`, rounded: the first one, then the difference of each
-/// to the one before.
+/// Returns the values as multiples of `unit`, rounded to integers: the first one, then the
+/// difference of each to the one before. Empty for no values.
 std::vector<double> differences(const std::vector<double>& values, double unit);
 
-/// Writes "x" and "y" into the open object: cm.
+/// Writes the lists "x" and "y", in cm, into the open object. `places`: m.
 void writePlaces(JsonLineWriter& writer, const std::vector<Vector2>& places);
 
-/// Writes an object: "t" in ms from `origin` (s), "x" and "y" in cm, "yaw" in mrad.
+/// Writes an object named `key` into the open object, with the lists "t" (ms from `origin`), "x"
+/// and "y" (cm) and "yaw" (mrad), one element per state. `origin`: s, on the clock of the states.
 void writeStates(JsonLineWriter& writer, const char* key, const std::vector<AgentState>& states,
                  double origin);
 
-/// As writeStates(), with "v" in cm/s and "a" in cm/s2, both along the heading.
+/// As writeStates(), plus the lists "v" (cm/s) and "a" (cm/s2), both along the heading.
 void writeTrajectory(JsonLineWriter& writer, const char* key,
                      const std::vector<TrajectoryPoint>& points, double origin);
 

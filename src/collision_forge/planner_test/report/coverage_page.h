@@ -11,36 +11,42 @@
 
 namespace forge {
 
-/// Numbers of a planner's tests in the attacks of one cell.
+/// Numbers of one planner's tests of the attacks of one cell.
 struct PlannerCoverage {
-  std::size_t hit = 0;        ///< the attacker hit the planner's ego
-  std::size_t avoidable = 0;  ///< part of `hit`: an evasive manoeuvre was known
-  std::size_t passed = 0;     ///< tested without such a hit
+  std::size_t hit = 0;  ///< rollouts in which the attacker hit the planner's ego
+  /// Part of `hit`: an evasive manoeuvre was found (PlannerRow::evasion).
+  std::size_t avoidable = 0;
+  /// All other rollouts, including failures of the planner and contacts with other agents.
+  std::size_t passed = 0;
 };
 
 /// Results of the requests that were made from one cell of a catalogue.
 struct CellCoverage {
-  std::size_t requests = 0;
-  std::size_t possible = 0;                         ///< requests that the road allows
-  std::size_t generated = 0;                        ///< requests with an attack
-  std::map<std::string, std::size_t> reasons;       ///< rejections by StatusCode
-  std::map<std::string, PlannerCoverage> planners;  ///< by rowName()
+  std::size_t requests = 0;  ///< number of requests
+  /// Requests that the road allows: without StatusCode::kRoadDoesNotAllow.
+  std::size_t possible = 0;
+  std::size_t generated = 0;  ///< requests with an attack, StatusCode::kOk
+  /// Number of rejected requests by the name of their StatusCode.
+  std::map<std::string, std::size_t> reasons;
+  std::map<std::string, PlannerCoverage> planners;  ///< by rowName(); only tested planners
 };
 
 /// Counts the results of scenario files and planner tests by the cells of catalogues.
 class Coverage {
  public:
-  /// Adds a scenario; ignores a request that was not made from a catalogue. `name`: its case name.
+  /// Counts a request of a scenario file; ignores a request that was not made from a catalogue.
+  /// `name`: the case name of the scenario in planner tests, FILE:LINE.
   void add(const Scenario& scenario, const std::string& name);
-  /// Adds a test of the scenario with the result's case name; ignores an unknown one.
+  /// Counts a test whose case name was added with a scenario before; ignores other tests and
+  /// untested cases.
   void add(const PlannerTestResult& result);
 
   /// Returns true if no request was made from a catalogue.
   bool empty() const { return cells_.empty(); }
 
-  /// Returns an HTML page: the entries and cells of each catalogue that has a request, with their
-  /// counts; cells without a request or attack, and entries that cannot be requested, with the
-  /// reason.
+  /// Returns an HTML page: each catalogue with a request, its entries of `catalogue` in their
+  /// order, and their cells with the counts. Names the reason for rejections, marks cells without a
+  /// request, and gives the reason for entries that cannot be requested.
   std::string page(const std::vector<CatalogueEntry>& catalogue) const;
 
  private:

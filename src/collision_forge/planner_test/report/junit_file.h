@@ -7,9 +7,11 @@
 
 namespace forge {
 
-/// Returns the results as JUnit XML, which CI systems show: one test suite per row name with a test
-/// case per tested case, which fails by failedBy(), and a test case per verdict of the row. Cases
-/// that could not be tested are skipped.
+/// Returns the results as JUnit XML, which CI systems show. Each name of `rows` (rowName()) is a
+/// test suite, in the order of `rows`. A suite has:
+/// - a test case per result: skipped if the case could not be tested, failed if failedBy() names a
+/// criterion of `criteria`; its time is RolloutOutcome::duration, s;
+/// - a test case "fails if CRITERION" per verdict of the row (judge()), failed if the verdict is.
 std::string junitText(const std::vector<PlannerTestResult>& results,
                       const std::vector<Criterion>& criteria,
                       const std::vector<CriterionVerdict>& verdicts,

@@ -7,8 +7,9 @@
 
 namespace forge {
 
-/// Returns the part of an open ring inside the box (Sutherland-Hodgman); separate parts are joined
-/// along the box's border. Empty if nothing is inside.
+/// Returns the part of a ring inside the box (Sutherland-Hodgman), as a ring; separate parts are
+/// joined along the box's border. Rings are open: the first point is not repeated at the end. Empty
+/// if no part is inside.
 std::vector<Vector2> clippedRing(std::vector<Vector2> ring, const Eigen::AlignedBox2d& box);
 
 }  // namespace forge

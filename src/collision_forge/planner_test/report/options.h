@@ -11,7 +11,8 @@ struct ReportOptions {
   double map_tolerance = 0.15;  ///< m, largest deviation of simplified map outlines
 };
 
-/// Throws ConfigError.
+/// Reads report.yaml, whose keys are the members without a value here. Throws ConfigError for a
+/// missing or malformed key.
 void readOptions(Section& section, ReportOptions& options);
 
 }  // namespace forge

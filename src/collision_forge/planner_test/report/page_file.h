@@ -11,18 +11,21 @@ namespace forge {
 /// demand, and an index that it reads first.
 class PageFile {
  public:
-  /// Starts the page. Throws as AsideFile.
+  /// Writes the start of the page to an AsideFile for `path`. Throws as AsideFile.
   explicit PageFile(const std::string& path);
 
-  /// Adds a record and returns its index, from 0 on.
+  /// Appends a record, any text (usually JSON), in compressed form (deflatedText()). Returns its
+  /// index in the page, from 0 on. Throws as deflatedText().
   std::size_t add(const std::string& record);
 
-  /// Writes the index and the end of the page. Throws as AsideFile::commit().
+  /// Writes `index` (JSON, compressed) and the end of the page, and puts the file in its place.
+  /// Must be the last call. Throws as AsideFile::commit() and deflatedText(). Without commit() the
+  /// page does not appear.
   void commit(const std::string& index);
 
  private:
   AsideFile file_;
-  std::size_t count_ = 0;
+  std::size_t count_ = 0;  ///< number of records
 };
 
 }  // namespace forge

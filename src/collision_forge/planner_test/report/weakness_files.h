@@ -9,15 +9,16 @@ namespace forge {
 
 /// A line of witnesses.jsonl of forge test --until-hit: the hardest hit of a weakness.
 struct WitnessedHit {
-  std::string name;  ///< of the case
+  std::string name;  ///< PlannerTestResult::name of the case
   std::string row;   ///< rowName() of the planner
 };
 
-/// Reads witnesses.jsonl of a folder in order; empty if the file does not exist. Throws
-/// JsonLineError naming file and line, InputError as readInputLine().
+/// Returns the lines of FOLDER/witnesses.jsonl in order; empty if the file does not exist or cannot
+/// be opened. Throws JsonLineError naming file and line, InputError as readInputLine().
 std::vector<WitnessedHit> readWitnessedHits(const std::string& folder, const InputLimits& limits);
 
-/// Returns the case names of the lines of weaknesses.jsonl in that folder, in order.
+/// Returns the distinct case names of readWitnessedHits(), in the order of first appearance.
+/// Element i is the case of line i + 1 of FOLDER/weaknesses.jsonl. Throws as readWitnessedHits().
 std::vector<std::string> weaknessCases(const std::string& folder, const InputLimits& limits);
 
 }  // namespace forge

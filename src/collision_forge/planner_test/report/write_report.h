@@ -14,25 +14,31 @@ namespace forge {
 
 /// Input files of a report page.
 struct ReportInputs {
-  std::vector<std::string> files;  ///< of the kinds in ReportFileKind
-  LogSource logs;                  ///< recordings of these files; no path: none
+  std::vector<std::string> files;  ///< paths of files of the kinds in ReportFileKind, in any order
+  /// Recordings from which the scenario files were made; an empty `logs.path`: none.
+  LogSource logs;
 };
 
 /// Settings of a report page. References must outlive writeReportPage().
 struct ReportSettings {
-  const ReportOptions& report;
-  const DrawingOptions& drawing;
-  const AnswerOptions& options;
-  double seconds_after_stand =
-      0.0;  ///< s that a crash is shown after both vehicles stop (AttackedBagOptions)
-  std::vector<CatalogueEntry> catalogue = {};  ///< rows of the page of coverage
+  const ReportOptions& report;    ///< extent of the shown scenes
+  const DrawingOptions& drawing;  ///< colours
+  const AnswerOptions& options;   ///< limits of inputs, crash definition, verification and severity
+  /// s that a crash is shown after both vehicles have stopped (AttackedBagOptions).
+  double seconds_after_stand = 0.0;
+  /// Entries of all catalogues, the rows of the page of coverage.
+  std::vector<CatalogueEntry> catalogue = {};
 };
 
-/// Writes FOLDER/index.html, a page of all results in the files, with progress on stderr. With
-/// recordings it also shows map and traffic and replays attacks against the recorded ego. Motions
-/// of planner tests are shown if their scenario file is among the inputs. Requests that were
-/// made from a catalogue add FOLDER/coverage.html, a page of its cells. Returns the number of table
-/// rows. Throws std::runtime_error and the errors of the readers, naming file and line.
+/// Writes FOLDER/index.html, a page of all results in the files, with progress on stderr; creates
+/// the folder. Returns the number of rows in its table. Throws std::runtime_error and the errors of
+/// the readers, naming file and line; also if recordings are given and lack the scene of a
+/// scenario.
+/// - With recordings, the page also shows map and traffic, and attacks are replayed against the
+/// recorded ego.
+/// - Motions of planner tests are shown if their scenario file is among the inputs.
+/// - If requests were made from a catalogue, writes FOLDER/coverage.html, too: a page of its cells
+/// (Coverage).
 std::size_t writeReportPage(const ReportInputs& inputs, const std::string& folder,
                             const ReportSettings& settings);
 

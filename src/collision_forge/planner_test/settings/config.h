@@ -19,24 +19,24 @@ namespace forge {
 /// The configuration in config/, without config/study/, whose options StudyConfig adds. Each module
 /// gets its part.
 struct Config : AnswerOptions {
-  EncodingOptions encoding;
-  LidarOptions lidar;
-  LiveOptions live;
-  AttackedBagOptions attacked_bag;
-  DrawingOptions drawing;
-  RequestListOptions requests;
-  TrialOptions planners;
-  ReportOptions report;
-  ExportOptions exports;
+  EncodingOptions encoding;         ///< encoding.yaml
+  LidarOptions lidar;               ///< lidar.yaml
+  LiveOptions live;                 ///< live.yaml
+  AttackedBagOptions attacked_bag;  ///< attacked_bag.yaml
+  DrawingOptions drawing;           ///< drawing.yaml
+  RequestListOptions requests;      ///< requests.yaml
+  TrialOptions planners;            ///< planners.yaml, with the ego's limits of vehicle_limits.yaml
+  ReportOptions report;             ///< report.yaml
+  ExportOptions exports;            ///< export.yaml
 };
 
-/// Reads the product's files in config/. If `non_commercial_weights` is false, the paths of weights
-/// with a non-commercial licence are empty. Throws ConfigError for a missing, unknown or malformed
-/// key, and for an unknown file in an overlay.
+/// Reads the product's files in config/. If the key non_commercial_weights is false, the paths of
+/// weights with a non-commercial licence are empty. Throws ConfigError for a missing, unknown,
+/// malformed or out-of-range value, and for an unknown file in an overlay.
 Config loadConfig(const ConfigFolder& folder);
 
-/// Returns a sentence for users: whether weights with a non-commercial licence are in use, their
-/// names, and the key that disables them.
+/// Returns a sentence for users: whether weights with a non-commercial licence (CC BY-NC-SA 4.0)
+/// are in use, their file names, and the key that disables them.
 std::string describeWeights(const Config& config);
 
 }  // namespace forge

@@ -9,28 +9,31 @@
 namespace forge {
 
 /// Returns the fingerprints of everything in a configuration that results depend on, to check
-/// whether a run may be resumed: the values of every product file ("config/NAME") and the models
-/// that it names ("speed_model", "pattern_network"). Excludes the files for bags with attacks,
-/// drawing, pages, exports, request lists, live scenes, encoding and tuning. Throws
-/// std::runtime_error if a file cannot be read.
+/// whether a run may be resumed, by name: the values of the product files ("config/NAME.yaml") and
+/// the models that they name ("speed_model", "pattern_network"; left out if none is named).
+/// Excludes the files attacked_bag, drawing, encoding, export, lidar, live, phrases, report,
+/// requests, topics_* and tuning. Throws std::runtime_error if a file cannot be read.
 std::map<std::string, std::string> fingerprintsOf(const Config& config, const ConfigFolder& folder);
 
-/// Returns only the fingerprints of files in config/, for training, which needs no model.
+/// Returns only the fingerprints of the files in config/, as fingerprintsOf(), for training, which
+/// needs no model.
 std::map<std::string, std::string> configFingerprints(const ConfigFolder& folder);
 
-/// Returns one fingerprint() of all fingerprintsOf().
+/// Returns one fingerprint() of all names and texts of fingerprintsOf(). Throws as
+/// fingerprintsOf().
 std::string fingerprintOfAll(const Config& config, const ConfigFolder& folder);
 
-/// Returns the fingerprint() of a configuration file's values as text: an overlay changes it,
-/// comments and layout do not.
+/// Returns "fingerprint HEX" of the values of a file ("NAME.yaml") of the configuration: an overlay
+/// changes it, comments and layout do not.
 std::string fingerprintOfValues(const ConfigFolder& folder, const std::string& file);
 
-/// Returns the fingerprint() of a file's bytes as text. Throws std::runtime_error if it cannot be
+/// Returns "fingerprint HEX" of a file's bytes. Throws std::runtime_error if the file cannot be
 /// read.
 std::string fingerprintOfFile(const std::string& path);
 
-/// Adds the fingerprints of a model's weights under its name; weights of folds as "NAME fold 1" and
-/// so on.
+/// Adds fingerprintOfFile() of each of `paths`, the weights of one model, to `found`: the first
+/// under the name `model`, the further ones, networks of folds, as "MODEL fold 1" and so on. Throws
+/// std::runtime_error if a file cannot be read.
 void addWeights(const std::string& model, const std::vector<std::string>& paths,
                 std::map<std::string, std::string>& found);
 

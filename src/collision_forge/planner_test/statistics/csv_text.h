@@ -5,8 +5,8 @@
 
 namespace forge {
 
-/// Returns the text as a field of an unquoted CSV file: replaces commas by semicolons and line ends
-/// by spaces.
+/// Returns the text as a field of an unquoted CSV file: replaces each comma by a semicolon and each
+/// line feed or carriage return by a space. Double quotes stay.
 inline std::string csvText(std::string text) {
   std::replace(text.begin(), text.end(), ',', ';');
   std::replace_if(

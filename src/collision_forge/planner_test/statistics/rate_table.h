@@ -10,27 +10,32 @@
 
 namespace forge {
 
-/// A criterion that an attack meets or not, or a value of the attack. Tables show its rate, or its
-/// mean.
+/// A criterion that an attack or a rollout meets or not, or a value of it. Tables show the rate of
+/// the criterion, or the mean of the value.
 struct Measure {
-  std::string name;   ///< column name in results.csv
-  std::string title;  ///< shown above the table
-  std::optional<std::size_t>
-      given;  ///< index of another measure; the rate is among rows that meet it; empty: all rows
+  std::string name;   ///< short name, a column of results.csv or of a CSV of toCsv()
+  std::string title;  ///< for people, without the unit; shown above the table
+  /// Index of another measure in the caller's list of measures: only rows that meet that measure
+  /// are trials; empty: all rows. The functions of this file ignore it.
+  std::optional<std::size_t> given;
 };
 
-/// Rates of one measure: one row per method, one column per group (groupTrials()).
+/// Rates of one measure: one row per method (or planner, or other subject), one column per group of
+/// trials (groupTrials()).
 struct RateTable {
-  Measure measure;
+  Measure measure;                       ///< of all rates
   std::vector<std::string> methods;      ///< titles of the rows
   std::vector<std::string> groups;       ///< titles of the columns
-  std::vector<std::vector<Rate>> rates;  ///< by method, then by group
+  std::vector<std::vector<Rate>> rates;  ///< rates[i][k]: of methods[i] and groups[k]
 };
 
-/// Trials of a table: one element per row, in order, with its method.
+/// Trials of a table: one element per row, in the order of the rows: the row's title and its
+/// trials.
 using MethodTrials = std::vector<std::pair<std::string, std::vector<Trial>>>;
 
-/// Computes the rates with intervals (pooledRate()) for each method and group.
+/// Groups the trials of each row with groupTrials() and returns the pooledRate() of each group. The
+/// columns are the groups of the last row, so all rows should have trials of the same types outside
+/// kCollisionTypes. Without rows, the table has neither rows nor columns.
 RateTable tabulateTrials(const Measure& measure, const MethodTrials& trials);
 
 /// Unit in which a table shows its values.
@@ -39,23 +44,27 @@ struct TableUnit {
   double scale = 100.0;    ///< factor from the value to the shown number
 };
 
-/// Returns e.g. "81.2 [78, 84]", "81.2" without an interval, "-" without trials.
+/// Returns the rate times `scale` with one decimal and its interval, e.g. "81.2 [78, 84]"; "81.2"
+/// without an interval, "-" without trials.
 std::string toText(const Rate& rate, double scale);
 
-/// Returns the ends of the interval as CSV, e.g. "0.7760,0.8440"; "," without an interval.
+/// Returns the ends of the interval as two CSV fields, unscaled with four decimals, e.g.
+/// "0.7760,0.8440"; "," without an interval.
 std::string intervalCsv(const Rate& rate);
 
-/// Returns the table as Markdown: title, cells of toText() in the unit, and a last row with the
-/// number of trials (per method if they differ).
+/// Returns the table as Markdown: a line "TITLE, UNIT", cells of toText() in the unit, and a last
+/// row "of" with the number of trials (one such row per method if the numbers differ). The table
+/// must have at least one method.
 std::string toMarkdown(const RateTable& table, const TableUnit& unit = {});
 
 /// Returns "measure,method,group,trials,value,low,high", without a line end.
 std::string rateCsvHeader();
-/// Returns one line per method and group, each with a line end; values unscaled, empty without
-/// trials.
+/// Returns one line per method and group, in this order, in the columns of rateCsvHeader(), each
+/// with a line end; values unscaled with four decimals, empty without trials.
 std::string toCsv(const RateTable& table);
 
-/// Returns the first line of a report with rates, which names the confidence level.
+/// Returns the first line of a report with rates: `title`, the confidence level and kMinScenes;
+/// with a line end.
 std::string reportTitle(const std::string& title);
 
 }  // namespace forge

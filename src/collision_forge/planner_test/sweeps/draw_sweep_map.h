@@ -8,8 +8,9 @@
 namespace forge {
 
 /// Draws the panels of a map as a PNG of the width of the options, with axes, a legend, and in a
-/// grid a line between hits and avoided crashes. `title` is the first line, `note` the second.
-/// Writes to an AsideFile. Throws std::runtime_error naming `path` if it cannot be written.
+/// grid a line between hits and avoided crashes. `title` is the first line above the panels, `note`
+/// the second. Writes to an AsideFile. Throws std::runtime_error naming `path` if it cannot be
+/// written.
 void drawSweepMap(const std::string& path, const SweepMap& map, const std::string& title,
                   const std::string& note, const DrawingOptions& options);
 

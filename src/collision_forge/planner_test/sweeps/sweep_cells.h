@@ -14,43 +14,50 @@ enum class SweepVerdict {
   kHitOther,  ///< the first contact is with another agent
   kFailed,    ///< a failure of the planner ended the rollout
   kRejected,  ///< the request has no attack, or it cannot be tested
-  kMixed,     ///< several cells with different verdicts
+  kMixed,     ///< in a map only: several cells with different verdicts
 };
 /// Returns "avoided", "hit", "hit_other", "failed", "rejected" or "mixed".
 const char* toString(SweepVerdict verdict);
 
 /// The layout of a sweep, the same for all its cells.
 struct SweepLayout {
-  std::vector<std::string> parameters;  ///< names of the varied parameters
+  std::vector<std::string> parameters;  ///< names of the varied parameters (SweepParameter::name),
+                                        ///< in the order of SweepCell::values
   bool is_grid = true;                  ///< false: a Latin hypercube
-  std::string x;                        ///< parameter on the map's horizontal axis
-  std::string y;                        ///< on the vertical axis; "" if one parameter is varied
+  std::string x;                        ///< name of the parameter on the map's horizontal axis
+  std::string y;  ///< name of the parameter on the vertical axis; "" if one parameter is varied
 };
 
-/// One cell: the values of the parameters, as SweepAxis::values, and the tests of its request.
+/// One cell of a sweep: a request with certain values, and its tests.
 struct SweepCell {
-  std::vector<double> values;
-  PlannerTestResult result;
+  std::vector<double> values;  ///< numbers or indices of words as SweepAxis::values, one per
+                               ///< SweepLayout::parameters
+  PlannerTestResult result;    ///< tests of all planners in the request's attack
 };
 
 /// Outcome for a planner or a careful driver in one cell.
 struct SweepOutcome {
-  std::string name;        ///< rowName() of a planner, or the driver model
-  bool is_driver = false;  ///< of a careful driver
-  SweepVerdict verdict = SweepVerdict::kAvoided;
-  double impact_speed = 0.0;  ///< m/s of a planner's contact, else 0
+  std::string name;        ///< rowName() of a planner, or CarefulDrive::driver
+  bool is_driver = false;  ///< true: a careful driver in the recorded ego's place; false: a planner
+  SweepVerdict verdict = SweepVerdict::kAvoided;  ///< neither kRejected nor kMixed
+  double impact_speed = 0.0;  ///< m/s of a planner's first contact with any agent; 0 without
+                              ///< contact and for careful drivers
 };
 
-/// Returns the outcomes of the planners, then of the careful drivers; none for a rejected cell.
+/// Returns the outcomes of the planners (PlannerTestResult::rows), then of the careful drivers, in
+/// their order; empty if the cell could not be tested.
 std::vector<SweepOutcome> outcomesOf(const SweepCell& cell);
 
 /// Returns the number of cells with each status, most frequent first, as "12 OK, 3 NO_CANDIDATE".
 std::string statusCounts(const std::vector<SweepCell>& cells);
 
-/// Returns one line of sweep.jsonl (docs/sweeps.md). `index` counts from 0.
+/// Returns one line of sweep.jsonl (docs/sweeps.md) without a line end. `index` counts from 0, the
+/// cell in the line from 1.
 std::string sweepLine(const SweepLayout& layout, const SweepCell& cell, std::size_t index);
 
-/// Returns the file sweep.csv: the values before the columns of results.csv.
+/// Returns the content of sweep.csv with its header: the number of the cell from 1 on, its values
+/// and the careful drivers that avoid the crash, then the columns of results.csv
+/// (plannerResultCsvRows()).
 std::string sweepCsv(const SweepLayout& layout, const std::vector<SweepCell>& cells);
 
 }  // namespace forge

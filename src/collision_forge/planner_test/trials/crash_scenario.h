@@ -13,20 +13,24 @@ namespace forge {
 
 /// A generated crash in which a planner can drive the ego. All times on the scene clock, s.
 struct CrashScenario {
-  Snapshot snapshot;                             ///< scene up to t0
-  Future recorded;                               ///< recorded ego and other agents from t0 on
-  AttackerTrajectory attacker;                   ///< from t0 on; replaces its recorded track
-  CollisionType type = CollisionType::kRearEnd;  ///< requested
-  EgoVehicle ego;
-  std::shared_ptr<const LaneIndex> lanes;
-  std::vector<TrafficLight> lights = {};  ///< as Scene::lights
-  Turning turning = Turning::kAttacker;   ///< requested, of kLtap
+  Snapshot snapshot;  ///< frames up to t0 (`snapshot.now`) of the ego and of all agents
+  Future recorded;    ///< recorded ego and other agents from t0 on; may contain the attacker's
+                      ///< recorded track, which is ignored
+  /// Middle of the box, from t0 to the end of the test; replaces its recorded track.
+  AttackerTrajectory attacker;
+  CollisionType type = CollisionType::kRearEnd;  ///< requested type
+  EgoVehicle ego;                                ///< dimensions of the ego
+  std::shared_ptr<const LaneIndex> lanes;        ///< the map
+  std::vector<TrafficLight> lights = {};         ///< of the scene, as Scene::lights
+  Turning turning = Turning::kAttacker;          ///< requested: the vehicle that turns, for kLtap
 
-  /// Returns the time of the attacker's last point. `attacker.points` must not be empty.
+  /// Returns the time of the attacker's last point, the end of a test. `attacker.points` must not
+  /// be empty.
   double end() const { return attacker.points.back().time; }
 };
 
-/// Returns the attacker's trajectory as a track from t0 on.
+/// Returns the attacker's trajectory as a track from t0 on, with the class that the agent has in
+/// the snapshot, if it was recorded.
 Track attackerTrack(const CrashScenario& scenario);
 
 /// Returns all agents except the ego from t0 on: the attacker on its trajectory first, then the
@@ -34,15 +38,17 @@ Track attackerTrack(const CrashScenario& scenario);
 std::vector<Track> agentsFromT0(const CrashScenario& scenario);
 
 /// Returns the ids of the agents, except the attacker, whose recorded boxes overlap the ego's at
-/// t0. Such overlaps occur in recordings and do not count as contacts.
+/// t0. Such overlaps occur in recordings and do not count as contacts. The recorded ego must have a
+/// state.
 std::set<std::string> agentsOverlappingEgoAtT0(const CrashScenario& scenario);
 
-/// If the attacker was added to the scene, adds its past states to the snapshot.
+/// If the attacker was added to the scene, appends a track with its past states to
+/// `snapshot.agents`; a recorded attacker changes nothing.
 void addAttackerPast(CrashScenario& scenario);
 
 /// Throws std::invalid_argument with the reason if no rollout of the scenario is possible: no
-/// lanes, no attacker points, no ego at t0, times that do not increase, or an attacker that does
-/// not start at t0 or touches the ego then.
+/// lanes, fewer than two attacker points, no ego at t0, times that do not increase, or an attacker
+/// that does not start at t0 (to 1e-5 s) or touches the ego then.
 void checkScenario(const CrashScenario& scenario);
 
 }  // namespace forge

@@ -5,13 +5,15 @@
 
 namespace forge {
 
-/// Writes the object "drive" of a row: the motions of its outcome and its evasive manoeuvre, as
-/// docs/planners.md defines it; null for a row without motions. Writes reactive agents only if
-/// there was a contact. `now`: s, scene clock.
+/// Writes the object "drive" of a row into the open object: the motions of its outcome and its
+/// evasive manoeuvre, as docs/planners.md defines it; null for a row without motions. Writes other
+/// agents only if there was a contact. `now`: t0, s, scene clock; times in the file are relative to
+/// it.
 void writeDrive(JsonLineWriter& writer, const PlannerRow& row, double now);
 
-/// Reads that object into the row, whose other fields must have been read before. Agents and
-/// attackers get ids and motions only. Throws JsonLineError.
+/// Reads the object "drive" of `object` into the row, whose other fields must have been read
+/// before; a null leaves the row without motions. Agents and attackers get ids and motions only, no
+/// class and size. `now`: t0, s, scene clock. Throws JsonLineError.
 void readDrive(JsonObject& object, PlannerRow& row, double now);
 
 }  // namespace forge

@@ -16,23 +16,26 @@ namespace forge {
 /// Options of findAvoidability() and findEvasion(): config/planners.yaml, section avoidability,
 /// where each number's source stands.
 struct AvoidabilityOptions {
-  double interval = 0.0;              ///< s between two start times that are tried
-  double step = 0.1;                  ///< s; must equal RolloutOptions::step
-  std::vector<double> accelerations;  ///< m/s2
-  std::vector<double> offsets = {0.0,  1.0, -1.0, 2.0,
-                                 -2.0, 3.5, -3.5};   ///< m to the left of the ego's path
+  double interval = 0.0;  ///< s between two start times of manoeuvres that are tried
+  double step = 0.1;      ///< s between points of a motion; must equal RolloutOptions::step
+  std::vector<double> accelerations;  ///< m/s2 along the heading in the first phase, tried with
+                                      ///< each of `offsets` and `durations`
+  /// m to the left of the ego's lateral position at the start.
+  std::vector<double> offsets = {0.0, 1.0, -1.0, 2.0, -2.0, 3.5, -3.5};
   std::vector<double> durations = {1.0, 2.0, 20.0};  ///< s of the first phase
   double return_time = 0.4;          ///< s in which an offset is reached at the current speed ...
   double min_return_distance = 3.0;  ///< m; ... but over at least this distance
-  double margin = 0.1;  ///< m kept to all agents at the points of a motion, before it is verified
-  int draws = 0;        ///< number of random motions, after the grid
-  std::uint64_t seed = 1;  ///< of the random motions
-  int tries = 0;  ///< motions per start time that are simulated against an adaptive attacker
+  /// m kept to all agents on each side at the points of a motion, before it is verified.
+  double margin = 0.1;
+  int draws = 0;           ///< number of random plans in addition to the grid
+  std::uint64_t seed = 1;  ///< of the random plans
+  int tries = 0;  ///< greatest number of motions per start time that are simulated against an
+                  ///< adaptive attacker
 };
 
 /// Kind of evasive manoeuvre.
 enum class EvasiveManoeuvre {
-  kKeeping,       ///< none: drives as recorded
+  kKeeping,       ///< none: drives as recorded (Avoidability), or keeps its speed (Evasion)
   kBraking,       ///< along its path
   kAccelerating,  ///< along its path
   kSteering,      ///< to a parallel path, at constant speed
@@ -45,40 +48,44 @@ std::optional<EvasiveManoeuvre> evasiveManoeuvreFromString(const std::string& na
 
 /// Control targets of the ego during one phase of an evasive plan.
 struct EvasiveDemand {
-  double acceleration = 0.0;  ///< m/s2
-  double offset = 0.0;        ///< m to the left of its lateral position on its path
+  double acceleration = 0.0;  ///< m/s2 along the heading, clamped to the limits
+  double offset = 0.0;  ///< m to the left of the ego's lateral position at the start of the plan
 };
 
 /// Two phases: `first` for `duration` seconds, then `second`.
 struct EvasivePlan {
-  EvasiveDemand first;
-  double duration = 0.0;  ///< s
-  EvasiveDemand second;
+  EvasiveDemand first;    ///< for `duration`
+  double duration = 0.0;  ///< s from the start of the plan
+  EvasiveDemand second;   ///< from then on
 };
 
-/// Returns the kind of a plan by its accelerations and offsets.
+/// Returns the kind of a plan: steering if any offset is not 0; braking or accelerating by the
+/// first acceleration that is not 0.
 EvasiveManoeuvre kindOf(const EvasivePlan& plan);
 
-/// Returns the speed along the heading, m/s; 0 if the ego reverses.
+/// Returns the state's speed along its heading, m/s; 0 if the ego reverses.
 double speedOf(const AgentState& state);
 
 /// Boxes of all agents except the ego, every `step` seconds.
 class Obstacles {
  public:
-  /// `others` as in EvasiveDrives::verify(); samples from `start` to `end` (s, scene clock).
+  /// `others` as in EvasiveDrives::verify(): `ego` is an agent, too. Samples all tracks every
+  /// `step` seconds from `start` to `end` (s, scene clock), both included.
   Obstacles(const Future& others, double start, double end, double step);
 
-  /// Returns whether a box of `size` at the points touches no agent. The points must be at the
-  /// times of the constructor.
+  /// Returns whether a box of `size` (m) at the points (its middle) touches no agent. Point i must
+  /// be at sample i of the constructor; agents that are not in sight there do not count.
   bool areClearOf(const std::vector<TrajectoryPoint>& points, const BoxSize& size) const;
 
  private:
+  /// The sampled motion of one agent.
   struct Course {
     BoxSize size;
-    double reach = 0.0;
-    std::vector<std::optional<Pose2>> poses;
+    double reach = 0.0;                       ///< m, circumradius of the box
+    std::vector<std::optional<Pose2>> poses;  ///< per sample; empty if the agent is not in sight
   };
 
+  /// Samples one track; arguments as in the constructor.
   void add(const Track& other, double start, double end, double step);
 
   std::vector<Course> courses_;
@@ -88,35 +95,42 @@ class Obstacles {
 /// or parallel to it. Keeps references to `scenario` and `options`.
 class EvasiveDrives {
  public:
-  /// Throws as routeOf().
+  /// `attack`: strict limits and tolerances; the speed limit is raised to the recorded ego's top
+  /// speed. Throws as routeOf().
   EvasiveDrives(const CrashScenario& scenario, const AvoidabilityOptions& options,
                 const RouteOptions& route, const AttackOptions& attack);
 
-  /// Returns all plans to try, gentler ones first: the grid of the options, then random ones.
+  /// Returns all plans to try, gentler ones first: the grid of the options and the random plans
+  /// together, sorted by accelerations and offset.
   const std::vector<EvasivePlan>& plans() const { return plans_; }
 
-  /// Simulates `plan` from a state of the ego to the scenario's end; writes a point every step and
-  /// one at the end into `points`.
+  /// Simulates `plan` from a state of the ego (middle of the box) to the scenario's end within the
+  /// limits; replaces the content of `points` by a point every step and one at the end.
   void drive(const AgentState& from, const EvasivePlan& plan,
              std::vector<TrajectoryPoint>& points) const;
 
-  /// Returns the ego's box enlarged by `options.margin`.
+  /// Returns the size of the ego's box enlarged by `options.margin` on each side.
   BoxSize wideBox() const;
 
-  /// Returns whether the ego is off the road at any point.
+  /// Returns whether the ego's box is on the road at the first point and has a corner off the
+  /// drivable area at a later one; false if the map has no drivable area. `points` must not be
+  /// empty.
   bool leavesRoad(const std::vector<TrajectoryPoint>& points) const;
 
-  /// Runs verifyDrive() on the ego's motion with the strict limits. `others.ego` must be the
-  /// attacker; the report's `contact` is the one with it.
+  /// Runs verifyDrive() on the ego's motion with the strict limits. The roles are exchanged:
+  /// `others.ego` must be the attacker, `others.agents` the other agents, and the report's
+  /// `contact` is the contact with the attacker.
   CollisionReport verify(const std::vector<TrajectoryPoint>& points, const Future& others) const;
 
-  /// Returns whether the report has no contact and no violated limit.
+  /// Returns whether the report of verify() has no contact with any agent and no violated limit.
   static bool isEvasion(const CollisionReport& report);
 
-  /// Returns the mean share (0..1) of the ego's box off the drivable area.
+  /// Returns the mean share (0..1) of the ego's box off the drivable area. `report`: of verify()
+  /// for these points.
   double shareOff(const std::vector<TrajectoryPoint>& points, const CollisionReport& report) const;
 
  private:
+  /// Returns whether all corners of the ego's box are on the drivable area.
   bool isOnRoad(const Pose2& pose) const;
 
   const CrashScenario& scenario_;

@@ -11,11 +11,13 @@ namespace forge {
 /// Reads motions on demand from a results file that testCases() wrote.
 class KeptDrives {
  public:
-  /// Throws std::runtime_error if the file cannot be read.
+  /// `path`: the completed results file, which must not change. Throws std::runtime_error if the
+  /// file cannot be read or is empty.
   explicit KeptDrives(const std::string& path);
 
-  /// Returns the row of `key`, with its motions, in the case `one`, which has this index. Throws
-  /// JsonLineError as readPlannerResultLine(), and std::out_of_range if the file has no such row.
+  /// Returns the row of `key`, with its motions, in the case `one`. `index`: of the case in the
+  /// run, so its line is `index` + 1. Throws JsonLineError as readPlannerResultLine(), and
+  /// std::out_of_range if the file has no such row or line.
   PlannerRow rowOf(const PlannerCase& one, std::size_t index, const RowKey& key) const;
 
  private:

@@ -16,42 +16,50 @@ namespace forge {
 /// Parameters of nuplan-devkit's metrics; angles, distances and limits of comfort are in
 /// PdmScoringOptions.
 struct NuplanScoreOptions {
-  double min_progress_share =
-      0.2;  ///< share 0..1 of the recorded ego's progress; below it making_progress is 0
-  double least_progress = 2.0;    ///< m; lower bound applied to the progress of ego and recording
-  double ttc_horizon = 0.95;      ///< s; a collision sooner, at constant velocities, is too close
+  /// Share 0..1 of the recorded ego's progress; at or below it making_progress is 0.
+  double min_progress_share = 0.2;
+  double least_progress = 2.0;  ///< m; lower bound applied to the progress of ego and recording
+  /// s; a collision sooner, at constant velocities, sets time_to_collision to 0.
+  double ttc_horizon = 0.95;
   double direction_window = 1.0;  ///< s over which the distance off the route's lanes is summed
   double max_overspeed = 2.23;    ///< m/s over the limit, mean, at which the score reaches 0
-  int acceleration_window = 8;    ///< states over which accelerations are smoothed
-  int rate_window = 15;           ///< states from which jerk and yaw rates are derived
+  int acceleration_window = 8;    ///< number of states over which accelerations are smoothed
+  int rate_window = 15;           ///< number of states from which jerk and yaw rates are derived
   // Weights of the terms in the mean of NuplanScore::total.
-  double progress_weight = 5.0;
-  double ttc_weight = 5.0;
-  double speed_limit_weight = 4.0;  ///< used if a lane has a limit; nuScenes' lanes have none
-  double comfort_weight = 2.0;
+  double progress_weight = 5.0;  ///< of `progress`
+  double ttc_weight = 5.0;       ///< of `time_to_collision`
+  /// Of `speed_limit`, used if a lane has a limit; nuScenes' lanes have none.
+  double speed_limit_weight = 4.0;
+  double comfort_weight = 2.0;  ///< of `comfort`
 };
 
 /// The terms of nuPlan's closed-loop score of a rollout (nuplan-devkit, evaluation metrics); each
 /// in [0, 1], where 1 is good.
 struct NuplanScore {
-  double no_at_fault_collision = 1.0;  ///< 0 after one with an agent, 0.5 with a static object
-  double drivable_area = 1.0;          ///< 1 or 0
-  double driving_direction = 1.0;      ///< 1, 0.5 or 0
-  double making_progress = 1.0;        ///< 1 or 0
-  double time_to_collision = 1.0;      ///< 1 or 0
-  double comfort = 1.0;                ///< 1 or 0
-  double progress = 1.0;               ///< share of the recorded ego's progress
-  std::optional<double> speed_limit;   ///< empty if no lane driven on has a limit
-  /// Product of the first four terms times the weighted mean of the remaining known ones.
+  /// 0 after an at-fault collision with an agent, PdmScoringOptions::static_collision_score with a
+  /// static object, else 1.
+  double no_at_fault_collision = 1.0;
+  double drivable_area = 1.0;  ///< 0 if a corner of the box leaves the drivable area, else 1
+  /// 1, 0.5 or 0 by the distance driven off the route's lanes within direction_window.
+  double driving_direction = 1.0;
+  double making_progress = 1.0;  ///< 1 if `progress` exceeds min_progress_share, else 0
+  /// 0 if a collision was nearer than ttc_horizon at any step, else 1.
+  double time_to_collision = 1.0;
+  double comfort = 1.0;   ///< 1 if all limits of PdmComfortOptions are kept, else 0
+  double progress = 1.0;  ///< share of the recorded ego's progress along the route, at most 1
+  std::optional<double> speed_limit;  ///< 1 minus mean overspeed / max_overspeed, at least 0; empty
+                                      ///< if no lane driven on has a limit
+  /// Product of the first four terms times the weighted mean of progress, time_to_collision,
+  /// comfort and, if known, speed_limit.
   double total = 1.0;
 };
 
-/// A term of the score with its name in results and tables.
+/// A term of the score with its name in results and tables ("score" for the total).
 struct NuplanPart {
-  const char* name;
-  double NuplanScore::*value;
+  const char* name;            ///< e.g. "drivable_area"
+  double NuplanScore::*value;  ///< the member
 };
-/// All terms but the speed limit; the total is last.
+/// Returns all terms but the speed limit; the total is last.
 const std::array<NuplanPart, 8>& nuplanParts();
 
 /// The ego's contact, as the score needs it.
@@ -60,36 +68,42 @@ struct NuplanContact {
   bool is_static_object = false;  ///< the ego touches a static object
 };
 
-/// Accumulates the data of a rollout step by step and computes its score.
+/// Accumulates the data of a rollout step by step and computes its score. Poses are the middle of
+/// the box in the global map frame.
 class NuplanJudge {
  public:
-  /// `map` must outlive the judge. `scoring`: angles and distances shared with PDM-Closed.
+  /// `map`: areas around the route; must outlive the judge. `scoring`: angles and distances shared
+  /// with PDM-Closed.
   NuplanJudge(const PdmMap& map, const EgoVehicle& ego, const PdmScoringOptions& scoring,
               const NuplanScoreOptions& options);
 
-  /// Adds the states of one step; call in order of time. Agents with an id in `ignored` are
-  /// skipped.
+  /// Adds the states of one step; call in order of time, from t0 on. `agents`: other agents, each
+  /// with a state at that time as its newest. Agents with an id in `ignored` are skipped.
   void addStep(const TrajectoryPoint& ego, const std::vector<Track>& agents,
                const std::set<std::string>& ignored);
 
-  /// Returns the score of the steps so far. `driven` and `recorded`: progress of the ego and the
-  /// recorded ego along the route, m.
+  /// Returns the score of the steps so far. `contact`: the ego's first contact; nullopt if there is
+  /// none. `driven` and `recorded`: progress of the ego and the recorded ego along the route, m.
   NuplanScore score(const std::optional<NuplanContact>& contact, double driven,
                     double recorded) const;
 
  private:
+  /// Returns whether the ego collides within ttc_horizon at constant velocities. `place`: of its
+  /// box.
   bool isTooClose(const TrajectoryPoint& ego, const PdmPlace& place,
                   const std::vector<Track>& agents, const std::set<std::string>& ignored) const;
+  /// Returns NuplanScore::driving_direction of the steps so far.
   double drivingDirection() const;
+  /// Returns whether all limits of comfort are kept; true for fewer than five states.
   bool isComfortable() const;
 
   const PdmMap& map_;
   EgoVehicle ego_;
   PdmScoringOptions scoring_;
   NuplanScoreOptions options_;
-  std::vector<TrajectoryPoint> driven_;
-  std::vector<bool> is_wrong_way_;
-  double overspeed_ = 0.0;  // m/s, summed over the states
+  std::vector<TrajectoryPoint> driven_;  ///< the ego at each step
+  std::vector<bool> is_wrong_way_;       ///< PdmPlace::is_wrong_way at each step
+  double overspeed_ = 0.0;               // m/s, summed over the states
   bool has_speed_limit_ = false;
   bool leaves_road_ = false;
   bool is_too_close_ = false;

@@ -17,8 +17,9 @@ namespace forge {
 class PublishedProtocol {
  public:
   virtual ~PublishedProtocol() = default;
-  /// Returns whether the attacker hits an ego that drives `ego` from t0 on. Called by testPlanner()
-  /// once per planner, on a worker thread. Throws std::invalid_argument if `ego` has no points.
+  /// Returns whether the attacker hits an ego that drives `ego` (middle of the box, times on the
+  /// scene clock) from t0 on. Called by testPlanner() once per planner, on a worker thread. Throws
+  /// std::invalid_argument if `ego` has no points.
   virtual bool isHit(const std::vector<TrajectoryPoint>& ego) const = 0;
   /// Returns whether the attacker hits the ego that idm_published drives from the clip's first
   /// frame on. Called by testPlanner() once per clip, on a worker thread.
@@ -27,19 +28,21 @@ class PublishedProtocol {
 
 /// A crash that planners are tested in, from any source.
 struct PlannerCase {
-  std::string name;    ///< of the clip, or of the scenario's line; unique
-  std::string source;  ///< data set or scenario file; tables have one row per source
-  std::string scene;   ///< confidence intervals are clustered by it
-  CollisionRequest request;
-  Status status;                                       ///< kOk, or why the case cannot be tested
-  CrashScenario scenario;                              ///< valid with kOk; `snapshot.now` always
-  CollisionPattern pattern;                            ///< requested pattern; valid with kOk
-  double effort = 0.0;                                 ///< Attack::effort
+  std::string name;          ///< of the clip, or of the scenario's line; unique
+  std::string source;        ///< data set or scenario file; tables have one row per source
+  std::string scene;         ///< name of the scene; confidence intervals are clustered by it
+  CollisionRequest request;  ///< request of the attack
+  Status status;             ///< kOk, or why the case cannot be tested
+  CrashScenario scenario;    ///< valid with kOk; `snapshot.now` always
+  CollisionPattern pattern;  ///< requested pattern of the attack; valid with kOk
+  double effort = 0.0;       ///< Attack::effort; valid with kOk
   std::shared_ptr<const PublishedProtocol> published;  ///< for a clip of COLLIDE, else null
 };
 
-/// Combines a line of a scenario file with its scene. A rejected request keeps its status; kNoScene
-/// if the scene has no frame at the line's time.
+/// Combines a line of a scenario file with its scene; the caller sets `name` and `source`. The
+/// crash definition of the case's request comes from `options`, except for `believable` and
+/// `limits`. A rejected request keeps its status; otherwise the status is momentAt()'s, kNoScene if
+/// the scene has no frame at the line's time. `indexed`: the scene that the line names.
 PlannerCase caseOfScenario(const Scenario& scenario, const IndexedScene& indexed,
                            const AnswerOptions& options);
 

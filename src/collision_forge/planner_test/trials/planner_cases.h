@@ -22,19 +22,21 @@ class PlannerCases {
   /// Returns a text that changes if any case changes; a resumed run compares it. May throw any
   /// std::exception, which ends the run.
   virtual std::string fingerprint() const = 0;
-  /// Returns a case. Throws any std::exception if the case cannot be read; the run then records it
-  /// as kUnreadable and continues.
+  /// Returns the case with an index into names(), with its name. Throws any std::exception if the
+  /// case cannot be read; the run then records it as kUnreadable and continues.
   virtual PlannerCase at(std::size_t index) const = 0;
 };
 
-/// Returns the names of the scenes in the readable lines of scenario files. Throws as
-/// openScenarioCases().
+/// Returns the names of the scenes in the readable lines of scenario files. Throws
+/// std::runtime_error if a file cannot be read or has no lines, InputError as readInputLine().
 std::set<std::string> readScenes(const std::vector<std::string>& paths, const InputLimits& limits);
 
-/// Opens the lines of scenario files as cases named FILE:LINE, with FILE (no extension) as source.
-/// `scenes_kept`: number of scenes held in memory. Throws std::runtime_error if a file cannot be
-/// read or has no lines, InputError as readInputLine(). at() throws for a malformed line and for a
-/// scene missing in the source.
+/// Opens the lines of scenario files as cases named FILE:LINE (line from 1 on), with FILE (no
+/// folder, no extension) as source, in the order of `paths`. `scenes_kept`: number of scenes held
+/// in memory. `options` must outlive the result. `on_progress`: called while nuScenes tables are
+/// loaded. Throws std::runtime_error if a file cannot be read or has no lines, if two files have
+/// the same FILE, and if the source `logs` cannot be read; InputError as readInputLine(). at()
+/// throws for a malformed line and for a scene missing in the source.
 std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& paths,
                                                 const LogSource& logs, std::size_t scenes_kept,
                                                 const AnswerOptions& options,

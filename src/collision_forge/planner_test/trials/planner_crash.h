@@ -14,8 +14,10 @@ struct PlannerCrash {
   PostCrashMotion motion;  ///< of the ego and, as attackerAt(), the touched vehicle
 };
 
-/// Returns the crash of a rollout. `recorded`: the agents that replay their recording. Empty
-/// without a contact, and if the touched vehicle has no state at contact.
+/// Returns the crash of a rollout that still has its motions; `outcome.attacker` needs id, class
+/// and size, too. `ego_size`: m. `recorded`: the agents that replay their recording, from t0 on;
+/// the touched vehicle is looked up in `outcome.others` first. nullopt without a contact, and if
+/// the touched vehicle is unknown or has no state at contact.
 std::optional<PlannerCrash> crashOf(const RolloutOutcome& outcome, const BoxSize& ego_size,
                                     const std::vector<Track>& recorded,
                                     const SeverityOptions& options);

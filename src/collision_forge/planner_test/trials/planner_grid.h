@@ -12,27 +12,31 @@ namespace forge {
 /// Values of planners.yaml by the path of their key, e.g. "pdm.idm.min_gap".
 using PlannerValues = std::map<std::string, double>;
 
-/// Values to try for some of these keys; at least one per key, without duplicates.
+/// Values to try for some of these keys; at least one per key, without duplicates, the values in
+/// the order of the file.
 using PlannerGrid = std::map<std::string, std::vector<double>>;
 
-/// Reads section `planner` of a file like config/tuning.yaml. Throws ConfigError for a missing or
-/// empty section, and for a value that is not a list of distinct numbers.
+/// Returns the grid in section `planner` of a file like config/tuning.yaml. Throws ConfigError for
+/// a missing or empty section, and for a value that is not a list of distinct numbers.
 PlannerGrid readPlannerGrid(Section file, const std::string& planner);
 /// As above, from the YAML file at `path`.
 PlannerGrid readPlannerGrid(const std::string& path, const std::string& planner);
 
-/// Returns the values in planners.yaml (whose text is `text`) of the keys in the grid. Throws
-/// ConfigError, naming `path`, for a missing key or a value that is not a number.
+/// Returns the values that planners.yaml has now for the keys in the grid. `text`: content of the
+/// file; `path`: its name for messages. Throws ConfigError, naming `path`, for a missing key or a
+/// value that is not a number.
 PlannerValues readPlannerValues(const std::string& path, const std::string& text,
                                 const PlannerGrid& grid);
 
-/// Returns `text` with these values inserted; everything else, comments included, stays as written.
-/// Throws as readPlannerValues().
+/// Returns `text` (content of planners.yaml) with these values inserted; everything else, comments
+/// included, stays as written. Throws as readPlannerValues(), and ConfigError for a number in
+/// quotes.
 std::string withPlannerValues(const std::string& path, const std::string& text,
                               const PlannerValues& values);
 
-/// Parses `text` with these values for the planner under test; reactive traffic keeps the values in
-/// `text`. `limits` are the ego's. Throws ConfigError, naming `path`, for an invalid key or value.
+/// Returns the options in `text` (content of planners.yaml) with these values for the planner under
+/// test; reactive traffic keeps the values in `text`. `limits`: the ego's strict limits. Throws
+/// ConfigError, naming `path`, for an invalid key or value.
 TrialOptions readTrialOptions(const std::string& path, const std::string& text,
                               const PlannerValues& values, const VehicleLimits& limits);
 

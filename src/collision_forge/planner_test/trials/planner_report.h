@@ -10,28 +10,31 @@ namespace forge {
 
 /// A table with the unit of its values.
 struct PlannerTable {
-  RateTable table;
-  TableUnit unit;
+  RateTable table;  ///< of one measure
+  TableUnit unit;   ///< in which the table shows it
 };
 
-/// Returns the tables of results with confidence intervals over scenes: one row for each of `rows`
-/// (rowName(); and source, if there are several), one column per type. docs/planners.md defines
-/// every measure. Untested cases are not counted; rollouts that ended with a planner failure count
-/// only in the failure table.
+/// Returns the tables of results, one per measure, with confidence intervals over scenes. Tables
+/// about rollouts have one row for each of `rows` (rowName(); and source, if there are several),
+/// tables about cases one row per condition; one column per type and TTA (groupTrials()).
+/// docs/planners.md defines every measure. Untested cases are not counted; rollouts that ended with
+/// a planner failure count only in the failure table.
 std::vector<PlannerTable> plannerTables(const std::vector<PlannerTestResult>& results,
                                         const std::vector<std::string>& rows);
 
-/// Returns Markdown lines with the number of tested cases and the statuses of the others.
+/// Returns Markdown lines, with line ends: the number of all and of tested cases, then the number
+/// of other cases by status.
 std::string describeCases(const std::vector<PlannerTestResult>& results);
 
 /// Identifies a rollout in a list of results.
 struct WorstCase {
-  std::size_t result = 0;  ///< index in the list
-  std::string planner;
+  std::size_t result = 0;  ///< index in the list of results
+  std::string planner;     ///< rowName() in that result
 };
 
-/// Returns, for each planner, the `count` most severe fair hits by the attacker
-/// (PlannerRow::is_fair, isMoreSevere()), in descending order; at most one per scene.
+/// Returns, for each of `planners` (rowName()), one after the other, the `count` most severe fair
+/// hits by the attacker (PlannerRow::is_fair, isMoreSevere()), in descending order; at most one per
+/// scene, so there may be fewer.
 std::vector<WorstCase> worstCases(const std::vector<PlannerTestResult>& results,
                                   const std::vector<std::string>& planners, std::size_t count);
 

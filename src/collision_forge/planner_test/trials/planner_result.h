@@ -18,66 +18,75 @@ namespace forge {
 struct AvoidabilitySummary {
   bool is_avoidable = false;               ///< a witness is known
   std::vector<EvasiveManoeuvre> from_now;  ///< kinds that work from t0; not set for findEvasion()
-  EvasiveManoeuvre last = EvasiveManoeuvre::kKeeping;  ///< of the witness with the latest start
-  double last_after = 0.0;                             ///< s after t0, start of this witness
-  double off_road_share = 0.0;  ///< share 0..1 of the box off the drivable area, mean
+  EvasiveManoeuvre last = EvasiveManoeuvre::kKeeping;  ///< kind of the witness with the latest
+                                                       ///< start; valid if avoidable
+  double last_after = 0.0;  ///< s after t0, start of this witness; valid if avoidable
+  /// Of this witness: share 0..1 of the box off the drivable area, mean.
+  double off_road_share = 0.0;
 };
 
-/// Configuration of a test: planners, background traffic and attacker policies.
+/// Configuration of a test: every planner meets every policy in every background.
 struct TestPlan {
-  std::vector<std::string> planners;
-  std::vector<Background> backgrounds = {Background::kReplay};
-  std::vector<PolicyKind> policies = {PolicyKind::kFixed};
-  PredictionModels models = {};  ///< of adaptive attackers
+  std::vector<std::string> planners;                            ///< elements of plannerNames()
+  std::vector<Background> backgrounds = {Background::kReplay};  ///< motions of the other agents
+  std::vector<PolicyKind> policies = {PolicyKind::kFixed};      ///< of the attacker
+  PredictionModels models = {};  ///< of adaptive attackers; unused by fixed ones
 };
 
 /// Identifies a row of a test: the planner, its attacker, and the motion of the other agents.
 struct RowKey {
-  std::string planner;
-  PolicyKind policy = PolicyKind::kFixed;
-  Background background = Background::kReplay;
+  std::string planner;                          ///< name of the planner, or of its variant
+  PolicyKind policy = PolicyKind::kFixed;       ///< of the attacker
+  Background background = Background::kReplay;  ///< motion of the other agents
 };
 
-/// Returns the title of a row: the planner's own name for a fixed attacker in replayed traffic.
+/// Returns the title of a row: the planner's name, then " against adaptive" unless the attacker is
+/// fixed, then " in BACKGROUND traffic" unless it is replayed.
 std::string rowName(const RowKey& key);
-/// Returns the rows of a plan, in order; the rows of each planner are adjacent.
+/// Returns the rows of a plan: planners in the outer loop, then policies, then backgrounds, in
+/// their order.
 std::vector<RowKey> rowKeys(const TestPlan& plan);
-/// Returns the titles of rowKeys().
+/// Returns rowName() of each of rowKeys().
 std::vector<std::string> rowNames(const TestPlan& plan);
-/// Returns the name, without an ending, of the rank-th picture of a row, from 1 on.
+/// Returns the file name, without an ending, of the picture of the rank-th worst hit of a row, from
+/// 1 on: "PLANNER_POLICY_RANK", with the background before the rank unless it is replayed.
 std::string pictureName(const RowKey& key, int rank);
 
 /// State of an attacker at the end of a rollout.
 struct AttackerSummary {
-  PolicyKind policy = PolicyKind::kFixed;
-  AttackerPhase phase = AttackerPhase::kCommitted;  ///< at the end
+  PolicyKind policy = PolicyKind::kFixed;           ///< that drove the attacker
+  AttackerPhase phase = AttackerPhase::kCommitted;  ///< at the end of the rollout
   int plans = 0;                                    ///< number of its plans, including the first
   std::string broken_limit;  ///< limit that its motion violated; empty if none
   /// Id of the agent that it touched before the end, the ego excluded; empty if none, and if the
   /// other agents are reactive.
   std::string touched;
-  /// It hit the ego with the requested type, within the tolerance of the requested time.
+  /// It hit the ego with the requested type, within CrashDefinition::time_tolerance of the
+  /// requested time.
   bool as_asked = false;
 };
 
 /// Result of one planner in one case. dropMotions() removes the motions of the outcome and
 /// `evasion_drive`.
 struct PlannerRow {
-  std::string planner;
-  RolloutOutcome outcome;
-  AttackerSummary attacker;
-  /// Result of findEvasion(); set if the attacker hit the ego.
+  std::string planner;       ///< name of the planner, or of its variant
+  RolloutOutcome outcome;    ///< of rollout()
+  AttackerSummary attacker;  ///< of the same rollout
+  /// Result of findEvasion(); set if and only if the attacker hit the ego.
   std::optional<AvoidabilitySummary> evasion = {};
   std::optional<Evasion> evasion_drive = {};  ///< set if `evasion` is avoidable
-  /// False for a hit without a known evasive manoeuvre that starts at least
-  /// FairnessOptions::avoidable_for after t0, or that FairnessOptions::avoidable_by does not avoid.
+  /// False for a hit by the attacker without a known evasive manoeuvre that starts at least
+  /// FairnessOptions::avoidable_for after t0, and for one that the driver
+  /// FairnessOptions::avoidable_by (if set) does not avoid. True without a hit.
   bool is_fair = true;
   /// For a clip of COLLIDE: whether the attacker hits the planner's ego by the published protocol
-  /// (PublishedProtocol). The ego drives to the last frame, even through contacts.
+  /// (PublishedProtocol). The ego drives to the last frame, even through contacts. Empty for other
+  /// cases, adaptive attackers and after a failure of the planner.
   std::optional<bool> published_hit = {};
   Background background = Background::kReplay;  ///< motion of the other agents
 };
 
+/// Returns planner, policy and background of the row.
 RowKey keyOf(const PlannerRow& row);
 /// Returns rowName() of keyOf().
 std::string rowName(const PlannerRow& row);
@@ -90,18 +99,20 @@ inline constexpr const char* kUnfit = "UNFIT";
 
 /// Results of all planners in one case.
 struct PlannerTestResult {
-  std::string name;
+  std::string name;  ///< PlannerCase::name
   // Valid with isRead():
-  std::string source;  ///< PlannerCase::source
-  std::string scene;   ///< name
-  CollisionType type = CollisionType::kRearEnd;
-  double tta = 0.0;  ///< s, requested
-  double now = 0.0;  ///< s, scene clock; t0
+  std::string source;                            ///< PlannerCase::source
+  std::string scene;                             ///< name of the scene
+  CollisionType type = CollisionType::kRearEnd;  ///< requested type
+  double tta = 0.0;                              ///< s, requested TTA
+  double now = 0.0;                              ///< s, scene clock; t0
   // Valid for all results:
-  std::string status;      ///< "OK", or why there is no test: a StatusCode, kUnreadable or kUnfit
+  /// "OK", or why there is no test: the name of a StatusCode, kUnreadable or kUnfit.
+  std::string status;
   std::string message;     ///< for users; empty with OK
   bool is_strict = false;  ///< with OK: meets the strict protocol against the recording
-  AvoidabilitySummary avoidability;  ///< valid with OK, like the next two fields
+  /// findAvoidability(); valid with OK, like the next two fields.
+  AvoidabilitySummary avoidability;
   /// driveCarefully() in the recorded ego's place.
   std::vector<CarefulDrive> careful_drivers;
   /// With OK one row per planner, policy and background, ordered as rowKeys(). An unfit clip has
@@ -115,27 +126,32 @@ struct PlannerTestResult {
   bool isRead() const { return status != kUnreadable; }
 };
 
-/// Returns a result without rows.
+/// Returns a result without rows, with this status and message and the names and request of the
+/// case.
 PlannerTestResult untested(const PlannerCase& one, const std::string& status,
                            const std::string& message);
 
-/// Evaluates a case without a planner: its status and, with OK, whether it is strict and avoidable.
-/// A case that checkScenario() rejects is kUnfit.
+/// Returns the evaluation of a case without a planner: its status and, with OK, whether it is
+/// strict and avoidable, and the careful drivers; no rows. A case that checkScenario() rejects is
+/// kUnfit. Does not modify the case; may run on any thread.
 PlannerTestResult evaluateCase(const PlannerCase& one, const AnswerOptions& options,
                                const TrialOptions& trials);
 
-/// Creates the attacker's policy for a case; null for PolicyKind::kFixed.
+/// Returns the attacker's policy for a case, starting with its attack; null for PolicyKind::kFixed.
+/// `models`: used by an adaptive attacker, without anything learned from the case's scene.
 std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind policy,
                                              const PredictionModels& models,
                                              const AnswerOptions& options);
 
-/// Runs the planner of a row through a case that evaluateCase() found OK. `models`: of adaptive
-/// attackers. Throws std::invalid_argument for an unknown planner, and std::runtime_error, naming
-/// the file, for a failure of a traffic model.
+/// Returns the result of the planner of a row in a case that evaluateCase() found OK. `models`: of
+/// adaptive attackers. Throws std::invalid_argument for an unknown planner, PlannerFileError if the
+/// file of a planner or of a traffic model cannot be used, and std::runtime_error, naming the file,
+/// for a failure of a traffic model; failures of the planner are in the outcome.
 PlannerRow testPlanner(const PlannerCase& one, const RowKey& key, const PredictionModels& models,
                        const AnswerOptions& options, const TrialOptions& trials);
 
-/// Removes the motions from the rows to save memory; tables do not need them.
+/// Removes the motions from the rows to save memory: `driven`, `others`, `attacker` and
+/// `attacker_plans` of the outcome, and `evasion_drive`. Tables do not need them.
 void dropMotions(PlannerTestResult& result);
 
 /// Runs evaluateCase(), then every planner of the plan with each policy and background; rows as

@@ -8,10 +8,12 @@
 
 namespace forge {
 
-/// Returns one line of results.jsonl without a line end; times are relative to t0, as
-/// docs/planners.md defines.
+/// Returns one line of results.jsonl without a line end, with the motions that the rows have; times
+/// are relative to t0, as docs/planners.md defines.
 std::string plannerResultLine(const PlannerTestResult& result);
-/// Parses such a line. Throws JsonLineError naming `where`.
+/// Returns the result in such a line. `where`: "FILE: line N", for messages. Throws JsonLineError
+/// naming `where` for a line of another format or version, or with a missing, unknown or malformed
+/// field.
 PlannerTestResult readPlannerResultLine(const std::string& where, const std::string& line);
 
 // Parts of the line, shared with other files.
@@ -22,11 +24,14 @@ void writePlannerResult(JsonLineWriter& writer, const PlannerTestResult& result)
 /// Writes the summary as the object `key`.
 void writeAvoidability(JsonLineWriter& writer, const char* key, const AvoidabilitySummary& summary);
 
-/// Writes the fields of an element of "planners" into the open object. `now`: s, scene clock.
+/// Writes the fields of an element of "planners" without its motions (writeDrive()) into the open
+/// object. `now`: t0, s, scene clock; times in the file are relative to it.
 void writePlannerRow(JsonLineWriter& writer, const PlannerRow& row, double now);
 
-/// Header and lines of results.csv, one line per planner, without line ends.
+/// Returns the header of results.csv, without a line end.
 std::string plannerResultCsvHeader();
+/// Returns the lines of results.csv of a case, one per row, without line ends; a case without rows
+/// has one line with empty columns.
 std::vector<std::string> plannerResultCsvRows(const PlannerTestResult& result);
 
 }  // namespace forge

@@ -9,28 +9,28 @@
 
 namespace forge {
 
-/// Result of one planner against attackers of one policy, over all tested cases.
+/// Result of one row name (planner, attacker policy and background) over all tested cases.
 struct PlannerSummary {
   /// A hit by the attacker.
   struct Impact {
-    double speed = 0.0;     ///< m/s
+    double speed = 0.0;     ///< m/s, PlannerContact::impact_speed
     std::string case_name;  ///< PlannerTestResult::name
   };
 
-  std::string planner;          ///< rowName()
-  int scenes = 0;               ///< distinct scenes of the cases
-  int cases = 0;                ///< rollouts, failures included
-  int hits = 0;                 ///< first contacts with the attacker, without failures
-  int avoidable = 0;            ///< hits that the planner could have avoided (PlannerRow::is_fair)
-  int failures = 0;             ///< rollouts that ended with a planner failure
-  std::optional<Impact> worst;  ///< the hardest hit; empty if there is none
+  std::string planner;  ///< rowName()
+  int scenes = 0;       ///< number of distinct scenes of the cases
+  int cases = 0;        ///< number of rollouts, failures included
+  int hits = 0;         ///< rollouts whose first contact is with the attacker, without failures
+  int avoidable = 0;    ///< hits that the planner could have avoided (PlannerRow::is_fair)
+  int failures = 0;     ///< rollouts that ended with a planner failure
+  std::optional<Impact> worst;  ///< the hit with the greatest speed; empty if there is none
 };
 
 /// Returns one summary for each name of `rows` (rowName()), in their order.
 std::vector<PlannerSummary> summarizePlanners(const std::vector<PlannerTestResult>& results,
                                               const std::vector<std::string>& rows);
 
-/// Returns lines with the number of cases in which the verdict (hit by the attacker, contact with
+/// Returns a line with the number of cases in which the verdict (hit by the attacker, contact with
 /// another agent, failure or no contact) of a planner depends on the background, in total and for
 /// each planner and policy; "" for a plan with one background.
 std::string backgroundText(const std::vector<PlannerTestResult>& results, const TestPlan& plan);

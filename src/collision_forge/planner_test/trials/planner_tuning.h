@@ -15,25 +15,29 @@ namespace forge {
 
 /// A variant of a planner: planners.yaml with other values.
 struct PlannerVariant {
-  std::string name;      ///< "default" with the values of planners.yaml, else a number
+  std::string name;      ///< "default" with the values of planners.yaml, else a number from 1 on
   PlannerValues values;  ///< of all keys in the grid
-  TrialOptions options;  ///< with these values
+  TrialOptions options;  ///< of planners.yaml with these values
 };
 
-/// Returns the defaults, then every other combination of the grid's values; the last key changes
-/// fastest. Throws std::invalid_argument for more than 10,000.
+/// Returns the defaults, then every other combination of the grid's values; the last key (in order
+/// of names) changes fastest. Throws std::invalid_argument for a grid with more than 10,000.
 std::vector<PlannerValues> combinationsOf(const PlannerGrid& grid, const PlannerValues& defaults);
 
-/// Creates one variant per combination from planners.yaml with this text; `limits` are the ego's.
-/// Throws ConfigError, naming `path`, for an invalid key or value.
+/// Returns one variant per combination, the default first. `text`: content of planners.yaml;
+/// `path`: its name for messages; `limits`: the ego's strict limits. Throws ConfigError, naming
+/// `path`, for an invalid key or value, and as combinationsOf().
 std::vector<PlannerVariant> variantsOf(const PlannerGrid& grid, const std::string& path,
                                        const std::string& text, const VehicleLimits& limits);
 
-/// Throws std::runtime_error with the first scene that is in both sets.
+/// Throws std::runtime_error, naming the first common scene, if `train` and `test` (names of
+/// scenes) share one.
 void checkHeldOut(const std::set<std::string>& train, const std::set<std::string>& test);
 
-/// Tests all variants of one planner in one case: one row per variant. `trials` (untuned) decides
-/// whether the case is avoidable; with `only_avoidable` an unavoidable case has no rows.
+/// Tests all variants of one planner in one case against a fixed attacker: one row per variant,
+/// with PlannerVariant::name as its planner. `trials` (untuned) decides whether the case is
+/// avoidable; with `only_avoidable` an unavoidable case has no rows, and rows have no motions.
+/// Throws as testPlanner().
 PlannerTestResult testVariants(const PlannerCase& one, const std::string& planner,
                                const std::vector<PlannerVariant>& variants, bool only_avoidable,
                                Background background, const AnswerOptions& options,
@@ -46,27 +50,30 @@ bool isCollision(const RolloutOutcome& outcome);
 
 /// Score of a variant in the avoidable crashes.
 struct VariantScore {
-  Rate collision;         ///< as isCollision()
+  Rate collision;         ///< share of isCollision(); no trials if no crash was avoidable
   double progress = 0.0;  ///< m along the route, mean
 };
 
-/// Returns the score of each variant, in order.
+/// Returns the score of each variant, in the order of `variants`. `results`: of testVariants().
 std::vector<VariantScore> scoreVariants(const std::vector<PlannerTestResult>& results,
                                         const std::vector<PlannerVariant>& variants);
 
-/// Returns the index of the lowest collision rate; of equals the one with the most progress, then
-/// the first (the default). Empty if no crash was avoidable.
+/// Returns the index in `scores` of the lowest collision rate; of equals the one with the most
+/// progress, then the first (the default). nullopt if no crash was avoidable.
 std::optional<std::size_t> bestVariant(const std::vector<VariantScore>& scores);
 
-/// Returns the table of collisions in avoidable crashes for results with rows "default" and
-/// "tuned": both rates and their paired difference.
+/// Returns the table of collisions (isCollision()) in avoidable crashes for results with rows
+/// "default" and "tuned": both rates and "tuned - default", their paired difference. Cases without
+/// either row are left out.
 RateTable comparisonTable(const std::vector<PlannerTestResult>& results);
 
-/// Returns a Markdown table of the keys with their values before and after.
+/// Returns a Markdown table of the keys with their values before and after. `after` must have the
+/// keys of `before`.
 std::string describeValues(const PlannerValues& before, const PlannerValues& after);
 
 /// Returns a CSV text: a header, then one line per variant with its name, values, number of
-/// avoidable crashes, collision rate with interval, progress, and whether it is the best.
+/// avoidable crashes, collision rate with interval, progress, and 1 if it is the best. `variants`
+/// must not be empty; `scores`: in their order; `best`: index of the best variant.
 std::string scoresCsv(const std::vector<PlannerVariant>& variants,
                       const std::vector<VariantScore>& scores, std::size_t best);
 

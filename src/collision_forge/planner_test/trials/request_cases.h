@@ -17,11 +17,12 @@ namespace forge {
 
 /// Options of RequestCases.
 struct RequestDraw {
-  RequestListOptions list;                ///< times, TTAs and types
-  std::size_t tries = 0;                  ///< number of requests to draw
-  std::uint64_t seed = 0;                 ///< of the draw
+  RequestListOptions list;                ///< times, TTAs and types of the requests
+  std::size_t tries = 0;                  ///< number of requests to draw, without repetition
+  std::uint64_t seed = 0;                 ///< of the random draw
   std::vector<CatalogueCell> cells = {};  ///< to draw from in place of `list.types`; may be empty
-  /// Progress callback: number of scenes processed, total number.
+  /// Called by the constructor, on its thread, after each readable scene: number of scenes
+  /// processed, number of all scenes. May be empty.
   std::function<void(std::size_t, std::size_t)> on_scene = {};
 };
 
@@ -32,29 +33,33 @@ struct RequestDraw {
 /// a catalogue.
 class RequestCases : public PlannerCases {
  public:
-  /// `scenes` and `options` must outlive the object. Throws std::runtime_error if no request is
-  /// possible.
+  /// `method`: makes the attack method of each request. `scenes` and `options` must outlive the
+  /// object. Reads every scene once. Throws std::runtime_error if no request is possible.
   RequestCases(SceneSource& scenes, const MethodMaker& method, const AnswerOptions& options,
                const RequestDraw& draw);
 
-  /// Returns "NAME: REASON" for each scene that cannot be read and is left out.
+  /// Returns "NAME: REASON" for each scene that the constructor could not read and left out.
   const std::vector<std::string>& unreadable() const { return unreadable_; }
+  /// Returns the names of the cases, in the order of the draw.
   const std::vector<std::string>& names() const override { return names_; }
+  /// As PlannerCases::fingerprint(): of all drawn requests and the method's name.
   std::string fingerprint() const override;
+  /// Returns caseOf() of scenario(index).
   PlannerCase at(std::size_t index) const override;
 
-  /// Returns the request of a case.
+  /// Returns the request of a case (index into names()).
   const CollisionRequest& request(std::size_t index) const { return requests_[index].request; }
-  /// Generates the attacker's first plan; takes as long as a request.
+  /// Returns the case's request with its attack or rejection; generates the attacker's first plan,
+  /// which takes as long as a request. Thread-safe.
   Scenario scenario(std::size_t index) const;
-  /// Returns the case of a scenario that scenario(index) returned.
+  /// Returns the case of a scenario that scenario(index) returned, with its name and source.
   PlannerCase caseOf(const Scenario& scenario, std::size_t index) const;
 
  private:
   SceneSource& scenes_;
   const AnswerOptions& options_;
-  RequestSolver answerer_;
-  std::string method_;
+  RequestSolver answerer_;  ///< solves the requests
+  std::string method_;      ///< name of the attack method
   std::vector<SceneRequest> requests_;
   std::vector<std::string> names_;
   std::vector<std::string> unreadable_;

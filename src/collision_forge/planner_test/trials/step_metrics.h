@@ -8,28 +8,36 @@
 
 namespace forge {
 
-/// Measures of one step of a rollout: the columns of steps/N.csv that docs/planners.md defines. SI
-/// units, rad, map frame; the point is of the middle of the ego's box.
+/// Measures of one step of a rollout: the columns of steps/N.csv that docs/planners.md defines.
 struct StepMetrics {
-  TrajectoryPoint point;
-  std::optional<double> jerk;  ///< this and the next are empty in the first step
-  std::optional<double> lateral_acceleration;
-  std::optional<double> attacker_gap;
-  std::optional<double> attacker_ttc;  ///< empty if there is no contact within kTtcHorizon
+  TrajectoryPoint point;  ///< middle of the ego's box, global map frame; time on the scene clock
+  std::optional<double> jerk;  ///< m/s3, change of the acceleration along the heading since the
+                               ///< previous step; this and the next are empty in the first step
+  std::optional<double> lateral_acceleration;  ///< m/s2, speed times yaw rate since the previous
+                                               ///< step, positive to the left
+  std::optional<double> attacker_gap;  ///< m between the boxes of ego and attacker, 0 if they
+                                       ///< touch; empty if the attacker is not in sight
+  std::optional<double> attacker_ttc;  ///< s until ego and attacker touch at constant velocities;
+                                       ///< empty if there is no contact within kTtcHorizon
   std::string nearest;  ///< id of the agent with the smallest gap; "" if there is none
+  /// m between the boxes of the ego and that agent; empty if there is none.
   std::optional<double> nearest_gap;
-  std::string lane;             ///< id; "" if no lane is near
-  std::optional<bool> on_road;  ///< empty if the map has no drivable area
+  /// Lane::id of the nearest lane along the ego's heading; "" if no lane is near.
+  std::string lane;
+  /// The whole box is on the drivable area; empty if the map has none.
+  std::optional<bool> on_road;
 };
 
 /// s; longer times to collision are not reported.
 inline constexpr double kTtcHorizon = 10.0;
 
-/// Returns the measures at every step of a rollout of `scenario`, which must have its motions.
+/// Returns the measures at every point of `row.outcome.driven`, in order. `row`: a rollout of
+/// `scenario` with its motions; without them the result is empty.
 std::vector<StepMetrics> stepMetrics(const CrashScenario& scenario, const PlannerRow& row);
 
-/// Returns the CSV file of all rollouts of a case, a row per rollout and step; the header alone for
-/// an untested case.
+/// Returns the CSV file of all rollouts of a case, with a header and a row per rollout and step;
+/// times relative to t0. `result`: of the case `one`, with motions; an untested case gives the
+/// header alone.
 std::string stepsCsv(const PlannerCase& one, const PlannerTestResult& result);
 
 }  // namespace forge

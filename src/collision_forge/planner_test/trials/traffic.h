@@ -30,28 +30,32 @@ std::optional<Background> backgroundFromString(const std::string& name);
 /// not among those nearest to the ego keeps its velocity.
 class Traffic {
  public:
-  /// `attacker`: policy of the attacker, starting with the scenario's trajectory. `history`: s of
-  /// past states in agents(). `model`: of kModel, else null; copies share it.
+  /// `attacker`: policy of the attacker (not null), starting with the scenario's trajectory. `idm`:
+  /// used with kIdm. `history`: s of past states in agents(). `model`: not null with kModel, else
+  /// null; copies share it, so they must not run at the same time. The scenario is copied as far as
+  /// needed.
   Traffic(const CrashScenario& scenario, std::unique_ptr<AttackerPolicy> attacker,
           Background background, const IdmOptions& idm, double history,
           std::shared_ptr<BackgroundModel> model = nullptr);
   /// Copies the state, including a clone of the attacker's policy.
   Traffic(const Traffic& other);
 
-  /// Current time, s, scene clock.
+  /// Returns the current time, s, scene clock; t0 at first.
   double time() const { return time_; }
-  /// Returns the agents in sight at time(), each with its states of the last `history` seconds.
-  /// Velocities are estimated from past states only; the attacker's come from its trajectory.
+  /// Returns the agents in sight at time(), the ego excluded, each with its states of the last
+  /// `history` seconds, the newest at time(). Velocities are estimated from past states only; the
+  /// attacker's come from its trajectory. The reference is valid until the next advance().
   const std::vector<Track>& agents() const { return agents_; }
 
-  /// The attacker's policy, as of time().
+  /// Returns the attacker's policy, as of time().
   const AttackerPolicy& attacker() const { return *attacker_; }
 
-  /// Advances to `time` (s, scene clock, > time()). The newest state of `ego` must be at time().
-  /// Throws as BackgroundModel::next().
+  /// Moves all agents to `time` (s, scene clock, > time()). `ego`: the ego's track; its newest
+  /// state must be at time(). Throws as BackgroundModel::next().
   void advance(double time, const Track& ego);
 
  private:
+  /// An agent and its motion.
   struct Driver {
     Track recorded;  ///< from t0 on; the attacker's trajectory
     Track shown;     ///< up to time()
@@ -66,11 +70,18 @@ class Traffic {
     std::optional<Pose2> pose;  ///< of a modelled agent at time(), once it was in sight
   };
 
+  /// Sets `way`, arc lengths and speeds of a vehicle that reacts.
   static void prepareToReact(Driver& driver);
+  /// Appends the ego's state to ego_history_.
   void remember(const AgentState& ego);
+  /// Sets the poses of the modelled agents at `time` (s, scene clock).
   void moveModelled(double time);
+  /// Moves the recorded time of an agent on to `time`; with kIdm behind its lead among `in_sight`.
   void drive(Driver& driver, double time, const std::vector<Track>& in_sight) const;
+  /// Appends the agent's state at time_ to `shown`, if it is in sight. `step`: s since the previous
+  /// one.
   void show(Driver& driver, double step) const;
+  /// Sets agents_ to the agents in sight.
   void collect();
 
   std::unique_ptr<AttackerPolicy> attacker_;

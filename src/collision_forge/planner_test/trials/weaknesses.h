@@ -10,20 +10,22 @@
 
 namespace forge {
 
-/// A class of avoidable hits of a row of the test: same manoeuvre, kind of road and fault.
+/// A class of avoidable hits of one row of the test: same manoeuvre, kind of road and fault.
 struct Weakness {
-  RowKey row;
-  Manoeuvre manoeuvre = Manoeuvre::kFollowerCloses;
-  bool at_fault = false;
-  ContactPlace place = ContactPlace::kElsewhere;
-  std::vector<std::size_t> results;  ///< indices, the most severe hit first
+  RowKey row;                                        ///< planner, attacker policy and background
+  Manoeuvre manoeuvre = Manoeuvre::kFollowerCloses;  ///< requested manoeuvre of the attacker
+  bool at_fault = false;  ///< the ego is at fault (PlannerContact::at_fault)
+  ContactPlace place = ContactPlace::kElsewhere;  ///< kind of road at the contact
+  /// Indices in the `results` of findWeaknesses(), the most severe hit first.
+  std::vector<std::size_t> results;
 };
 
-/// Groups the hits in `results` into weaknesses, the most severe hit first (isMoreSevere()). Counts
-/// fair hits (PlannerRow::is_fair) of at least `min_impact_speed` by attackers that had not
-/// aborted, kept every limit and touched no other agent. Unless the planner is at fault, leaves out
-/// hits from behind: those into the ego's rear and all with Manoeuvre::kFollowerCloses.
-/// `manoeuvreOf` returns the requested manoeuvre of the case with a result's index.
+/// Groups the hits in `results` into weaknesses, the weakness with the most severe hit first
+/// (isMoreSevere()). Counts fair hits (PlannerRow::is_fair) of at least `options.min_impact_speed`
+/// by attackers that had not aborted, kept every limit and touched no other agent. Unless the
+/// planner is at fault, leaves out hits from behind: hits into the ego's rear and all with
+/// Manoeuvre::kFollowerCloses. `manoeuvreOf`: called for each counted hit with its index in
+/// `results`; returns the requested manoeuvre of that case.
 std::vector<Weakness> findWeaknesses(const std::vector<PlannerTestResult>& results,
                                      const std::function<Manoeuvre(std::size_t)>& manoeuvreOf,
                                      const UntilHitOptions& options);

@@ -19,16 +19,19 @@ namespace forge {
 /// Returns a frame id without the leading slash of tf's first version.
 std::string frameName(const std::string& frame_id);
 
-/// Returns the usable transforms of a message with frameName() of both frames and unit quaternions.
-/// Omits transforms that are not finite or whose stamp is at the end of the range of ros::Time.
+/// Returns the usable transforms of a message, in its order, with frameName() of both frames and
+/// normalised quaternions. Omits transforms with a non-finite part or a zero quaternion, and stamps
+/// in the last hour of the range of ros::Time, whose sums overflow in tf2.
 std::vector<geometry_msgs::TransformStamped> usableTransforms(const tf2_msgs::TFMessage& message);
 
 /// Poses of frames in the map frame, put together by tf2 from the transforms of a bag, which are
-/// added in the order of their recording: first all static ones. Not thread-safe.
+/// added in the order of their recording: first all static ones. Frame names are frameName()s. Not
+/// thread-safe.
 class BagFrames {
  public:
-  /// `ego_frame`: the frame whose motion movesEgo() detects. `cache`: s before the newest transform
-  /// for which poses are known; the default is the time that a pose can wait for a slow source.
+  /// `ego_frame`: the frame whose motion movesEgo() detects. `cache`: s; poseOf() knows poses up to
+  /// this long before the newest transform. The default is the longest time that a pose waits for a
+  /// slow source of transforms.
   BagFrames(std::string map_frame, const std::string& ego_frame, double cache = 30.0)
       : map_frame_(std::move(map_frame)),
         ego_movers_(ego_frame),
@@ -40,11 +43,12 @@ class BagFrames {
   /// transform is not used: because of its parent, or because it is not newer than the one before.
   bool add(const geometry_msgs::TransformStamped& transform, bool is_static);
 
-  /// Adds the pose of `child` relative to `parent` as a transform; ignored as by add().
+  /// Adds the pose of `child` in the frame `parent` as a transform that is not static; ignored
+  /// where usableTransforms() omits it or add() returns false.
   void addPose(const std::string& parent, const std::string& child, const ros::Time& time,
                const Eigen::Isometry3d& pose);
 
-  /// Returns true if the ego moves by `transform`, of /tf.
+  /// Returns true if `transform`, of /tf, moves the ego (EgoMovers::has()).
   bool movesEgo(const geometry_msgs::TransformStamped& transform) const {
     return ego_movers_.has(transform);
   }
@@ -57,11 +61,14 @@ class BagFrames {
   /// have replaced the transforms of that time.
   bool isPast(const ros::Time& time) const;
 
-  /// Returns all transforms by parent and child, as "map -> odom, odom -> base_link"; "none".
+  /// Returns the frames of all added transforms, also unused ones, as "map -> odom, odom ->
+  /// base_link"; "none" without any.
   std::string described() const;
 
  private:
+  /// Returns true if `parent` is, or becomes, the parent that is used for `child`.
   bool acceptsParent(const std::string& child, const std::string& parent);
+  /// Returns true if the chain of used parents of `frame` ends at the map frame.
   bool leadsToMap(std::string frame) const;
 
   std::string map_frame_;
@@ -70,8 +77,8 @@ class BagFrames {
   tf2::BufferCore buffer_;
   std::map<std::string, std::string> parents_;         // by child, as used
   std::set<std::pair<std::string, std::string>> all_;  // parent and child
-  std::map<std::string, ros::Time> stamps_;            // of the newest transform, by child
-  ros::Time newest_;
+  std::map<std::string, ros::Time> stamps_;            // of the newest used transform, by child
+  ros::Time newest_;                                   // newest stamp of all used transforms
 };
 
 }  // namespace forge

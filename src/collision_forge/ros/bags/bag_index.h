@@ -4,8 +4,9 @@
 
 namespace forge {
 
-/// Returns true if the index of the bag has messages at time 0, which means "no time" and which
-/// rosbag skips. rosbag must be able to open the bag.
+/// Returns true if the index of the bag at `path` has messages with record time 0, which means "no
+/// time" and which rosbag skips. rosbag must be able to open the bag; returns false for a file of
+/// another format and for a missing one.
 bool hasMessageAtZero(const std::string& path);
 
 }  // namespace forge

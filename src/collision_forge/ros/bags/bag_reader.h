@@ -11,26 +11,35 @@
 
 namespace forge {
 
-/// Reads /tf (map -> base_link), /agents and /lane_map of a bag into a scene named after the file,
-/// equal to the scene in the live nodes: agents sorted by id, velocities derived. In a bag with an
-/// attack only recorded frames of agents are read. Drops unusable messages and agents (stamp not
-/// after the previous one, non-finite values, no size) and agents rejected by checkScene(), with
-/// one line per kind in `warnings` if given. Throws BagError with path and topic for a truncated
-/// bag, a file that is no bag or a missing topic, and InputError like checkScene().
+/// Reads /tf (map -> base_link), /agents, /lane_map (the last message), /traffic_lights and
+/// /ego_vehicle of a bag into a scene named after the file (without extension), equal to the scene
+/// in the live nodes: agents sorted by id, velocities derived from the positions. Times are header
+/// stamps, s; the ego's track holds box centres. The last two topics may be missing; without
+/// /ego_vehicle the ego has the size in `options`.
+///
+/// In a bag with an attack only the recorded frames of agents are read, not the frames between.
+/// Drops unusable messages and agents (stamp not after the previous one, non-finite values, no
+/// size) and agents rejected by checkScene(); appends one line per kind to `warnings`, if given.
+/// Throws BagError with path and topic for a truncated bag, a file that is no bag, a missing topic,
+/// a frame other than map and two different poses of the ego at one time, and InputError like
+/// checkScene().
 Scene readBag(const std::string& path, const DataOptions& options,
               std::vector<std::string>* warnings = nullptr);
 
-/// Like readBag(), but agents are in order of appearance, velocities are those in the bag (derived
-/// only if missing), and times are rounded to microseconds as in nuScenes tables.
+/// Like readBag(), but agents are in order of appearance, their velocities are those in the bag
+/// (derived only for an agent whose velocities are all zero), and times are rounded to microseconds
+/// as in nuScenes tables.
 Scene readBagAsWritten(const std::string& path, const DataOptions& options,
                        std::vector<std::string>* warnings = nullptr);
 
-/// Returns the map of /lane_map; null without that topic. Throws BagError like readBag(), and
-/// InputError like checkMap().
+/// Returns the map of the last message on /lane_map of the bag at `path`; null without a message.
+/// Throws BagError like readBag(), and InputError like checkMap().
 std::shared_ptr<const LaneMap> readLaneMap(const std::string& path, const InputLimits& limits);
 
-/// Returns request and attack, without alternatives, from a bag of `forge inject`. The scene is
-/// named after the file. Throws BagError like readBag() and for a bag without an attack, and
+/// Returns request and attack, without alternatives and plans, from a bag of `forge inject`. Times
+/// are header stamps, s; the scene is named after the file. `crash`: definition for the fields that
+/// the recorded request leaves empty. Throws BagError like readBag(), for a bag without an
+/// attack, for one that another version of this package wrote and for an invalid request or attack;
 /// InputError like checkTrajectory() and checkPattern().
 Scenario readAttack(const std::string& path, const DataOptions& options,
                     const CrashDefinition& crash);

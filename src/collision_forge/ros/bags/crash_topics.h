@@ -24,17 +24,17 @@ namespace forge {
 /// A message type of ROS 1.
 struct MadeType {
   std::string name;        ///< package/Type
-  std::string definition;  ///< with nested types
-  std::string md5;
+  std::string definition;  ///< text of the message definition, with nested types
+  std::string md5;         ///< MD5 sum of the type, as in ros::message_traits
 };
 
 /// A generated topic, added to the file with its first message.
 class MadeTopic {
  public:
-  /// `name`: from topic_names.h. `file` must outlive the object.
+  /// `name`: from topic_names.h, without leading slash; must outlive the object, as must `file`.
   MadeTopic(McapMessages& file, const char* name, MadeType type, bool latched = false);
 
-  /// Writes a message, serialised as in ROS 1, at `time` of the bag.
+  /// Writes a message, `message` serialised as in ROS 1, with the record time `time`.
   void write(const ros::Time& time, const std::string& message);
 
  private:
@@ -42,13 +42,14 @@ class MadeTopic {
   const char* name_;
   MadeType type_;
   bool is_latched_;
-  std::optional<std::size_t> number_;  ///< of the topic in the file
+  std::optional<std::size_t> number_;  ///< of the topic in the file; empty before the first message
 };
 
 /// Generates the additional topics of an MCAP file from the messages of its bag: map and frames of
-/// agents as 3D scenes, with the attack as known at that time, and the speeds of ego and attacker
-/// (m/s). A frame waits until the ego's pose at its stamp is known. Maps, attacks, agents and ego
-/// poses outside the input limits are skipped and counted.
+/// agents as 3D scenes (collision_forge/map, collision_forge/scene), with the attack from its t0
+/// on, and the speeds of ego and attacker, m/s (collision_forge/ego_speed, .../attacker_speed). A
+/// frame waits until the ego's pose at its stamp is known. Maps, attacks, agents and ego poses
+/// outside the input limits are skipped and counted. Not thread-safe.
 class CrashTopics {
  public:
   /// `agents`: topic of the frames in the bag, with its leading slash. `file` must outlive the
@@ -56,24 +57,27 @@ class CrashTopics {
   CrashTopics(McapMessages& file, const EgoVehicle& ego, const InputLimits& limits,
               std::string agents);
 
-  /// Processes a message of the bag; call in the order of time.
+  /// Processes a message of the bag and writes the generated messages that it completes, with the
+  /// record times of the messages that they show. Call for all messages in the order of record
+  /// time; messages of other topics are ignored. Throws as readMessage() and McapMessages.
   void take(const rosbag::MessageInstance& instance);
 
   /// Returns one line per topic with the number of entries that were skipped.
   std::vector<std::string> warnings() const;
 
  private:
-  // With a header, for PosedFrames, and the time in the bag.
+  // Elements of PosedFrames, which needs the header. `time`: record time in the bag.
   struct Frame {
     std_msgs::Header header;
     ros::Time time;
     collision_forge::AgentArray agents;
   };
   struct Place {
-    std_msgs::Header header;
+    std_msgs::Header header;  ///< of a transform that moves the ego
     ros::Time time;
   };
 
+  /// Returns true if pose, size and speed are within the input limits.
   bool isShown(const collision_forge::Agent& agent) const;
   /// Returns true if `check` does not throw InputError or MessageError; else counts the message.
   template <typename Check>
@@ -82,23 +86,26 @@ class CrashTopics {
   void takeTransforms(const tf2_msgs::TFMessage& message, const ros::Time& time, bool is_static);
   void takeAttack(const collision_forge::Attack& attack);
   void takeAgents(collision_forge::AgentArray agents, const ros::Time& time);
+  /// Writes the speeds and scenes for which the ego's pose is known by now.
   void writePosed();
+  /// Writes the ego's mean speed since the previous pose. `base`: pose of base_link in the map.
   void showSpeed(const Place& place, const Pose2& base);
+  /// Writes the 3D scene of a frame and the attacker's speed.
   void show(const Frame& frame, const Pose2& base);
 
   EgoVehicle ego_;
   InputLimits limits_;
-  std::string agents_;
+  std::string agents_;  ///< topic
   PosedFrames<Frame> frames_;
-  PosedFrames<Place> places_;       ///< poses of base_link
-  std::optional<AgentState> base_;  ///< newest pose
-  std::optional<collision_forge::Attack> attack_;
-  std::optional<collision_forge::CollisionReport> tested_;
+  PosedFrames<Place> places_;                               ///< for the poses of base_link
+  std::optional<AgentState> base_;                          ///< newest pose of base_link
+  std::optional<collision_forge::Attack> attack_;           ///< the newest; empty: none, or ended
+  std::optional<collision_forge::CollisionReport> tested_;  ///< newest tested_report
   MadeTopic scene_;
   MadeTopic map_;
   MadeTopic ego_speed_;
   MadeTopic attacker_speed_;
-  std::map<std::string, int> not_shown_;  ///< by topic
+  std::map<std::string, int> not_shown_;  ///< number of skipped entries, by topic
 };
 
 }  // namespace forge

@@ -16,9 +16,11 @@ struct ForeignBags {
   bool without_lanes = false;  ///< each scene has a map without lanes; `map` must be empty
 };
 
-/// Opens a bag or a folder of bags, one scene per bag, read by readForeignBag(). Throws BagError if
-/// there is no bag, std::runtime_error if a wanted scene is missing. recording() throws like
-/// readForeignBag(), readLaneMap() and readMapFile(), and BagError for a bag without lanes.
+/// Opens the bag, or the folder of bags, at path `bags`: one scene per bag, named after its file,
+/// read by readForeignBag() when asked for. `reading` selects the scenes. The result is
+/// thread-safe. Throws BagError if there is no bag, std::runtime_error if a wanted scene is
+/// missing. recording() and read() throw like readForeignBag(), readLaneMap(), readMapFile() and
+/// keepWithin(), and BagError for a bag without a map if neither `map` nor `without_lanes` is set.
 std::unique_ptr<SceneReader> openForeignBags(const std::string& bags, ForeignBags how,
                                              SceneReading reading);
 

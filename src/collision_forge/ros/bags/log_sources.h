@@ -6,12 +6,14 @@
 
 namespace forge {
 
-/// Returns the format of bags of `forge convert`: one bag or a folder; each is a scene named after
-/// its file.
+/// Returns the format of bags of `forge convert`: one bag or a folder of bags; each is a scene
+/// named after its file, read by readBagAsWritten(). SceneReader::recording() always throws,
+/// because such a bag holds a flat scene. The object lives until the program ends.
 const LogFormat& bagFormat();
 
 /// Returns the log source at `path` and detects its format: a bag or a folder of bags, a
-/// ScenarioNet folder, CommonRoad scenarios, else a nuScenes root with tables of `version`.
+/// ScenarioNet folder, CommonRoad scenarios, else (also for a missing path) a nuScenes root with
+/// tables of `version` (LogSource::version). Throws nothing for a source that cannot be read.
 LogSource logSourceAt(const std::string& path, const std::string& version);
 
 }  // namespace forge

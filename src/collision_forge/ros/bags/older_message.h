@@ -14,15 +14,17 @@
 
 namespace forge {
 
-/// Converts the serialised message `bytes` of type `from` to another version `to` of the type.
-/// Fields of one name, type and shape are copied, other fields of `to` are 0 or empty, other fields
-/// of `from` are dropped. Throws BagError if `bytes` ends within a field.
+/// Converts the serialised message `bytes` of type `from` to another version `to` of the type and
+/// returns its bytes. Fields of one name, type and shape are copied (nested types field by field),
+/// other fields of `to` are 0 or empty, other fields of `from` are dropped. Throws BagError,
+/// without a path, if `bytes` ends within a field.
 std::vector<std::uint8_t> convertMessage(const MessageType& from, const MessageType& to,
                                          const std::vector<std::uint8_t>& bytes);
 
 /// Returns the message of a bag if its type is `Message`, in the current version or in another one,
-/// whose definition the bag has; null for other types. Throws BagError for a message of another
-/// version that cannot be read.
+/// which is converted (convertMessage()) by its definition in the bag; null for other types. Throws
+/// BagError for a message of another version that cannot be read, and
+/// ros::serialization::StreamOverrunException for one of the current version.
 template <typename Message>
 boost::shared_ptr<Message> readMessage(const rosbag::MessageInstance& instance) {
   if (auto current = instance.instantiate<Message>()) return current;

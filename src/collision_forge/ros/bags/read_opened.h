@@ -10,8 +10,9 @@
 
 namespace forge {
 
-/// Opens the bag at `path` and returns read(bag). Converts errors of rosbag and of messages to
-/// BagError.
+/// Opens the bag at `path`, calls `read` once with the const rosbag::Bag&, which is valid during
+/// the call, and returns its result. Converts exceptions of rosbag, StreamOverrunException and
+/// MessageError to BagError with the path; other exceptions of `read` propagate.
 template <typename Read>
 auto readOpened(const std::string& path, const Read& read) {
   try {

@@ -10,13 +10,15 @@ namespace forge {
 /// The attack in a bag of `forge inject`.
 struct RecordedAttack {
   collision_forge::CollisionReport tested_report;  ///< outcome against the recorded ego
-  std::string source;                              ///< file name of the bag without the attack
+  std::string source;  ///< file name of the bag without the attack; empty if unknown
 };
 
-/// Returns nullopt for a bag without an attack. Throws BagError.
+/// Returns the attack in the bag at `path`; nullopt for a bag without a tested_report (no attack).
+/// Throws BagError if the bag cannot be read.
 std::optional<RecordedAttack> readRecordedAttack(const std::string& path);
 
-/// Returns the error text for a second attack in the bag at `path`, with the bag to play instead.
+/// Returns the error text for a request for another attack in the bag at `path`, which already has
+/// `attack`; it names the bag to replay instead.
 std::string refusalOf(const RecordedAttack& attack, const std::string& path);
 
 }  // namespace forge

@@ -23,11 +23,11 @@ inline constexpr char kRos2Package[] = "collision_forge_msgs";
 /// fields become lower case. Constant after construction, so thread-safe.
 class Ros2Message {
  public:
-  /// `type`: package/Type. `definition`: text in the bag's connection. Throws BagError like
-  /// MessageDefinition.
+  /// `type`: package/Type in ROS 1. `definition`: text in the bag's connection, with nested types.
+  /// Throws BagError like MessageDefinition.
   Ros2Message(const std::string& type, const std::string& definition);
 
-  /// Returns package/msg/Type.
+  /// Returns the ROS 2 type, as package/msg/Type.
   const std::string& type() const { return type_; }
   /// Returns the definition of the type and its nested types, as ros2msg.
   const std::string& definition() const { return text_; }
@@ -42,24 +42,26 @@ class Ros2Message {
   using Plan = std::vector<Move>;
   /// A field of the ROS 1 type, of the ROS 2 type, or both: dropped, added or converted.
   struct Move {
-    const MessageField* from = nullptr;
-    const MessageField* to = nullptr;
-    const Plan* nested = nullptr;  ///< for fields of a message type
+    const MessageField* from = nullptr;  ///< null: added in ROS 2
+    const MessageField* to = nullptr;    ///< null: dropped in ROS 2
+    const Plan* nested = nullptr;        ///< for fields of a message type
   };
   class Conversion;
 
+  /// Returns the conversion of a type, which `plans_` keeps.
   const Plan& planOf(const MessageType& from, const MessageType& to);
 
-  std::string type_;
-  std::string text_;
-  MessageDefinition from_;
-  std::unique_ptr<const MessageDefinition> to_;
-  std::map<std::pair<const MessageType*, const MessageType*>, Plan> plans_;
-  const Plan* plan_ = nullptr;
+  std::string type_;                             ///< package/msg/Type
+  std::string text_;                             ///< definition as ros2msg
+  MessageDefinition from_;                       ///< of ROS 1
+  std::unique_ptr<const MessageDefinition> to_;  ///< of ROS 2
+  std::map<std::pair<const MessageType*, const MessageType*>, Plan> plans_;  ///< by both types
+  const Plan* plan_ = nullptr;  ///< of the whole message, in `plans_`
 };
 
-/// Returns the types of kRos2Package in a definition as ros2msg, text by name without package.
-/// `type`: package/msg/Type, the type at the beginning of the text.
+/// Returns the types of kRos2Package in `definition` (as ros2msg): the text of each by its name
+/// without package; empty if there are none. `type`: package/msg/Type, the type at the beginning of
+/// the text.
 std::map<std::string, std::string> ownRos2Types(const std::string& type,
                                                 const std::string& definition);
 

@@ -11,7 +11,7 @@ namespace forge {
 
 /// The number of a scene's sensor files, by outcome.
 struct SensorCounts {
-  std::size_t written = 0;
+  std::size_t written = 0;     ///< sweeps and pictures in the bag, also simulated ones
   std::size_t missing = 0;     ///< files that do not exist
   std::size_t unreadable = 0;  ///< sweeps whose size is no multiple of a point's 20 bytes
   std::size_t skipped = 0;     ///< of kinds that are not converted: radar
@@ -21,17 +21,21 @@ struct SensorCounts {
 /// case: lidar sweeps as sensor_msgs/PointCloud2 on /lidar_top, pictures as
 /// sensor_msgs/CompressedImage on /cam_front/image_rect_compressed with
 /// sensor_msgs/CameraInfo on /cam_front/camera_info, as other converters of nuScenes name them.
+/// Stamp and record time are the file's timestamp. Files that are missing or unreadable are counted
+/// and left out. A file without a path is simulated (simulateSweep()).
 class SensorWriter {
  public:
-  /// `sensors` and `recording` must outlive the writer.
+  /// All three must outlive the writer. `recording`: of the same scene, for simulated sweeps.
   SensorWriter(const NuScenesSensorScene& sensors, const NuScenesRecording& recording, NewBag& bag)
       : sensors_(sensors), recording_(recording), bag_(bag) {}
 
-  /// Writes /tf_static from base_link to every sensor, latched.
+  /// Writes /tf_static from base_link to every sensor, latched; `start`: stamp and record time.
   void writeMounting(const ros::Time& start);
-  /// Writes the messages up to a time, us, that were not written yet.
+  /// Writes the files with timestamps up to `timestamp_us` that were not written yet. Throws
+  /// BagError.
   void writeUpTo(std::int64_t timestamp_us);
 
+  /// Returns the counts of the files up to the last writeUpTo().
   const SensorCounts& counts() const { return counts_; }
 
  private:
@@ -42,7 +46,7 @@ class SensorWriter {
   const NuScenesSensorScene& sensors_;
   const NuScenesRecording& recording_;
   NewBag& bag_;
-  std::size_t next_ = 0;
+  std::size_t next_ = 0;  ///< index of the next file in NuScenesSensorScene::files
   SensorCounts counts_;
 };
 

@@ -12,7 +12,7 @@
 /// config/topics_autoware.yaml.
 namespace forge {
 
-/// Source of a number: the path of a field (FieldPath), or a constant for all messages.
+/// Source of a number: the path of a field (FieldPath::path), or a constant for all messages.
 using NumberSource = std::variant<std::string, double>;
 
 /// Fields of a pose.
@@ -24,32 +24,33 @@ struct PoseFields {
 
 /// A topic and the fields common to all mapped messages.
 struct TopicFields {
-  std::string topic;          ///< name in the bag
-  std::string type;           ///< package/Type
-  std::string stamp;          ///< path of a time field
-  std::string frame_id;       ///< required frame of poses; empty: any
-  std::string frame_id_path;  ///< path of the frame of poses; empty: map_frame for all messages
+  std::string topic;          ///< name in the bag, with leading slash if it has one
+  std::string type;           ///< required type, package/Type
+  std::string stamp;          ///< path of a time field: the time of the poses
+  std::string frame_id;       ///< required frame of the poses; empty: any
+  std::string frame_id_path;  ///< path of the frame of the poses; empty: map_frame in all messages
 };
 
-/// Point of the ego that a pose describes.
+/// Point of the ego that a pose describes: base_link or the box centre (EgoVehicle).
 enum class EgoReference { kBaseLink, kBoxMiddle };
 
 /// Fields of the ego's pose.
 struct EgoMapping {
   TopicFields fields;
-  PoseFields pose;
+  PoseFields pose;                                   ///< pose of `reference`
   EgoReference reference = EgoReference::kBaseLink;  ///< point that the pose describes
-  std::string child_frame_id;                        ///< frame whose pose is given
+  std::string child_frame_id;  ///< tf frame of the ego, whose pose is given; not empty
   bool in_transforms = false;  ///< the pose is in the transforms of `fields.topic`; `pose` is empty
 };
 
-/// Frame of an agent's velocity: the frame of the poses, or the agent's box (x forward).
+/// Frame of an agent's velocity: the frame of the poses in the message (kMap, whatever its name),
+/// or the agent's box with x forward (kObject).
 enum class VelocityFrame { kMap, kObject };
 
 /// Fields of an agent's velocity.
 struct VelocityFields {
-  VelocityFrame frame = VelocityFrame::kMap;
-  std::array<NumberSource, 3> velocity;  ///< x, y, z, m/s
+  VelocityFrame frame = VelocityFrame::kMap;  ///< axes of `velocity`
+  std::array<NumberSource, 3> velocity;       ///< x, y, z, m/s
 };
 
 /// Fields of the agents; paths with `[]` give one agent per element.
@@ -57,17 +58,19 @@ struct AgentsMapping {
   TopicFields fields;
   std::string id;              ///< path of a number, a text or an array of uint8
   std::string classification;  ///< path of the class, an integer or a text
-  std::string probability;     ///< path; selects the most probable class; empty: the first
-  std::map<std::string, AgentClass> classes;  ///< by the value of `classification`
-  AgentClass default_class = AgentClass::kStaticObject;
-  PoseFields pose;                         ///< middle of the box
-  std::array<NumberSource, 3> size;        ///< length, width, height, m
-  std::optional<VelocityFields> velocity;  ///< empty: derived from the positions
+  /// Path of a number per class of an agent; the class with the greatest is used; empty: the first.
+  std::string probability;
+  std::map<std::string, AgentClass> classes;  ///< by the value of `classification` as text
+  AgentClass default_class = AgentClass::kStaticObject;  ///< for a value that `classes` lacks
+  PoseFields pose;                                       ///< centre of the box
+  std::array<NumberSource, 3> size;                      ///< length, width, height, m
+  std::optional<VelocityFields> velocity;                ///< empty: derived from the positions
 };
 
 /// The whole mapping.
 struct TopicMapping {
-  std::string map_frame;  ///< frame of the lanes; poses in other frames are transformed to it
+  /// Frame of the lanes, by default "map"; poses in other frames are transformed to it.
+  std::string map_frame;
   EgoMapping ego;
   AgentsMapping agents;
 
@@ -75,7 +78,8 @@ struct TopicMapping {
   std::string transformTopic() const { return ego.in_transforms ? ego.fields.topic : "/tf"; }
 };
 
-/// Reads a mapping file. Throws ConfigError with file, key and value.
+/// Reads the mapping file at `path` (YAML). Throws ConfigError with file, key and value for a
+/// missing file, and for a missing, unknown or malformed key.
 TopicMapping readTopicMapping(const std::string& path);
 
 }  // namespace forge

@@ -19,16 +19,18 @@
 
 namespace forge {
 
-/// The values of the requested fields in the newest message of a topic. A missing value is NaN,
-/// empty or 0.
+/// The values of the requested fields in the newest message of a topic. Usage: want() all fields,
+/// add() all connections of the topic, then take() each message and read its values. A missing
+/// value (an array that is too short) is NaN, "" or 0. Not thread-safe.
 class TopicValues {
  public:
+  /// Requests the fields for nanoseconds() and frame(). `topic` must outlive the object.
   explicit TopicValues(const TopicFields& topic) : topic_(topic) {
     want(topic.stamp, FieldKind::kTime);
     if (!topic.frame_id_path.empty()) want(topic.frame_id_path, FieldKind::kText);
   }
 
-  // Request fields; call before add(). A constant needs no field.
+  // Request fields; call before add(). A constant needs no field. Paths as in FieldPath.
   void want(const std::string& path, FieldKind kind) {
     if (columns_.try_emplace(path, paths_.size()).second) paths_.push_back({path, kind});
   }
@@ -44,7 +46,8 @@ class TopicValues {
     std::visit([this](const auto& orientation) { want(orientation); }, pose.orientation);
   }
 
-  /// Adds a connection of the topic. Throws BagError if its type contradicts the mapping.
+  /// Adds a connection of the topic. Throws BagError, without path and topic, if its type
+  /// contradicts the mapping, and as the constructor of MessageFields.
   void add(const rosbag::ConnectionInfo& connection) {
     if (connection.datatype != topic_.type) {
       throw BagError("is of type " + connection.datatype + ", not " + topic_.type);
@@ -62,16 +65,19 @@ class TopicValues {
     values_ = readers_.at(instance.getConnectionHeader())->read(bytes_.data(), bytes_.size());
   }
 
+  // The functions below read the message of the last take(). Their paths must have been requested;
+  // `row` counts from 0, and a row beyond the last has no values.
+
   /// Returns the number of rows of a field (FieldRows).
   std::size_t rows(const std::string& path) const { return values_[columns_.at(path)].size(); }
 
-  /// All values in a row.
+  /// Returns all values in a row; none if it has none.
   const std::vector<FieldValue>& all(const std::string& path, std::size_t row) const {
     static const std::vector<FieldValue> none;
     const FieldRows& rows = values_[columns_.at(path)];
     return row < rows.size() ? rows[row] : none;
   }
-  // Return the first value in a row, or of a field or constant.
+  // Return the first value in a row ("" or NaN if it has none), or the constant.
   std::string text(const std::string& path, std::size_t row) const {
     const auto& values = all(path, row);
     return values.empty() ? "" : std::get<std::string>(values.front());
@@ -84,7 +90,8 @@ class TopicValues {
   Eigen::Vector3d vector(const std::array<NumberSource, 3>& sources, std::size_t row) const {
     return {number(sources[0], row), number(sources[1], row), number(sources[2], row)};
   }
-  /// Returns the rotation; not finite if the fields have none.
+  /// Returns the rotation of a pose, as a unit quaternion; not finite if a field has no finite
+  /// value or the quaternion is zero.
   Eigen::Quaterniond rotation(const PoseFields& pose, std::size_t row) const {
     if (const auto* yaw = std::get_if<NumberSource>(&pose.orientation)) {
       return Eigen::Quaterniond(Eigen::AngleAxisd(number(*yaw, row), Eigen::Vector3d::UnitZ()));
@@ -94,13 +101,13 @@ class TopicValues {
     for (int i = 0; i < 4; ++i) coefficients[i] = number(parts[static_cast<std::size_t>(i)], row);
     return Eigen::Quaterniond(Eigen::Vector4d(coefficients / coefficients.norm()));
   }
-  /// Returns the stamp of the message, ns; 0 if it is not set.
+  /// Returns the stamp of the message, ns since the epoch; 0 if it is not set.
   std::int64_t nanoseconds() const {
     const auto& values = all(topic_.stamp, 0);
     return values.empty() ? 0 : std::get<std::int64_t>(values.front());
   }
-  /// Returns the frame of the poses, `map_frame` for a message that names none. Throws BagError if
-  /// it is not the frame that the mapping requires.
+  /// Returns the frame of the poses, as frameName(); `map_frame` for a message that names none.
+  /// Throws BagError, without path and topic, if it is not the frame that the mapping requires.
   std::string frame(const std::string& map_frame) const {
     if (topic_.frame_id_path.empty()) return map_frame;
     const std::string found = text(topic_.frame_id_path, 0);
@@ -113,11 +120,11 @@ class TopicValues {
  private:
   const TopicFields& topic_;
   std::vector<FieldPath> paths_;
-  std::map<std::string, std::size_t> columns_;  ///< of `paths_`, by path
-  /// By the header of their connection, which is shared.
+  std::map<std::string, std::size_t> columns_;  ///< indices in `paths_` and `values_`, by path
+  /// By the header of their connection, which all its messages share.
   std::map<boost::shared_ptr<ros::M_string>, std::unique_ptr<MessageFields>> readers_;
-  std::vector<std::uint8_t> bytes_;
-  std::vector<FieldRows> values_;
+  std::vector<std::uint8_t> bytes_;  ///< buffer of take()
+  std::vector<FieldRows> values_;    ///< of the newest message, in the order of `paths_`
 };
 
 }  // namespace forge

@@ -6,11 +6,12 @@
 
 namespace forge {
 
-/// An agent at the begin and the end of a sweep, s after the cloud's stamp.
+/// An agent at the begin and the end of a lidar sweep, in the map frame. Only the pose differs: all
+/// else is taken from `end`.
 struct AgentInSweep {
   collision_forge::Agent begin, end;
-  double begin_time = 0.0;
-  double end_time = 0.0;
+  double begin_time = 0.0;  ///< s after the cloud's stamp, at most 0
+  double end_time = 0.0;    ///< s after the cloud's stamp
 };
 
 /// Poses of a cloud's frame in the map frame at the begin and the end of a sweep; equal for clouds
@@ -19,12 +20,14 @@ struct SensorInSweep {
   Eigen::Isometry3d begin, end;
 };
 
-/// Returns the pose of an agent, the origin at the bottom of its box. Frame: as the agent's.
+/// Returns the pose of the middle of the bottom face of an agent's box, with the orientation of the
+/// box; in the frame of the agent's pose.
 Eigen::Isometry3d bottomOf(const collision_forge::Agent& agent);
 
-/// Returns the body of an agent in a cloud's frame. It stands on the ground of the sweep below it
-/// (groundBelow()), else on the bottom of its box. Throws std::invalid_argument unless all numbers
-/// are finite and the sizes positive.
+/// Returns the body of an agent in the cloud's frame, at the begin and the end of the sweep; its
+/// shape is lidarBodyOf() of its class and size. The body stands on the ground of the sweep below
+/// it (groundBelow()), or on the bottom of the agent's box if the sweep has no ground there. Throws
+/// std::invalid_argument, naming the agent, unless all numbers are finite and the sizes positive.
 PosedBody bodyInCloud(const AgentInSweep& agent, const SensorInSweep& sensor,
                       const SweepRays& sweep);
 

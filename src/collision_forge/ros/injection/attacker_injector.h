@@ -11,42 +11,53 @@
 
 namespace forge {
 
-/// Inserts an attacker into frames of agents. Takes height and z, which the trajectory lacks, from
-/// recorded frames: for a recorded attacker its own, for an added one those from the nearest
-/// recorded vehicle of its class, or of any class if there is none. Not thread-safe.
+/// Inserts an attacker (or a support vehicle) into frames of agents. The trajectory is planar; the
+/// injector takes the z of the box middle, and for an added attacker the height of its box, from
+/// recorded frames: a recorded attacker keeps its own, an added one gets them from the recorded
+/// vehicle of its class that is nearest to its place at t0, or from the nearest motor vehicle if
+/// there is none. Without such a frame z is 0 and the height is size.z of the trajectory. Not
+/// thread-safe.
 class AttackerInjector {
  public:
-  /// After the end of the trajectory the attacker brakes to a standstill, by the limits `options`.
+  /// `trajectory`: map frame. After the end of the trajectory the attacker brakes to a standstill,
+  /// by the limits `options` (brakingFromEnd()).
   AttackerInjector(collision_forge::AttackerTrajectory trajectory,
                    const DriveLimitOptions& options);
 
-  /// Replaces the trajectory by a replanned one of the same attack (same vehicle and t0); height, z
-  /// and crash are kept. Returns false and changes nothing if it belongs to another attack.
+  /// Replaces the trajectory by a replanned one of the same attack (same vehicle, past and t0);
+  /// height, z and crash are kept. Returns true if it was replaced; returns false and changes
+  /// nothing if it belongs to another attack.
   bool change(const collision_forge::AttackerTrajectory& trajectory);
 
   /// Sets the attacker's motion after the contact; empty: no contact.
   void setCrash(const std::optional<PostCrashMotion>& crash) { crash_ = crash; }
 
-  /// Takes height and z from a recorded frame, if the attacker is in it. inject() does this for
-  /// frames up to the trajectory's start, and for a later frame if there was none before.
+  /// Takes height and z from a recorded frame: of the attacker, which replaces earlier values; for
+  /// an added attacker, once, of a similar vehicle. Does nothing if the frame has neither. inject()
+  /// calls this for frames up to the trajectory's start (t0), and for later ones until a frame
+  /// provided the values.
   void remember(const collision_forge::AgentArray& recorded);
 
-  /// Returns `agents` with the attacker. Up to the trajectory's start, only an added attacker is
-  /// inserted, in the frames of its past. Later, the attacker has the pose of its trajectory or its
-  /// crash, also if it is missing in the recorded frame. Other agents are unchanged. Throws
-  /// MessageError like fromMessage() of the trajectory, at a time after its end.
+  /// Returns `agents` with the attacker at the time of their stamp. Up to the trajectory's start
+  /// (t0), only an added attacker is inserted, in frames within its past. Later, the attacker has
+  /// pose and velocity of its trajectory, or after the contact of its crash, also if it is missing
+  /// in the recorded frame. Other agents are unchanged. Throws MessageError like fromMessage() for
+  /// an invalid trajectory, in frames after t0.
   collision_forge::AgentArray inject(collision_forge::AgentArray agents);
 
  private:
+  /// Takes height and z for an added attacker from the most similar vehicle of the frame.
   void rememberLike(const collision_forge::AgentArray& recorded);
+  /// Returns the attacker's state at `time` (s), which is after t0.
   AgentState stateAfterNow(double time) const;
+  /// Replaces the attacker in the frame by one with this state, or adds it.
   void put(const AgentState& state, collision_forge::AgentArray& agents) const;
 
   collision_forge::AttackerTrajectory trajectory_;
   DriveLimitOptions options_;
   std::optional<PostCrashMotion> crash_;
-  collision_forge::Agent attacker_;
-  bool is_remembered_ = false;
+  collision_forge::Agent attacker_;  // all but x, y, yaw and velocity, which put() sets
+  bool is_remembered_ = false;       // height and z of `attacker_` are from a recorded frame
 };
 
 }  // namespace forge

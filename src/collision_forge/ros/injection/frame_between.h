@@ -8,7 +8,7 @@ namespace forge {
 
 inline constexpr double kSameTime = 1e-3;  ///< s; frames closer in time than this count as one
 
-/// Interpolates linearly; `ratio` 0 is `before`, 1 is `after`.
+/// Interpolates x, y and z of a point or vector linearly; `ratio` 0 returns `before`, 1 `after`.
 template <typename Message>
 Message between(const Message& before, const Message& after, double ratio) {
   Message message;
@@ -18,20 +18,23 @@ Message between(const Message& before, const Message& after, double ratio) {
   return message;
 }
 
-/// Returns the frame at `ratio`, in (0, 1), of the time between two recorded frames, with the stamp
-/// of that time. It has only the agents that are in both frames: positions and velocities are
-/// interpolated linearly, headings along the shorter rotation; all else is from `before`.
+/// Returns the frame at the share `ratio`, in (0, 1), of the time between two recorded frames, with
+/// the stamp of that time. It has only the agents that are in both frames, in the order of
+/// `before`: positions and velocities are interpolated linearly, orientations along the shorter
+/// rotation; all else is from `before`.
 collision_forge::AgentArray frameBetween(const collision_forge::AgentArray& before,
                                          const collision_forge::AgentArray& after, double ratio);
 
-/// Returns the agents at `stamp`, by frameBetween() of the two neighbours in `frames` (sorted by
-/// stamp); none outside of them and in gaps above kMaxGap.
+/// Returns the agents at `stamp`: of the frame with this stamp, else by frameBetween() of the two
+/// neighbours in `frames` (sorted by stamp). Returns none before the first and after the last
+/// frame, and in gaps above kMaxGap.
 std::vector<collision_forge::Agent> agentsAt(const std::vector<collision_forge::AgentArray>& frames,
                                              const ros::Time& stamp);
 
-/// Extrapolates the agents of the recorded frame `newest` to `stamp` like shownPose(). `before`,
-/// the recorded frame before it, is used to derive their motion. Agents that are not in `before`
-/// stand still, as do all if it is null. Velocities rotate with the boxes.
+/// Returns the recorded frame `newest` with the stamp `stamp` (later) and its agents extrapolated
+/// to it like shownPose(). Their motion is derived from their poses in `before`, the recorded frame
+/// before `newest`. Agents that are not in `before` stand still, as do all if it is null. The
+/// velocity of each agent is that in `newest`, rotated with its box.
 collision_forge::AgentArray frameAfter(const collision_forge::AgentArray* before,
                                        const collision_forge::AgentArray& newest,
                                        const ros::Time& stamp);

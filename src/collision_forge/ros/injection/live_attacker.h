@@ -13,59 +13,65 @@ namespace forge {
 
 /// Publishes attacks, and runs the adaptive attacker of the newest attack on each frame of the
 /// scene. Publishes the attack again when its trajectory changes or the attacker makes a decision.
-/// A frame before the attack's t0 means that the replay restarted: the attack is dropped, or, with
-/// `keeps_attack`, started again. Thread-safe; `publish` is called with a lock held and must not
-/// call back.
+/// A frame at or before the attack's t0 that is older than its predecessor means that the replay
+/// restarted: the attack is dropped (forget()), or, with `keeps_attack`, started again.
+/// Thread-safe; `publish` is called with a lock held and must not call back.
 class LiveAttacker {
  public:
-  /// Publishes a message.
+  /// Publishes a message; called in the thread of the function that publishes.
   using Publish = std::function<void(const collision_forge::Attack&)>;
-  /// `kept_for`: s of frames that are kept; an attack may be this much older than the newest frame.
+  /// `kept_for`: s; frames older than the newest by more than this are dropped. An adaptive attack
+  /// whose t0 is older misses the frames between.
   LiveAttacker(Publish publish, bool keeps_attack, double kept_for)
       : publish_(std::move(publish)), keeps_attack_(keeps_attack), kept_for_(kept_for) {}
 
-  /// Publishes an attack with a fixed trajectory; ends an adaptive one.
+  /// Publishes an attack with a fixed trajectory; ends the adaptive one, if any.
   void setOut(const collision_forge::Attack& attack);
 
-  /// Publishes an adaptive attack for `task`, then replays the frames received since the task's t0
-  /// to its attacker. Returns the attack as first published.
+  /// Creates the adaptive attacker of `task`, publishes `attack`, which is the message of its first
+  /// plan, and then passes the kept frames after the task's t0 to the attacker, as see() does.
+  /// Returns the attack as first published: with the plans of the attacker (setPlans()).
   collision_forge::Attack setOut(collision_forge::Attack attack, AttackerTask task,
                                  const AttackerSetup& setup);
 
   /// Publishes an empty attack (isNone()), which also ends an attack of another source, such as a
-  /// played bag. Returns true if this object had an attack.
+  /// played bag. Returns true if this object had an attack, fixed or adaptive.
   bool forget();
 
-  /// Passes a new frame, received at `clock` (s), to the adaptive attacker. If the replay steps
-  /// back, but not to before the attack's t0, the attacker stops replanning.
+  /// Keeps a new frame, received at `clock` (s, ROS time), and passes it to the adaptive attacker.
+  /// If the replay steps back, but not to the attack's t0 or before it, the attacker stops
+  /// replanning, with a warning in the log.
   void see(const Frame& frame, double clock);
 
-  /// Call periodically. If no frame arrived since the last call and for `lost_after` seconds of the
-  /// clock, the attacker gets an update step without observations.
+  /// Call periodically; `clock`: s, ROS time. If no frame arrived since the last call and for
+  /// AdaptiveOptions::lost_after seconds of the clock, the adaptive attacker gets an update step
+  /// without observations.
   void watch(double clock);
 
  private:
+  /// An adaptive attack.
   struct Driven {
-    collision_forge::Attack first;
+    collision_forge::Attack first;  // as first published
     AttackerTask task;
     AttackerSetup setup;
-    AdaptiveAttacker start;
+    AdaptiveAttacker start;                  // its state at t0, for a restart
     std::optional<AdaptiveAttacker> policy;  // empty: the replay stepped back during the attack
   };
 
-  void publish(const collision_forge::Attack& attack);
+  // All functions below need the lock.
+  void publish(const collision_forge::Attack& attack);  // also sets `now_`
   void forgetLocked();
-  void show(const Frame& frame);
-  void goBackTo(double time);
-  collision_forge::Attack attackNow() const;
+  void show(const Frame& frame);  // passes a frame after t0 to the attacker; publishes a change
+  void goBackTo(double time);     // handles a replay that steps back to `time` (s)
+  collision_forge::Attack attackNow() const;  // the message with the newest plan
 
   std::mutex mutex_;  // guards all members below
   Publish publish_;
   bool keeps_attack_;
   double kept_for_;
   std::optional<double> now_;  // s, t0 of the current attack
-  std::deque<Frame> frames_;   // the newest: a request ends later than its t0
-  double came_ = 0.0;          // s, clock at which the newest was received
+  std::deque<Frame> frames_;   // of the last `kept_for_` s, oldest first, for setOut()
+  double came_ = 0.0;          // s, clock at which the newest frame was received
   bool is_watched_ = false;    // watch() was called since the newest frame
   std::optional<Driven> driven_;
 };

@@ -12,7 +12,8 @@ namespace forge {
 /// another bag was replayed.
 class RecordClock {
  public:
-  /// Adds a message. Ignored unless both times are later than those before.
+  /// Adds a message: its header stamp and the time at which it was recorded. Ignored unless both
+  /// times are later than the times of the message added last.
   void add(const ros::Time& stamp, const ros::Time& recorded);
 
   /// Returns the record time for a stamp. The offset between the clocks is interpolated linearly
@@ -28,6 +29,7 @@ class RecordClock {
     std::int64_t stamp;     // ns
     std::int64_t recorded;  // ns
   };
+  /// Returns `time` of the clock `from` on the clock `to`.
   ros::Time converted(const ros::Time& time, std::int64_t Message::*from,
                       std::int64_t Message::*to) const;
 

@@ -5,10 +5,14 @@
 
 #include <string>
 
-/// Texts about an attack for people: countdown before the contact, outcome after it.
+/// Texts about an attack for people: countdown before the contact, outcome after it. Lines are
+/// separated by '\n', without a line end after the last. `now`: time of the picture on the scene's
+/// clock; `tested`: report on the actual outcome (topic tested_report).
 namespace forge {
 
-/// Returns `tested` if it belongs to `attack` and its outcome is known at `now`, else null.
+/// Returns `tested` if it belongs to `attack` (same t0 and attacker) and its outcome is known at
+/// `now`: from the contact on, or without one from the end of the trajectory on. Otherwise returns
+/// null; `tested` may be null.
 const collision_forge::CollisionReport* verdictBy(const ros::Time& now,
                                                   const collision_forge::Attack& attack,
                                                   const collision_forge::CollisionReport* tested);
@@ -16,18 +20,20 @@ const collision_forge::CollisionReport* verdictBy(const ros::Time& now,
 /// Text for a contact that is not yet verified.
 inline constexpr const char* kContactWords = "contact; verification follows";
 
-/// Returns "contact in 4.4 s" before the predicted contact, later "contact predicted 0.2 s ago": if
-/// the ego departs from the prediction, the contact comes later or never.
+/// Returns "contact in 4.4 s" before the contact that the attack's report predicts, later "contact
+/// predicted 0.2 s ago": if the ego departs from the prediction, the contact comes later or never.
+/// Returns "no contact predicted" for a report without a contact.
 std::string countdownWords(const collision_forge::Attack& attack, const ros::Time& now);
 
-/// Returns whether the contact is as requested, and otherwise why not, or that there is none.
+/// Returns "contact as requested", "contact not as requested: REASON" or "no contact".
 std::string outcomeWords(const collision_forge::CollisionReport& tested);
 
-/// Returns two or three lines: outcome; impact; plausible or the reason why not.
+/// Returns two or three lines: outcomeWords(); the impact speed, if there is a contact; plausible,
+/// or the reason why not.
 std::string verdictWords(const collision_forge::CollisionReport& tested);
 
-/// Returns the verdict if `verdict` is set, else the countdown, for an adaptive attacker with its
-/// phase.
+/// Returns verdictWords() unless `verdict` is null, else countdownWords(), for an adaptive attacker
+/// followed by a line with its phase and last decision.
 std::string crashWords(const collision_forge::Attack& attack,
                        const collision_forge::CollisionReport* verdict, const ros::Time& now);
 

@@ -9,34 +9,37 @@
 /// the colours of the figures (config/drawing.yaml).
 namespace forge::colors {
 
+/// A colour; each part in [0, 1].
 struct MarkerColor {
   float red = 0.0F;
   float green = 0.0F;
   float blue = 0.0F;
-  float alpha = 1.0F;
+  float alpha = 1.0F;  ///< 0: transparent, 1: opaque
 };
 
+// The map.
 inline constexpr MarkerColor kDrivableArea{0.90F, 0.91F, 0.92F};
 inline constexpr MarkerColor kWalkway{0.93F, 0.89F, 0.82F};
-inline constexpr MarkerColor kLane{0.66F, 0.69F, 0.72F};
-inline constexpr MarkerColor kConnector{0.78F, 0.80F, 0.82F};
+inline constexpr MarkerColor kLane{0.66F, 0.69F, 0.72F};       ///< centrelines of lanes
+inline constexpr MarkerColor kConnector{0.78F, 0.80F, 0.82F};  ///< centrelines of connectors
 inline constexpr MarkerColor kRoadEdge{0.45F, 0.47F, 0.50F};
 inline constexpr MarkerColor kPainted{0.97F, 0.97F, 0.98F};  ///< crosswalks and speed bumps
 
+// Attacks and planner tests.
 inline constexpr MarkerColor kEgo{0.12F, 0.40F, 0.80F};
 inline constexpr MarkerColor kAttacker{0.84F, 0.15F, 0.16F};
-inline constexpr MarkerColor kAdded{0.93F, 0.45F, 0.45F};  ///< added attacker
-inline constexpr MarkerColor kPatternEgo{0.52F, 0.20F, 0.68F};
-inline constexpr MarkerColor kPatternAttacker{0.98F, 0.58F, 0.10F};
-inline constexpr MarkerColor kContact{1.00F, 0.87F, 0.12F};
-inline constexpr MarkerColor kRecordedEgo{0.33F, 0.34F, 0.38F};  ///< in planner tests
-inline constexpr MarkerColor kProposal{0.10F, 0.60F, 0.42F, 0.6F};
+inline constexpr MarkerColor kAdded{0.93F, 0.45F, 0.45F};            ///< past of an added attacker
+inline constexpr MarkerColor kPatternEgo{0.52F, 0.20F, 0.68F};       ///< ego in a collision pattern
+inline constexpr MarkerColor kPatternAttacker{0.98F, 0.58F, 0.10F};  ///< attacker in a pattern
+inline constexpr MarkerColor kContact{1.00F, 0.87F, 0.12F};          ///< the contact point
+inline constexpr MarkerColor kRecordedEgo{0.33F, 0.34F, 0.38F};      ///< in planner tests
+inline constexpr MarkerColor kProposal{0.10F, 0.60F, 0.42F, 0.6F};   ///< Planner::proposals()
 
 inline constexpr MarkerColor kText{0.13F, 0.15F, 0.18F};
 inline constexpr MarkerColor kPlate{1.00F, 1.00F, 1.00F, 0.8F};  ///< under texts
 inline constexpr MarkerColor kNose{1.00F, 1.00F, 1.00F, 0.75F};  ///< the arrow head on a box
 
-/// In the order of the constants in Agent.msg.
+/// Colours of agents, in the order of the constants in Agent.msg.
 inline constexpr std::array<MarkerColor, 11> kAgentClasses{{
     {0.44F, 0.53F, 0.62F},  // car
     {0.05F, 0.45F, 0.45F},  // truck
@@ -51,7 +54,7 @@ inline constexpr std::array<MarkerColor, 11> kAgentClasses{{
     {0.60F, 0.60F, 0.60F},  // static object
 }};
 
-/// In the order of the constants in TrafficLight.msg.
+/// Colours of traffic lights, in the order of the constants in TrafficLight.msg.
 inline constexpr std::array<MarkerColor, 4> kLights{{
     {0.60F, 0.60F, 0.60F},  // unknown
     {0.84F, 0.10F, 0.10F},  // red
@@ -69,6 +72,7 @@ inline MarkerColor agentColor(std::uint8_t agent_class) {
   return agent_class < kAgentClasses.size() ? kAgentClasses[agent_class] : kAgentClasses.back();
 }
 
+/// Returns `color` with another alpha.
 inline MarkerColor withAlpha(MarkerColor color, float alpha) {
   color.alpha = alpha;
   return color;

@@ -11,20 +11,23 @@
 
 namespace forge {
 
-/// Returns the static markers of a planner test: the paths of the planner's ego, the recorded ego
-/// and the attacker up to the end of the test, and the proposals of the planner's last call. Starts
-/// with DELETEALL. Colours: ros/markers/marker_colors.h.
+/// Returns the static markers of the test `trial` in `scenario`: the paths of the planner's ego,
+/// the recorded ego and the planned attacker (CrashScenario::attacker) up to the end of the test,
+/// and the proposals of the planner's last call. Map frame, stamp t0. Starts with DELETEALL.
+/// Colours: ros/markers/marker_colors.h. `trial.outcome.driven` must not be empty.
 visualization_msgs::MarkerArray plannerMarkers(const PlannerTrial& trial,
                                                const CrashScenario& scenario);
 
-/// A planner test with the data for its animation.
+/// A planner test with the data for its animation; shownRollout() makes it. Times: s, clock of the
+/// scenario.
 struct ShownRollout {
   PlannerTrial trial;
   CrashScenario scenario;
-  std::string planner;
+  std::string planner;                     ///< name of the planner, for the text
   std::optional<PlannerCrash> crash = {};  ///< crashOf() the outcome; empty without a contact
-  LabelSide words_side = {};               ///< place of the text beside the ego at standstill
+  LabelSide words_side = {};               ///< place of the text beside the ego at standTime()
 
+  /// Returns t0, s.
   double now() const { return scenario.snapshot.now; }
   /// Returns the end of the rollout, s: the contact if there is one.
   double end() const { return trial.outcome.driven.back().time; }
@@ -32,18 +35,20 @@ struct ShownRollout {
   double standTime() const { return crash ? crash->motion.standTime() : end(); }
 };
 
-/// The text is placed beside the paths of all vehicles.
+/// Returns the data for the animation of a test. Chooses the place of the text so that it covers as
+/// little as possible of the paths of all vehicles. `trial.outcome.driven` must not be empty.
 ShownRollout shownRollout(const PlannerTrial& trial, const CrashScenario& scenario,
                           const std::string& planner, const SeverityOptions& severity);
 
-/// Returns the picture at `time`, s on the scenario's clock: the boxes of the planner's ego, the
-/// attacker and the other agents, and as text the time since t0 or, from end() on, the outcome.
-/// After a contact the ego and the touched vehicle move by their post-crash motion, and other
-/// agents as recorded; reactive agents stand. From standTime() on all stand. Starts with DELETEALL.
+/// Returns the picture at `time`, s on the scenario's clock, from t0 on: the boxes of the planner's
+/// ego, the attacker and the other agents, and as text the time since t0 or, from end() on, the
+/// outcome. After a contact the ego and the touched vehicle move by their post-crash motion, and
+/// other agents as recorded; agents that reacted in the test stand. From standTime() on all stand.
+/// Map frame. Starts with DELETEALL.
 visualization_msgs::MarkerArray rolloutMarkers(const ShownRollout& shown, double time);
 
-/// Returns the part of the map that contains the ego and the attacker at `time`, and the ego at
-/// standstill.
+/// Returns the part of the map that contains the ego and the attacker at `time` (s, scenario's
+/// clock), the ego at standTime(), and the text.
 ShownArea rolloutArea(const ShownRollout& shown, double time);
 
 }  // namespace forge

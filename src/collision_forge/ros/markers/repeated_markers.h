@@ -13,7 +13,9 @@ class RepeatedMarkers {
  public:
   static constexpr double kInterval = 1.0;  ///< s of the wall clock between two repeat()
 
-  RepeatedMarkers() = default;  ///< no topic: publishes nothing
+  /// Has no topic; assign an object with a topic before publish(). repeat() does nothing.
+  RepeatedMarkers() = default;
+  /// Advertises `topic`, resolved by `node`.
   RepeatedMarkers(ros::NodeHandle& node, const char* topic)
       : publisher_(node.advertise<visualization_msgs::MarkerArray>(topic, 1, true)) {}
 
@@ -23,7 +25,7 @@ class RepeatedMarkers {
     publisher_.publish(markers);
   }
 
-  /// Publishes the newest message again, if there is one.
+  /// Publishes the newest message again, if there is one; call it every kInterval.
   void repeat() const {
     if (newest_) publisher_.publish(*newest_);
   }

@@ -19,15 +19,15 @@ struct ShownArea {
   Vector2 size() const { return highest - lowest; }
 };
 
-/// Returns the rectangle that contains all boxes with a margin, and is at least
-/// `shortest_width` metres wide (along x) and in proportion high. `boxes` must not be empty.
+/// Returns the rectangle around all boxes with a margin of 9 m, and at least `shortest_width`
+/// metres wide (along x) and `shortest_width` / 1.4 high (along y). `boxes` must not be empty.
 ShownArea areaAround(const std::vector<OrientedBox>& boxes, double shortest_width);
 
-/// Returns the factor for letter heights that keeps texts at the same size on the screen. It is 1
-/// for an area of width kUsualWidth.
+/// Returns the factor for letter heights that keeps texts at the same size on a screen that shows
+/// `area`: 1 for an area of width kUsualWidth, and within [0.6, 3].
 double letterScale(const ShownArea& area);
 
-/// Returns the four corners, counterclockwise from `lowest`.
+/// Returns the four corners, counterclockwise from `lowest`, as float32.
 geometry_msgs::PolygonStamped toMessage(const ShownArea& area, const std_msgs::Header& header);
 
 inline constexpr double kUsualWidth = 80.0;  // m, of an area around the ego alone

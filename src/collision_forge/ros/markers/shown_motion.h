@@ -9,28 +9,31 @@
 #include "collision_forge/base/geometry/pose2.h"
 #include "collision_forge/base/scene/track.h"
 
-/// Poses of boxes between frames: metres, radians, map frame.
+/// Poses of boxes (middle of the box) between and after frames: metres, radians, map frame; times
+/// on the scene's clock.
 namespace forge {
 
 inline constexpr double kLongestGuess = 0.6;  // s; maximum extrapolation after a frame
 
-/// Extrapolates a state by `duration` seconds at constant speed and `turn_rate` (rad/s, positive to
-/// the left).
+/// Returns the pose of a state after `duration` seconds at constant speed and `turn_rate` (rad/s,
+/// positive to the left): its velocity and its yaw turn together.
 Pose2 movedOn(const AgentState& state, double turn_rate, double duration);
 
-/// Returns the latest turn rate, rad/s; 0 if unknown or the agent hardly moves.
+/// Returns the turn rate, rad/s, positive to the left, between the last two states, limited to
+/// +-1 rad/s; 0 with fewer states, in gaps above kMaxGap and if the agent is slower than 0.5 m/s.
 double lastTurnRate(const collision_forge::AgentTrack& track);
 
-/// Extrapolates the newest state to `now`, by kLongestGuess at most and never backwards. `track`
-/// must have a state.
+/// Returns the pose of the newest state, moved on to `now` with lastTurnRate(), by kLongestGuess at
+/// most and never backwards. `track` must have a state.
 Pose2 shownPose(const collision_forge::AgentTrack& track, const ros::Time& now);
 
-/// Returns the state at `now`, s: interpolated, or extrapolated from the newest state with its
-/// velocity and turn rate by kLongestGuess at most. Returns nullopt before the first state, in
-/// gaps, and if the newest state is too old. States must be in the order of time.
+/// Returns the state at `now`, s: interpolated (stateAt()), or extrapolated from the newest state
+/// with its velocity and turn rate. Returns nullopt before the first state, in gaps, and more than
+/// kLongestGuess after the newest state. States must be in the order of time.
 std::optional<AgentState> shownState(const Track& track, double now);
 
-/// Returns the attacker's pose at `now`; its last pose after the end, nullopt before the begin.
+/// Returns the attacker's pose at `now`, interpolated; its last pose after the end, nullopt before
+/// the first point (t0) and without points.
 std::optional<Pose2> drivenPose(const collision_forge::AttackerTrajectory& trajectory,
                                 const ros::Time& now);
 

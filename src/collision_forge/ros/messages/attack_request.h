@@ -9,9 +9,10 @@
 
 namespace forge {
 
-/// Returns the record of a request and its attack: t0, method and version. `configuration` is a
-/// fingerprintOfAll(), `alternative` the attack's number as in attackOf(). The fields about a bag
-/// stay empty.
+/// Returns the record of a request and its attack: t0 and method of the attack, and the version of
+/// this package. `configuration`: fingerprintOfAll() of the configuration; `alternative`: number of
+/// the attack among the attacks of the request, from 1 (PossibleCollision.alternative). The fields
+/// about a bag stay empty.
 collision_forge::AttackRequest attackRequest(const CollisionRequest& request,
                                              const collision_forge::Attack& attack,
                                              const std::string& configuration,

@@ -10,16 +10,19 @@
 
 namespace forge {
 
-/// A request, and the scenario or cell of a catalogue from which it was made; "" without one.
+/// A request, and the scenario or cell of a catalogue from which it was made.
 struct NamedRequest {
-  std::string name;
+  std::string name;  ///< as CatalogueCell::name; "" for a request without a catalogue
   CollisionRequest request;
 };
 
-/// Returns the requests that a message means, in the order in which they are tried until one has an
-/// attack: the cells of the scenario `name`, else one. For `text`, adds to `response` what was
-/// understood and what was not. Returns INVALID_INPUT for an unknown or impossible name, for a text
-/// that readPhrase() rejects, and for a name, a text and a type together; else as fromMessage().
+/// Returns the requests that a message means, in the order in which the caller tries them until one
+/// has an attack: the cells of the scenario `message.name`, else exactly one, from `message.text`
+/// or from the other fields. Other fields of the message override the fields that a cell or text
+/// sets. For a text, sets `understood` and `not_understood` of `response`; the rest of it stays.
+/// `crash`: definition for all requests, as in fromMessage(). Returns kInvalidInput for an unknown
+/// or impossible name, for a text that readPhrase() rejects, and if more than one of name, text and
+/// collision_type is set; else the status of fromMessage(). Throws nothing.
 std::variant<std::vector<NamedRequest>, Status> requestsOf(
     const collision_forge::GenerateCollision::Request& message, const RequestVocabulary& vocabulary,
     const CrashDefinition& crash, collision_forge::GenerateCollision::Response& response);

@@ -15,16 +15,16 @@
 /// does not package this message, so its definition is included here.
 namespace forge {
 
-extern const char kObjectArrayDefinition[];  ///< with all nested types
+extern const char kObjectArrayDefinition[];  ///< text of the message definition with nested types
 
 /// derived_object_msgs/Object: a tracked box. Polygon and acceleration are empty and the age of the
 /// class is 0, because they are unknown.
 struct DerivedObject {
-  std::uint32_t id = 0;
-  geometry_msgs::Pose pose;         ///< middle of the box
+  std::uint32_t id = 0;             ///< objectId() of the agent
+  geometry_msgs::Pose pose;         ///< middle of the box, frame of the header
   geometry_msgs::Vector3 velocity;  ///< m/s, frame of the header
   geometry_msgs::Vector3 size;      ///< m: x length, y width, z height
-  std::uint8_t classification = 0;  ///< constant of the message, 0: unknown
+  std::uint8_t classification = 0;  ///< constant of derived_object_msgs/Object, 0: unknown
 };
 
 /// derived_object_msgs/ObjectArray: the tracked boxes at one time.
@@ -33,10 +33,12 @@ struct ObjectArray {
   std::vector<DerivedObject> objects;
 };
 
-/// Returns the id as a number if it is a decimal of 32 bits, else the CRC-32 of the id.
+/// Returns the id as a number if it is a decimal of 32 bits, else the CRC-32 of the id: equal in
+/// all frames, but two agents may get one number.
 std::uint32_t objectId(const std::string& agent_id);
 
-/// Converts a frame of agents; the order is kept.
+/// Converts a frame of agents; header and order are kept. A class that derived_object_msgs lacks
+/// becomes "other vehicle" (bus, trailer, construction and emergency vehicle) or "unknown".
 ObjectArray toObjects(const collision_forge::AgentArray& agents);
 
 }  // namespace forge

@@ -15,17 +15,20 @@
 /// Message conversions for planner tests.
 namespace forge {
 
-/// Returns the input of an external planner. `test`: number of the test, which the planner copies
-/// into its response; `interval`: s to the next call of the planner.
+/// Returns the input of an external planner; its stamp is the time of the call. `test`: number of
+/// the test, which the planner copies into its response; `interval`: s to the next call of the
+/// planner.
 collision_forge::PlanningState toMessage(const Observation& observation, const DrivingTask& task,
                                          std::uint32_t test, double interval);
 
-/// Returns the planned points unchecked, NaN included. Throws MessageError for a frame other than
+/// Returns the planned points (middle of the ego's box, map frame) in the order of the message,
+/// unchecked, NaN included; checkPlan() checks them. Throws MessageError for a frame other than
 /// `map` and for an orientation of all zeros.
 std::vector<TrajectoryPoint> fromMessage(const collision_forge::PlannedTrajectory& message);
 
 /// Returns the result of a planner test for the topic planner_outcome, in frame `map` with t0 as
-/// stamp. `planner`: its name; `policy`: the attacker's. `trial.outcome.driven` must not be empty.
+/// stamp. `planner`: name of the planner; `policy`: of the attacker. `trial.outcome.driven` must
+/// not be empty.
 collision_forge::PlannerOutcome toMessage(const PlannerTrial& trial, const std::string& planner,
                                           PolicyKind policy);
 

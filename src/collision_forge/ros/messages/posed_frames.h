@@ -16,14 +16,14 @@
 
 namespace forge {
 
-/// Detects the transforms of /tf that move the ego: their child is the first frame from
-/// `base_frame` upwards that /tf_static does not fix to its parent.
+/// Detects the transforms of /tf that move the ego: their child is the first frame, going from
+/// `base_frame` to its parents, that /tf_static does not fix to its parent.
 class EgoMovers {
  public:
   explicit EgoMovers(std::string base_frame = names::kBaseFrame)
       : base_frame_(std::move(base_frame)), moving_(base_frame_) {}
 
-  /// Adds transforms of /tf_static.
+  /// Adds transforms of /tf_static; they replace earlier parents of the same children.
   void addFixed(const tf2_msgs::TFMessage& message) {
     for (const geometry_msgs::TransformStamped& transform : message.transforms) {
       parents_[transform.child_frame_id] = transform.header.frame_id;
@@ -42,11 +42,11 @@ class EgoMovers {
  private:
   std::string base_frame_;
   std::map<std::string, std::string> parents_;  // by child frame, from /tf_static
-  std::string moving_;
+  std::string moving_;                          // child frame of the transforms that move the ego
 };
 
-/// Pairs messages (with a header) with the ego's pose at their stamp, in their order. Messages wait
-/// until the transform arrives. Not thread-safe.
+/// Pairs messages (any type with a `header`) with the ego's pose at their stamp, in their order.
+/// Messages wait until the transform arrives. Not thread-safe.
 ///
 /// Replaces the listener and the message filter of tf2_ros, which lose frames when a replay
 /// restarts: the listener detects the restart by /clock, which arrives on a third connection, and
@@ -61,7 +61,7 @@ class PosedFrames {
   /// A message with the ego's pose at its stamp.
   struct PosedFrame {
     Pointer message;
-    geometry_msgs::Transform pose;  ///< base_link in the map frame
+    geometry_msgs::Transform pose;  ///< base_link in the map frame, interpolated
     std::size_t dropped = 0;        ///< number of dropped frames before it, without a transform
   };
 
@@ -84,8 +84,9 @@ class PosedFrames {
     return movers_.has(transform);
   }
 
-  /// Queues a frame. If it is older than the newest queued frame by more than kRestart, the replay
-  /// restarted: all queued frames are dropped first.
+  /// Queues a frame, not null. If it is older than the newest queued frame by more than kRestart,
+  /// the replay restarted: all queued frames are dropped first. A full queue (kQueue) drops its
+  /// oldest frame.
   void addFrame(const Pointer& message) {
     const ros::Time stamp = message->header.stamp + ros::Duration(kRestart);
     if (!waiting_.empty() && stamp < waiting_.back()->header.stamp) waiting_.clear();
@@ -93,7 +94,8 @@ class PosedFrames {
     if (waiting_.size() > kQueue) waiting_.pop_front();
   }
 
-  /// Removes and returns the oldest frame with a known transform; drops the frames before it.
+  /// Removes and returns the first queued frame whose transform is known; drops the frames queued
+  /// before it. Returns nullopt, and drops nothing, if no transform is known.
   std::optional<PosedFrame> next() {
     for (std::size_t i = 0; i < waiting_.size(); ++i) {
       const ros::Time stamp = waiting_[i]->header.stamp;
@@ -112,8 +114,8 @@ class PosedFrames {
 
   EgoMovers movers_;
   tf2::BufferCore buffer_{ros::Duration(kCache)};
-  ros::Time newest_pose_;
-  std::deque<Pointer> waiting_;
+  ros::Time newest_pose_;        // stamp of the newest transform that moves the ego
+  std::deque<Pointer> waiting_;  // queued frames in the order of addFrame()
 };
 
 }  // namespace forge

@@ -13,21 +13,24 @@
 
 namespace forge {
 
-/// Returns one request per type and time (s from t0), ordered by type, then time. Empty `types`:
-/// all five, or the type of the request's manoeuvre; empty `ttas`: `usual_ttas`. Returns
-/// kInvalidInput if `request` has a type or a time, kUnknownType for an unknown type, else the
-/// status of the failed conversion. `crash` has the defaults of the crash definition.
+/// Returns one request per type and time to attack (s from t0), in the order of `types`, then of
+/// `ttas`; the other fields come from `request`. `types`: names, "any" means all; empty: the
+/// type of the request's manoeuvre, or without one the five types of kCollisionTypes. Empty `ttas`:
+/// `usual_ttas`. Returns kInvalidInput if `request` has a type or a time, kUnknownType for an
+/// unknown type, else the status of the failed conversion. `crash`: as in fromMessage().
 std::variant<std::vector<CollisionRequest>, Status> requestsForEach(
     collision_forge::CollisionRequest request, const std::vector<std::string>& types,
     std::vector<double> ttas, const std::vector<double>& usual_ttas, const CrashDefinition& crash);
 
-/// Fills in attack, alternatives and summary only for kOk. `method`: name of the method; `now`: t0,
-/// s.
+/// Returns `answer`, the result of `request`, as a message. Attack, alternatives and summary
+/// (summaryOf()) are set only for kOk. `method`: name of the method; `now`: t0, s.
 collision_forge::CollisionAnswer toMessage(const CollisionRequest& request, const Attack& answer,
                                            const std::string& method, double now);
 
-/// Summarises the attacks of `answers` into `collisions`, for each answer by descending confidence.
-/// Skips failures that depend on the scene; returns the first failure that the request causes.
+/// Appends a summary of each attack of `answers` and of its alternatives to `collisions`: in the
+/// order of the answers, and within each answer by descending confidence. Skips failures that
+/// depend on the scene (dependsOnScene()); stops at and returns the first other failure. Otherwise
+/// returns kOk, with the most frequent reason of rejection as message if `collisions` is empty.
 Status listPossible(const std::vector<collision_forge::CollisionAnswer>& answers,
                     std::vector<collision_forge::PossibleCollision>& collisions);
 

@@ -7,7 +7,7 @@
 
 namespace forge {
 
-/// Appends a message, or one of its fields, as ROS 1 serialises it.
+/// Appends a message, or one of its fields, to `bytes` as ROS 1 serialises it.
 template <typename Field>
 void appendRosBytes(std::string& bytes, const Field& field) {
   const std::size_t begin = bytes.size();

@@ -11,10 +11,11 @@ inline bool isSameInstant(std::int64_t a_us, std::int64_t b_us) {
   return apart >= -1 && apart <= 1;
 }
 
-/// m; maximum distance of two consistent poses of the ego at the same time.
+/// m; two poses of the ego at the same time contradict each other if they are farther apart.
 inline constexpr double kSamePlace = 0.5;
 
-/// Returns the error text for two inconsistent poses of the ego. `distance` in m.
+/// Returns the error text for two poses of the ego that contradict each other. `distance`: m
+/// between them; `time_us`: their time, us.
 inline std::string contradiction(double distance, std::int64_t time_us) {
   constexpr double kSeconds = 1e-6;  // in a microsecond
   return "two poses of the ego at " + std::to_string(static_cast<double>(time_us) * kSeconds) +

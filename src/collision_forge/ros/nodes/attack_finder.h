@@ -19,29 +19,33 @@ namespace forge {
 /// Generates attacks for scenes with generateCollision(), like `forge inject`. The default method
 /// calls the services predict_pattern and realize_trajectory; all other methods run in-process.
 /// The private parameter `recording` names the replayed bag: a moment of that bag is read from the
-/// bag, with its past and future. Replay mode needs it. In every mode, a request is rejected if the
-/// recording ends before the contact or already contains an attack. Thread-safe.
+/// bag, with its past and future. Replay mode needs it. In every mode, a request at a moment of
+/// that bag is rejected if the recording ends before the contact, and every request is rejected if
+/// the recording already contains an attack. Subscribes to lane_map. Thread-safe.
 class AttackFinder {
  public:
-  /// `node` resolves the services and topics. `config` must outlive the object. Throws as
-  /// loadMethods() and the loaders of weights. A recording that cannot be read is logged; replay
-  /// mode is then rejected.
+  /// `node` resolves the services and topics; `private_node` has the parameter `recording` (path of
+  /// a bag; empty: none). `config` must outlive the object. Throws as loadMethods() and the loaders
+  /// of weights. A recording that cannot be read is logged; replay mode is then rejected.
   AttackFinder(ros::NodeHandle& node, const ros::NodeHandle& private_node, const Config& config);
 
-  /// The available methods.
+  /// Returns the available methods; valid as long as this object.
   const MethodRegistry& methods() const { return methods_; }
-  /// Name of the method that answer() uses if none is requested.
+  /// Returns the name of the method that answer() uses if none is requested.
   const std::string& defaultMethod() const { return default_method_; }
-  /// The models of the configuration.
+  /// Returns the models of the configuration; valid as long as this object.
   const PredictionModels& models() const { return models_; }
 
-  /// Returns the moment of `scene`, or the reason of rejection. Throws MessageError and InputError
-  /// for an unusable scene.
+  /// Returns the moment at the t0 of `scene`: of the recording if it has a frame at that time with
+  /// the same ego position, else with the newest lane_map. Returns kNoScene without a usable
+  /// lane_map, for which it waits as LaneMapSubscriber::lanesOfScene(). Throws MessageError and
+  /// InputError for an unusable scene.
   std::variant<Moment, Status> momentOf(const collision_forge::SceneSnapshot& scene) const;
 
-  /// Returns the attack for `request`, or a status with the reason of rejection. An empty `method`
-  /// selects the default; only then `on_prediction` is called, with each prediction. Throws
-  /// MessageError and InputError for an unusable response of a service.
+  /// Returns the attack for `request`, or a status with the reason of rejection. `method`: a name
+  /// of methods(); empty: the default. Only with the default method `on_prediction` is called, with
+  /// each response of predict_pattern, in the calling thread. Throws MessageError and InputError
+  /// for an unusable response of a service.
   Attack answer(
       const Moment& moment, const CollisionRequest& request, const std::string& method,
       const PatternPredictorService::OnPrediction& on_prediction = [](const auto&) {}) const;
@@ -51,22 +55,27 @@ class AttackFinder {
 
  private:
   void loadRecording(const std::string& path);
+  /// Runs the method without a check of the recording.
   Attack find(const Moment& moment, const CollisionRequest& request, const std::string& method,
               const PatternPredictorService::OnPrediction& on_prediction) const;
+  /// Returns kOk, or why the recording does not allow the request.
   Status checkRecording(const Moment& moment, const CollisionRequest& request) const;
+  /// Returns kOk, or kBeyondRecording for a contact after the end of the recording.
   Status checkContact(const Moment& moment, const CollisionReport& report) const;
+  /// Returns the time (s) of the recorded frame that the snapshot shows; nullopt if there is none.
   std::optional<double> recordedFrame(const Snapshot& snapshot) const;
+  /// Returns the time, s, from t0 to the last ego pose of the recording.
   double secondsLeft(const Moment& moment) const;
 
   const Config& config_;
   MethodRegistry methods_;
   PredictionModels models_;
   std::string default_method_;
-  std::optional<IndexedScene> recording_;
-  std::string attack_in_recording_;  // reason of rejection; empty: the bag has no attack
+  std::optional<IndexedScene> recording_;  // empty: not given, or not readable
+  std::string attack_in_recording_;        // reason of rejection; empty: the bag has no attack
   LaneMapSubscriber map_;
-  mutable ServiceCaller predict_;
-  mutable ServiceCaller realize_;
+  mutable ServiceCaller predict_;  // calls predict_pattern
+  mutable ServiceCaller realize_;  // calls realize_trajectory
 };
 
 }  // namespace forge

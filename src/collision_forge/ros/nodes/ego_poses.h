@@ -13,16 +13,18 @@
 
 namespace forge {
 
-/// Subscribes to /tf and reports each new pose of the ego's box middle in the map frame, through
-/// any chain of frames to base_link. Velocities are zero. Times increase; a step back by more than
-/// kRestart means that the replay restarted. Late and non-finite transforms are dropped.
+/// Subscribes to /tf, /tf_static and ego_vehicle, and reports each new pose of the ego's box middle
+/// in the map frame, through any chain of frames to base_link. Velocities are zero. Times are the
+/// stamps of the transforms that move the ego (EgoMovers); they increase, and a step back by more
+/// than kRestart means that the replay restarted. Late and non-finite transforms are dropped.
 class EgoPoses {
  public:
-  /// Receives the state of the ego's box and its size, from the topic `ego_vehicle` or else from
-  /// the configuration.
+  /// Receives the state of the ego's box and its size (m), from the topic `ego_vehicle` or else
+  /// from the configuration.
   using Callback = std::function<void(const AgentState& ego, const BoxSize& size)>;
 
-  /// Calls `callback` in the thread that receives /tf.
+  /// Calls `callback` in the thread that receives /tf, once per pose. `configured`: size until
+  /// ego_vehicle arrives, and offset from base_link to the box middle.
   EgoPoses(ros::NodeHandle& node, const EgoVehicle& configured, Callback callback);
 
  private:
@@ -33,8 +35,8 @@ class EgoPoses {
 
   EgoVehicle ego_;
   Callback callback_;
-  PosedFrames<geometry_msgs::TransformStamped> poses_;
-  double newest_;  // s
+  PosedFrames<geometry_msgs::TransformStamped> poses_;  // of the transforms that move the ego
+  double newest_;                                       // s, time of the last reported pose
   std::vector<ros::Subscriber> subscribers_;
 };
 

@@ -21,6 +21,8 @@ namespace forge {
 /// test. Not thread-safe.
 class ExternalPlanner : public Planner {
  public:
+  /// Advertises and subscribes; plans are received inside plan() alone, whatever the queue of
+  /// `node`. `limits`: for checkPlan().
   ExternalPlanner(ros::NodeHandle node, const ExternalOptions& options, const InputLimits& limits);
 
   /// Sets the options of the following tests.
@@ -29,25 +31,27 @@ class ExternalPlanner : public Planner {
   /// Returns true if a node subscribes to planning_state and publishes planned_trajectory.
   bool isConnected() const;
 
-  /// Throws PlannerTimeout if no node subscribes to planning_state and publishes
-  /// planned_trajectory within the timeout.
+  /// Begins a new test. Blocks until a node subscribes to planning_state and publishes
+  /// planned_trajectory; throws PlannerTimeout if none does within ExternalOptions::timeout.
   void initialize(const DrivingTask& task) override;
-  /// Blocks until the plan arrives. Throws PlannerTimeout if none arrives within the timeout or the
-  /// planner's node disconnects after the first tick, LatePlan for a plan of another tick,
-  /// MessageError like fromMessage(), InputError like checkPlan().
+  /// Publishes the observation and blocks until the plan arrives; returns its points as
+  /// Planner::plan(). Throws PlannerTimeout if none arrives within ExternalOptions::timeout (s,
+  /// wall clock) or the planner's node disconnects after the first tick, LatePlan for a plan of
+  /// another tick, MessageError like fromMessage(), InputError like checkPlan().
   std::vector<TrajectoryPoint> plan(const Observation& observation) override;
 
  private:
+  /// Publishes `state` and waits until `answers_` has a plan; throws PlannerTimeout.
   void awaitAnswer(const collision_forge::PlanningState& state);
   void receive(const collision_forge::PlannedTrajectoryConstPtr& answer);
 
   ExternalOptions options_;
   InputLimits limits_;
   DrivingTask task_;
-  std::uint32_t test_ = 0;
-  ros::Time first_;                                                 // first tick of the test
-  ros::Time current_;                                               // current tick
-  std::deque<collision_forge::PlannedTrajectoryConstPtr> answers_;  // plans of this test
+  std::uint32_t test_ = 0;  // number of the test, from 1
+  ros::Time first_;         // stamp of the first tick of the test; zero before it
+  ros::Time current_;       // stamp of the current tick
+  std::deque<collision_forge::PlannedTrajectoryConstPtr> answers_;  // plans for `test_`, unread
   ros::CallbackQueue queue_;                                        // served inside plan()
   ros::Publisher publisher_;
   ros::Subscriber subscriber_;

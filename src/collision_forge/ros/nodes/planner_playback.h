@@ -11,39 +11,46 @@
 
 namespace forge {
 
-/// Animates the rollout of a planner test in a loop at wall-clock speed, on `planner_markers`,
-/// `planner_scene_markers` and `shown_area`. Meanwhile `planner_test_shown` is true, and other
-/// nodes leave the picture unchanged. The animation ends on stop() and when a paused replay (with
-/// /clock) continues; over a running replay it plays once. Thread-safe.
+/// Animates the rollout of a planner test in a loop at wall-clock speed, on the topics
+/// `planner_markers`, `planner_scene_markers` and `shown_area`. Meanwhile `planner_test_shown` is
+/// true, and other nodes leave the picture unchanged. The animation ends on stop() and when a
+/// paused replay (with /clock) continues; over a running replay it plays once. Thread-safe.
 class PlannerPlayback {
  public:
+  /// Publishes from wall timers of `node`, in its callback queue. `severity`: for the motion after
+  /// a contact.
   PlannerPlayback(ros::NodeHandle node, const SeverityOptions& severity);
 
-  /// Replaces the shown test.
+  /// Shows a test, in place of the one shown before. `trial`: the test of the planner named
+  /// `planner` in `scenario`.
   void play(const PlannerTrial& trial, const CrashScenario& scenario, const std::string& planner);
-  /// Ends the animation.
+  /// Ends the animation and deletes its markers; does nothing if no test is shown.
   void stop();
 
  private:
+  /// Timer callback: publishes the picture of the present time, or ends the animation.
   void show(const ros::WallTimerEvent& event);
+  /// Timer callback: publishes the static markers again.
   void repeat(const ros::WallTimerEvent& event);
+  /// Returns true if the running replay may take the picture over. `since`: s since the begin of
+  /// this pass; `duration`: s of a pass without the pause at its end.
   bool isReplaceable(double since, double duration);
-  void clear();
-  void publishShownState();
+  void clear();              ///< deletes test and markers; needs the lock
+  void publishShownState();  ///< publishes planner_test_shown
 
   SeverityOptions severity_;
-  RepeatedMarkers ways_;
-  ros::Publisher scenes_;
-  ros::Publisher areas_;
-  ros::Publisher is_shown_;
+  RepeatedMarkers ways_;     ///< planner_markers
+  ros::Publisher scenes_;    ///< planner_scene_markers
+  ros::Publisher areas_;     ///< shown_area
+  ros::Publisher is_shown_;  ///< planner_test_shown
   std::mutex mutex_;
-  std::optional<ShownRollout> shown_;
-  ros::WallTime begin_;     ///< begin of this pass
-  ros::Time clock_;         ///< /clock of the replay at the last update
-  ros::WallTime moved_;     ///< last change of the replay's clock
-  bool was_still_ = false;  ///< the replay paused while the test was shown
-  ros::WallTimer timer_;
-  ros::WallTimer repeat_timer_;
+  std::optional<ShownRollout> shown_;  ///< empty: no animation
+  ros::WallTime begin_;                ///< begin of this pass
+  ros::Time clock_;                    ///< /clock of the replay at the last update
+  ros::WallTime moved_;                ///< last change of the replay's clock
+  bool was_still_ = false;             ///< the replay paused while the test was shown
+  ros::WallTimer timer_;               ///< calls show()
+  ros::WallTimer repeat_timer_;        ///< calls repeat()
 };
 
 }  // namespace forge

@@ -6,9 +6,11 @@
 
 namespace forge {
 
-/// A nodelet with its own callback queue, which outlives the members of derived classes.
+/// A nodelet with its own callback queue, which outlives the members of derived classes. Something
+/// must serve the queue: Served does.
 class QueuedNodelet : public nodelet::Nodelet {
  protected:
+  /// Called by the nodelet loader; calls start() with a handle whose callbacks go to the queue.
   void onInit() override {
     ros::NodeHandle node = getNodeHandle();
     node.setCallbackQueue(&callbacks_);
@@ -23,8 +25,8 @@ class QueuedNodelet : public nodelet::Nodelet {
   virtual void start(ros::NodeHandle node) = 0;
 };
 
-/// Runs the callbacks of a QueuedNodelet in one thread, from the end of start() on. The destructor
-/// waits for the running callback, which roscpp does not do at shutdown.
+/// Runs the callbacks of `Queued`, which derives from QueuedNodelet, in one thread, from the end of
+/// start() on. The destructor waits for the running callback, which roscpp does not do at shutdown.
 template <typename Queued>
 class Served final : public Queued {
   void onInit() override {

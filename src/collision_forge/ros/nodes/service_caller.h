@@ -21,12 +21,14 @@ namespace forge {
 /// hang or fail (measured: 1 call in 20,000).
 class ServiceCaller {
  public:
-  /// `answer_within`: timeout of one attempt, s of the wall clock.
+  /// `resolved_name`: of the service, with its namespace. `answer_within`: timeout of one attempt,
+  /// s of the wall clock.
   ServiceCaller(std::string resolved_name, double answer_within)
       : name_(std::move(resolved_name)), answer_within_(answer_within) {}
 
-  /// Returns the status in the response; kNodeUnavailable if neither a kept nor a new connection
-  /// gets a response in time.
+  /// Sends `service.request`, blocks, and fills `service.response`. Returns the status in the
+  /// response; kNodeUnavailable if neither a kept nor a new connection gets a response in time.
+  /// Makes at most two attempts. `Service`: a generated service type.
   template <typename Service>
   Status call(Service& service) {
     if (isAnswered(keptConnection<Service>(), service) ||
@@ -37,6 +39,7 @@ class ServiceCaller {
   }
 
  private:
+  /// Makes one attempt; returns true, and keeps the connection, if a response arrived in time.
   template <typename Service>
   bool isAnswered(ros::ServiceClient client, Service& service) {
     auto answer = std::async(std::launch::async, [&] { return client.call(service); });
@@ -62,15 +65,16 @@ class ServiceCaller {
     return freshConnection<Service>();
   }
 
+  /// Returns a new connection, which stays open between calls.
   template <typename Service>
   ros::ServiceClient freshConnection() const {
     return ros::NodeHandle().serviceClient<Service>(name_, true);
   }
 
   std::string name_;
-  std::chrono::duration<double> answer_within_;
-  std::mutex mutex_;
-  std::vector<ros::ServiceClient> idle_;
+  std::chrono::duration<double> answer_within_;  // s
+  std::mutex mutex_;                             // guards `idle_`
+  std::vector<ros::ServiceClient> idle_;         // connections without a running call
 };
 
 }  // namespace forge

@@ -15,17 +15,17 @@
 
 namespace forge {
 
-/// Thrown when a planner test is impossible: a code of TestPlanner.srv and a message with field and
-/// value.
+/// Thrown when a planner test is impossible: a code of TestPlanner.srv (its own constants or a
+/// StatusCode) and a message with field and value.
 struct TestRefusal : std::runtime_error {
   TestRefusal(std::uint8_t refusal_code, const std::string& message)
       : std::runtime_error(message), code(refusal_code) {}
-  std::uint8_t code;
+  std::uint8_t code;  ///< for the response of TestPlanner.srv
 };
 
-/// Sources of the crash scenarios of planner_tester; empty: not given.
+/// Sources of the crash scenarios of planner_tester; an empty path: not given.
 struct TrialSources {
-  LogSource logs;         ///< for scenario files
+  LogSource logs;         ///< recordings of the scenes that scenarios name
   std::string scenarios;  ///< path of the scenario file for requests by line number
   std::string recording;  ///< path of the bag for requests with a trajectory
 };
@@ -33,29 +33,37 @@ struct TrialSources {
 /// Builds the crash scenarios for requests of TestPlanner.srv. Not thread-safe.
 class TrialScenarios {
  public:
-  /// `config` must outlive the object. Throws BagError for an unreadable recording; `warnings` as
+  /// Reads the recording, if one is given; the other sources are read on demand. `config` must
+  /// outlive the object. Throws BagError and InputError for an unreadable recording; `warnings` as
   /// in readBag().
   TrialScenarios(TrialSources sources, const Config& config, std::vector<std::string>* warnings);
 
-  /// Returns the case for one line of a scenario file. `line` is its number from 1 in the scenario
-  /// file, or the line itself. Throws TestRefusal.
+  /// Returns the case for one line of a scenario file: `line` is its number from 1 in
+  /// TrialSources::scenarios, or the line itself, which begins with '{'. Throws TestRefusal, also
+  /// for a line without an attack and a scene that `logs` lacks, and other exceptions as
+  /// SceneSource::at() for a scene that cannot be read.
   PlannerCase ofLine(const std::string& line);
 
-  /// Returns the case for a trajectory over the recording; t0 is the frame at which it starts. Only
-  /// the scenario of the case is filled in. Throws TestRefusal.
+  /// Returns the case for a trajectory (scene clock, map frame) over the recording; t0 is the frame
+  /// at which it starts. `type`: type of the crash. Only `scenario` and `scene` of the case are
+  /// filled in. `trajectory` must have points. Throws TestRefusal without a recording and if no
+  /// frame is at the trajectory's start (to 1 ms).
   PlannerCase ofTrajectory(const AttackerTrajectory& trajectory, CollisionType type) const;
 
  private:
+  /// Returns the text of the line with this number in the scenario file. Throws TestRefusal.
   std::string numberedLine(const std::string& number) const;
-  /// Returns a hint for error messages: the first line of the file with a testable attack.
+  /// Returns a hint to append to an error message: the number of the file's first line with an
+  /// attack, or that there is none.
   std::string firstWithAttack() const;
+  /// Returns a scene of the logs. Throws TestRefusal, and as SceneSource::at().
   std::shared_ptr<const IndexedScene> sceneOf(const std::string& name);
 
   TrialSources sources_;
   const Config& config_;
-  std::optional<IndexedScene> recording_;
-  std::set<std::string> wanted_;  // names of the scenes in source_
-  std::unique_ptr<SceneSource> source_;
+  std::optional<IndexedScene> recording_;  // empty: not given
+  std::set<std::string> wanted_;           // names of the scenes that `source_` selects
+  std::unique_ptr<SceneSource> source_;    // null before the first scene
 };
 
 }  // namespace forge

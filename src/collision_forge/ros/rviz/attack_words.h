@@ -10,20 +10,25 @@
 #include <cstdint>
 #include <string>
 
-/// Rich texts of the panel about an attack, in degrees, percent and seconds from t0.
+/// Rich texts (HTML of Qt) of the panel about an attack, in degrees, percent and seconds from t0.
+/// An attack is empty if isNone().
 namespace forge {
 
-/// Returns attacker, manoeuvre and verification result; empty for an empty attack.
+/// Returns type and attacker, and the contact that the attack's report predicts: time, manoeuvre,
+/// plausibility, confidence, sides, impact. Returns "" for an empty attack.
 QString attackText(const collision_forge::Attack& attack);
 
-/// Returns countdown or verdict; empty for an empty attack. Green: as requested, else red.
+/// Returns crashWords() at `now` (scene clock): the countdown, or from the contact on the verdict
+/// of `tested` (may be null), green if it is verified, else red. Returns "" for an empty attack.
 QString crashText(const collision_forge::Attack& attack,
                   const collision_forge::CollisionReport* tested, const ros::Time& now);
 
-/// Returns touched agent, impact speed and fault of a planner test, or that there was no contact.
+/// Returns planner, touched agent, time, impact speed and fault of a planner test; without a
+/// contact the failure of the planner, or that there was no contact.
 QString outcomeText(const collision_forge::PlannerOutcome& outcome);
 
-/// Returns the text for a status of GenerateCollision.srv other than OK.
+/// Returns the text for a status other than OK: `code` is a constant of GenerateCollision.srv
+/// (StatusCode), `message` the reason.
 QString failureText(std::uint8_t code, const std::string& message);
 
 }  // namespace forge

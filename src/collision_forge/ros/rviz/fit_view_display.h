@@ -19,7 +19,9 @@ class FitViewDisplay : public rviz::Display {
   Q_OBJECT
 
  public:
+  /// Called by RViz for each picture; `wall_dt`: s of the wall clock since the last call.
   void update(float wall_dt, float ros_dt) override;
+  /// Called when the user presses Reset or time jumps back: drops the user's zoom and offset.
   void reset() override;
 
  protected:
@@ -28,10 +30,11 @@ class FitViewDisplay : public rviz::Display {
 
  private:
   void receive(const geometry_msgs::PolygonStampedConstPtr& area);
+  /// Returns true for a TopDownOrtho view whose target frame is the fixed frame.
   bool canFit(rviz::ViewController& view) const;
 
   ros::Subscriber subscriber_;
-  geometry_msgs::PolygonStampedConstPtr area_;  ///< null: none received
+  geometry_msgs::PolygonStampedConstPtr area_;  ///< the newest, m, fixed frame; null: none received
   FollowingView following_;
 };
 

@@ -9,30 +9,34 @@ namespace forge {
 /// State of RViz's view TopDownOrtho: the middle, m in its target frame, and the scale in pixels
 /// per metre.
 struct TopView {
-  double x = 0.0;      ///< m
-  double y = 0.0;      ///< m
+  double x = 0.0;      ///< m, middle of the picture
+  double y = 0.0;      ///< m, middle of the picture
   double scale = 1.0;  ///< pixels per metre
 };
 
-/// Returns the view that contains `area` in a picture of `width` x `height` pixels. `area` must
-/// have points and an extent.
+/// Returns the view that contains `area` (m, target frame) as large as possible in a picture of
+/// `width` x `height` pixels. `area` must have points and an extent along x and y.
 TopView viewOf(const geometry_msgs::Polygon& area, int width, int height);
 
-/// Moves a view smoothly to a changing area. Zoom and offset that the user sets are kept.
+/// Moves a view smoothly (exponentially, with a time constant of 0.35 s) to a changing area. Zoom
+/// and offset that the user sets are kept.
 class FollowingView {
  public:
-  /// Returns the view `duration` seconds after the last call. `shown` is the view in the picture,
-  /// `goal` the view of the area. The first call returns `goal`.
+  /// Returns the view to show now, `duration` seconds after the last call. `shown` is the present
+  /// view in the picture: its difference to the last result is a change by the user. `goal` is
+  /// viewOf() the area. The first call returns `goal`; the view jumps to a goal that is more than
+  /// 150 m away.
   TopView next(const TopView& shown, const TopView& goal, double duration);
   /// Drops the user's zoom and offset; the next call returns its goal.
   void reset() { set_.reset(); }
 
  private:
+  /// Adds what the user changed since the last call to `user_`.
   void takeOver(const TopView& shown);
 
-  std::optional<TopView> set_;  ///< result of the last call
+  std::optional<TopView> set_;  ///< result of the last call; empty before the first
   TopView fitted_;              ///< the same without the user's zoom and offset
-  TopView user_;                ///< offset (m) and zoom factor of the user
+  TopView user_;                ///< of the user: offset (x, y: m) and zoom (scale: a factor)
 };
 
 }  // namespace forge

@@ -33,7 +33,9 @@ class GeneratePanel : public rviz::Panel {
  public:
   explicit GeneratePanel(QWidget* parent = nullptr);
 
+  /// Called by RViz: restores the fields of the form and the planner from the .rviz file.
   void load(const rviz::Config& config) override;
+  /// Called by RViz: stores them there.
   void save(rviz::Config config) const override;
 
  private:
@@ -41,26 +43,42 @@ class GeneratePanel : public rviz::Panel {
   void createLayout();
   QWidget* createTexts();
   void subscribe();
-  /// Shows the status of the newest call. `whole`: tooltip.
+  /// Shows the status of the newest call. `text`: rich text; `whole`: tooltip.
   void say(const QString& text, const QString& whole = {});
+
+  // Calls of services, started by the buttons.
+  /// Requests the selected row, or else what the form says.
   void generate();
+  /// Calls generate_collision.
   void ask(collision_forge::GenerateCollision::Request request);
+  /// Lists the collisions of all types, attackers and manoeuvres at the usual times to attack.
   void list();
+  /// Calls list_collisions for all types with the other fields of `each`; `ttas`: s, empty: usual.
   void listPossibleCollisions(collision_forge::GenerateCollision::Request each,
                               const std::vector<double>& ttas);
+  /// Selects the row with the highest confidence and requests it. The table must have rows.
   void requestMostConfident();
+  /// Calls test_planner for the newest attack.
   void testPlanner();
+
+  /// Takes over the row that the user selected.
   void choose(const collision_forge::PossibleCollision& collision);
+  /// Replaces the rows. `request`: the request behind them; `now`: its t0.
   void setTable(const std::vector<collision_forge::PossibleCollision>& collisions,
                 collision_forge::GenerateCollision::Request request, const ros::Time& now);
+  /// Returns the request that gives the attack of a row.
   collision_forge::GenerateCollision::Request requestOf(
       const collision_forge::PossibleCollision& row) const;
+
+  // Responses of services; empty: no response.
   void showAnswer(const ServiceCall<collision_forge::GenerateCollision>::Answer& answer);
   void showPossible(const ServiceCall<collision_forge::ListCollisions>::Answer& answer);
   void showOutcome(const ServiceCall<collision_forge::TestPlanner>::Answer& answer);
+
+  // Messages of topics, in the GUI thread.
   void showAttack(const collision_forge::AttackConstPtr& attack);
   void showTested(const collision_forge::CollisionReportConstPtr& report) { tested_ = report; }
-  void showCrash();
+  void showCrash();  ///< timer callback: shows countdown or verdict at the present time
   void showMethods(const collision_forge::AttackMethods& methods);
   void showScene(const collision_forge::EncodedSceneConstPtr& scene);
 
@@ -68,7 +86,7 @@ class GeneratePanel : public rviz::Panel {
   RequestForm* form_ = nullptr;
   QPushButton* generate_ = nullptr;
   QPushButton* list_ = nullptr;
-  QComboBox* planner_ = nullptr;
+  QComboBox* planner_ = nullptr;  ///< planner that `test_` tests
   QPushButton* test_ = nullptr;
   PossibleTable* table_ = nullptr;
   QLabel* status_ = nullptr;       ///< status of the newest call
@@ -78,14 +96,14 @@ class GeneratePanel : public rviz::Panel {
   /// The request behind the rows of the table, without type, time and number of a row.
   collision_forge::GenerateCollision::Request listed_;
   std::optional<collision_forge::PossibleCollision> row_;  ///< selected row
-  bool requests_most_confident_ = false;  ///< the running list_collisions should select one
+  bool requests_most_confident_ = false;  ///< the running list_collisions serves generate()
   collision_forge::GenerateCollision::Request asked_;  ///< newest generate_collision
   collision_forge::GenerateCollision::Request each_;   ///< newest list_collisions
 
   ros::NodeHandle node_;
   std::vector<ros::Subscriber> subscribers_;
-  collision_forge::AttackConstPtr attack_;           ///< the newest
-  collision_forge::CollisionReportConstPtr tested_;  ///< the newest
+  collision_forge::AttackConstPtr attack_;           ///< the newest; null: none received
+  collision_forge::CollisionReportConstPtr tested_;  ///< the newest; null: none received
   ServiceCall<collision_forge::GenerateCollision> generating_;
   ServiceCall<collision_forge::ListCollisions> listing_;
   ServiceCall<collision_forge::TestPlanner> testing_;

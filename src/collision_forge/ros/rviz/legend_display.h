@@ -9,10 +9,10 @@ class QLabel;
 
 namespace forge {
 
-/// Returns the legend of the colours of the markers as rich text.
+/// Returns the legend of the colours of the markers (marker_colors.h) as rich text, a line each.
 QString legendText();
 
-/// RViz display that shows the legend in the upper left corner of the 3D view.
+/// RViz display that shows the legend in the upper left corner of the 3D view while it is enabled.
 class LegendDisplay : public rviz::Display {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class LegendDisplay : public rviz::Display {
   void onDisable() override;
 
  private:
-  QPointer<QLabel> legend_;  ///< owned by the picture, which may be destroyed first
+  QPointer<QLabel> legend_;  ///< child of the 3D view, which may be destroyed first (then null)
 };
 
 }  // namespace forge

@@ -27,43 +27,44 @@ class PlayerButtons : public QWidget {
  public:
   explicit PlayerButtons(QWidget* parent = nullptr);
 
-  /// Pauses the player, if there is one and it plays.
+  /// Asks the player to pause, if there is one and it plays; does not wait.
   void pause();
 
  Q_SIGNALS:
-  /// Emitted when the player is started, stepped or moved to another time.
+  /// Emitted when the user starts or steps the player or moves it to another time.
   void moved();
-  /// Emitted with the reason when the player rejects a command.
+  /// Emitted with the reason when the player rejects a command or does not respond.
   void failed(const QString& problem);
 
  private:
   void createLayout();
-  void setPaused(bool is_paused);
-  void trigger(const char* service);
-  void showProblem(const QString& problem);
-  void seek();
-  void showPosition(const std_msgs::Float64& position);
-  void showClock();
-  void showLength(const std_msgs::Float64& length);
-  void showState(const std_msgs::Bool& is_paused);
-  void showPresence();
+  void setPaused(bool is_paused);            // calls player/pause
+  void trigger(const char* service);         // calls player/step or player/back_to_now
+  void showProblem(const QString& problem);  // emits failed() unless empty
+  void seek();                               // calls player/seek with the slider's position
+  void showPosition(const std_msgs::Float64& position);  // of player/position
+  void showClock();                                      // updates clock and slider
+  void showLength(const std_msgs::Float64& length);      // of player/length
+  void showState(const std_msgs::Bool& is_paused);       // of player/paused
+  void showPresence();  // timer callback: enables the widgets if there is a player
+  /// Returns true if a node publishes player/paused.
   bool isThere() const { return paused_subscriber_.getNumPublishers() > 0; }
 
   QPushButton* pause_ = nullptr;
   QPushButton* step_ = nullptr;
   QPushButton* back_ = nullptr;
-  QSlider* slider_ = nullptr;  ///< in units of kSliderStep
-  QLabel* clock_ = nullptr;
-  QLabel* said_ = nullptr;
-  bool is_paused_ = false;
-  double position_ = 0.0;  ///< s from the start of the bag
+  QSlider* slider_ = nullptr;  ///< position in the bag, in steps of 0.1 s
+  QLabel* clock_ = nullptr;    ///< "12.3 s of 19.5 s"
+  QLabel* said_ = nullptr;     ///< state of the player
+  bool is_paused_ = false;     ///< newest player/paused
+  double position_ = 0.0;      ///< newest player/position, s from the bag's first frame of agents
 
   ros::NodeHandle node_;
   ros::Subscriber paused_subscriber_;
   std::vector<ros::Subscriber> subscribers_;
-  ServiceCall<std_srvs::SetBool> pausing_;
-  ServiceCall<std_srvs::Trigger> going_;
-  ServiceCall<collision_forge::Seek> seeking_;
+  ServiceCall<std_srvs::SetBool> pausing_;      ///< player/pause
+  ServiceCall<std_srvs::Trigger> going_;        ///< player/step and player/back_to_now
+  ServiceCall<collision_forge::Seek> seeking_;  ///< player/seek
 };
 
 }  // namespace forge

@@ -8,18 +8,19 @@
 
 namespace forge {
 
-/// Table of feasible collisions, one per row.
+/// Table of feasible collisions, one per row: type, time to attack, attacker, confidence,
+/// manoeuvre.
 class PossibleTable : public QTableWidget {
   Q_OBJECT
 
  public:
   explicit PossibleTable(QWidget* parent = nullptr);
 
-  /// Replaces all rows.
+  /// Replaces all rows, in the order of `collisions`; no row is selected, chosen() is not emitted.
   void setCollisions(std::vector<collision_forge::PossibleCollision> collisions);
-  /// The collisions in the order of the rows.
+  /// Returns the collisions in the order of the rows.
   const std::vector<collision_forge::PossibleCollision>& collisions() const { return collisions_; }
-  /// Selects a row without emitting chosen().
+  /// Selects a row (index from 0) without emitting chosen().
   void mark(int row);
 
  Q_SIGNALS:
@@ -27,7 +28,9 @@ class PossibleTable : public QTableWidget {
   void chosen(const collision_forge::PossibleCollision& collision);
 
  private:
+  /// Emits chosen() for the selected row, if any.
   void choose();
+  /// Fills the row with this index.
   void addRow(int row, const collision_forge::PossibleCollision& collision);
 
   std::vector<collision_forge::PossibleCollision> collisions_;  ///< index: row

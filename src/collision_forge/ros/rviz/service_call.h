@@ -13,20 +13,23 @@
 
 namespace forge {
 
-/// Calls a ROS service in a worker thread, one call at a time.
+/// Calls a ROS service in a worker thread, one call at a time. All functions must be called in the
+/// GUI thread. The destructor waits for the running call, whose response is dropped.
 template <typename Service>
 class ServiceCall {
  public:
   /// The response; empty if the call failed.
   using Answer = std::optional<typename Service::Response>;
 
-  /// `then` is called with each response, in the GUI thread.
+  /// `then` is called once per call of start() that was made, in the GUI thread, with the response,
+  /// or with an empty Answer if the call failed.
   explicit ServiceCall(std::function<void(const Answer&)> then) {
     QObject::connect(&watcher_, &QFutureWatcherBase::finished,
                      [this, then = std::move(then)] { then(watcher_.result()); });
   }
 
-  /// Calls the service `name`. Does nothing while another call runs.
+  /// Calls the service `name` (relative to the node's namespace) without waiting. Does nothing
+  /// while another call runs: `request` is then dropped.
   void start(const std::string& name, typename Service::Request request) {
     if (watcher_.isRunning()) return;
     watcher_.setFuture(QtConcurrent::run(&caller_, [name, request]() mutable -> Answer {

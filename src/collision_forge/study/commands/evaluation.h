@@ -15,21 +15,23 @@
 /// The command study evaluate in its two forms: over COLLIDE clips and over requests on logs.
 namespace forge {
 
+/// The arguments of the command.
 struct EvaluationArguments {
   // Clips only:
   std::string collide;        ///< folder of the clips
   std::string split = "val";  ///< train, val or test
   bool by_scene = false;      ///< redistribute published train and val so that they share no scene
-  std::size_t limit = 0;      ///< number of clips; 0: all
+  std::size_t limit = 0;      ///< number of clips, from the first on; 0: all
   // Requests only:
-  std::string requests;             ///< request list; empty: evaluate clips
-  std::vector<std::string> scenes;  ///< names; empty: all
-  std::optional<LimitSet> limits;   ///< of the attackers; empty: the configuration's
-  std::optional<bool> believable;   ///< attackers must be plausible; empty: the configuration's
+  std::string requests;  ///< path of the request list; empty: evaluate clips
+  /// Names of the scenes whose requests are evaluated; empty: all.
+  std::vector<std::string> scenes;
+  std::optional<LimitSet> limits;  ///< of the attackers; empty: the configuration's
+  std::optional<bool> believable;  ///< attackers must be plausible; empty: the configuration's
 
-  LogSource logs;   ///< recorded scenes; for clips a nuScenes root with their maps
-  std::string out;  ///< output folder
-  ConfigFolder config;
+  LogSource logs;       ///< recorded scenes; for clips a nuScenes root with their maps
+  std::string out;      ///< output folder
+  ConfigFolder config;  ///< source of all options
   EvaluationPlan plan;  ///< evaluateRequests() replaces its limits and `believable`
   int jobs = 1;         ///< threads
 };
@@ -37,20 +39,23 @@ struct EvaluationArguments {
 // Run the evaluation; resume an interrupted one. Print the tables and write
 // OUT/results.csv, OUT/table.md and OUT/table.csv. Return an exit code; throw ConfigError and
 // std::runtime_error.
+/// Evaluates the clips of `split` in `collide`; ignores the fields for requests.
 int evaluateClips(const EvaluationArguments& arguments);
+/// Evaluates `requests`, which must not be empty; ignores the fields for clips.
 int evaluateRequests(const EvaluationArguments& arguments);
 
 /// An evaluation of items (clips or requests) that yield the same number of rows each.
 struct EvaluationRun {
-  std::string folder;              ///< of results.csv; must exist
-  ResumableFile::Options options;  ///< fingerprints of all inputs
-  Protocol protocol = Protocol::kStrict;
-  RowsOf rows_of = RowsOf::kClips;
-  std::string of;                  ///< plural noun for the items, as "clips"
-  std::vector<std::string> items;  ///< names of the items, the column `name` of their rows
-  std::size_t rows_per_item = 1;
-  int jobs = 1;  ///< threads
-  /// Computes the rows of one item; called from worker threads.
+  std::string folder;                     ///< folder of results.csv; must exist
+  ResumableFile::Options options;         ///< fingerprints of all inputs
+  Protocol protocol = Protocol::kStrict;  ///< determines the columns of results.csv
+  RowsOf rows_of = RowsOf::kClips;        ///< determines the columns of results.csv
+  std::string of;                         ///< plural noun for the items in messages, as "clips"
+  std::vector<std::string> items;         ///< names of the items, the column `name` of their rows
+  std::size_t rows_per_item = 1;          ///< number of rows that rowsOf() returns for each item
+  int jobs = 1;                           ///< threads
+  /// Returns the rows of items[index]; called from worker threads, once per item that no earlier
+  /// run finished. An exception ends the run.
   std::function<std::vector<ResultRow>(std::size_t index)> rowsOf;
 };
 
@@ -58,7 +63,8 @@ struct EvaluationRun {
 /// order of the items. Throws the exceptions of carryOut().
 std::vector<ResultRow> runEvaluation(const EvaluationRun& evaluation);
 
-/// Writes the tables to FOLDER/table.csv.
+/// Writes the rates of all tables (toCsv()), below one header, to FOLDER/table.csv. Throws
+/// std::runtime_error if the file cannot be written.
 void writeRates(const std::vector<RateTable>& tables, const std::string& folder);
 
 }  // namespace forge

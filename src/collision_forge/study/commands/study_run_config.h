@@ -7,7 +7,8 @@
 
 namespace forge {
 
-/// Returns inputsOf() plus the fingerprints of config/study/ and of the weights of all learned
+/// Returns the inputs of a run on which its results depend, as a resumable run records them:
+/// inputsOf() plus studyFingerprints() and the fingerprints of the weights of all learned
 /// baselines.
 ResumableFile::Options studyInputsOf(const StudyConfig& config, const LogSource& logs);
 

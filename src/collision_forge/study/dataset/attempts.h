@@ -11,18 +11,19 @@ namespace forge {
 
 /// The result of one clip request: a line of attempts.jsonl without the trajectory.
 struct Attempt {
-  SceneRequest asked;             ///< the request
-  bool valid = false;             ///< a clip was found
-  double relative_heading = 0.0;  ///< rad, attacker's heading relative to the ego's at contact
-  double off_road_share = 0.0;    ///< 0..1, mean share of the attacker's box off the drivable area
+  SceneRequest asked;  ///< the request
+  bool valid = false;  ///< a clip was found
+  /// rad, attacker's yaw minus ego's at contact; unused if not `valid`.
+  double relative_heading = 0.0;
+  double off_road_share = 0.0;  ///< 0..1, mean share of the attacker's box off the drivable area
 
   /// Returns the number of frames (2 Hz) from the begin of the clip to the impact.
   int length() const;
 };
 
-/// Parses a line of attempts.jsonl that belongs to the request `asked`. `where` (file and line)
-/// begins the error messages. Throws the exceptions of readScenarioLine(), and std::runtime_error
-/// if the line belongs to another request.
+/// Parses a line of attempts.jsonl, a line of a scenario file, that belongs to the request `asked`.
+/// `where` (file and line) begins the error messages. Throws the exceptions of readScenarioLine(),
+/// and std::runtime_error if the line belongs to another request.
 Attempt readAttempt(const std::string& where, const std::string& line, const SceneRequest& asked,
                     const InputLimits& limits);
 

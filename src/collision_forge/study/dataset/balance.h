@@ -7,25 +7,27 @@
 
 namespace forge {
 
-/// Returns group sizes with a sum of at most `most`. Reduces the largest groups first; all reduced
-/// groups get the same size, up to a difference of one.
+/// Returns the sizes to keep of groups with the sizes `available`, in the same order, with a sum of
+/// at most `most`. Reduces the largest groups first; all reduced groups get the same size, up to a
+/// difference of one, the larger sizes first.
 std::vector<std::size_t> levelledCounts(const std::vector<std::size_t>& available,
                                         std::size_t most);
 
-/// Returns the largest group sizes, reduced as by levelledCounts(), for which each non-empty group
-/// has at least the share `min_share` (0..1) of the sum. Throws std::invalid_argument if
-/// `min_share` times the number of non-empty groups is above 1.
+/// Returns the largest sizes to keep, reduced as by levelledCounts(), for which each non-empty
+/// group has at least the share `min_share` (0..1) of the sum; `available` unchanged if `min_share`
+/// is 0. Throws std::invalid_argument if `min_share` times the number of non-empty groups is
+/// above 1.
 std::vector<std::size_t> withMinShare(const std::vector<std::size_t>& available, double min_share);
 
-/// Returns the largest group sizes, reduced to a common maximum, for which no group is larger than
-/// `max_ratio` times the mean of the non-empty groups. Throws std::invalid_argument for a
+/// Returns the largest sizes to keep, reduced to a common maximum, for which no group is larger
+/// than `max_ratio` times the mean of the non-empty groups. Throws std::invalid_argument for a
 /// `max_ratio` below 1.
 std::vector<std::size_t> withMaxRatio(const std::vector<std::size_t>& available, double max_ratio);
 
 /// The properties over which a data set is balanced.
 struct ClipKind {
   CollisionType type = CollisionType::kRearEnd;
-  int length = 0;  ///< frames from begin to impact
+  int length = 0;  ///< frames (2 Hz) from the begin of the clip to the impact
 };
 
 /// Returns the indices (ascending) of the clips to keep. Balances the lengths within each type

@@ -10,8 +10,8 @@
 
 namespace forge {
 
-/// Returns the allowed lengths of clips in frames at 2 Hz, from begin to impact: 9 to 18 for 4.5 to
-/// 9 s.
+/// Returns the allowed lengths of clips in frames at 2 Hz, from begin to impact, ascending: 9 to 18
+/// for min_length 4.5 s and max_length 9 s.
 std::vector<int> clipLengths(const DatasetOptions& options);
 
 /// Returns the requests (replay mode, any attacker) for the clips to try on a recording, in order

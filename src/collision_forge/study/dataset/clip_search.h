@@ -9,13 +9,13 @@
 
 namespace forge {
 
-/// Returns the type with its band of relative headings narrowed to `heading` +- `spread` (rad). A
-/// band that would exceed the type's own band is shifted into it. The nominal heading becomes
-/// `heading`.
+/// Returns the type with its heading band at contact narrowed to `heading` +- `spread` (rad), or
+/// less if the type's own band is narrower. A band that would exceed the type's own band is shifted
+/// into it. The nominal heading becomes `heading`.
 TypeDefinition narrowedAbout(const TypeDefinition& definition, double heading, double spread);
 
-/// Returns a relative heading (rad), uniformly distributed over the type's band, drawn with the
-/// seed of the request.
+/// Returns a relative heading at contact (rad), uniformly distributed over the type's heading band,
+/// drawn with the seed of the request.
 double drawnHeading(const CollisionRequest& request, const TypeDefinition& definition);
 
 /// Searches the attack for a request of listClipRequests(), in replay mode: ego and other agents
@@ -30,7 +30,8 @@ double drawnHeading(const CollisionRequest& request, const TypeDefinition& defin
 ///   in the published protocol and has contact, type and time in the strict one, without an earlier
 ///   contact.
 ///
-/// Otherwise returns the code of the search, or kNoAttackWithinLimits with the reason as message.
+/// Otherwise returns a rejection: with the status of momentAt() or the search, or
+/// kNoAttackWithinLimits with the condition that the attack does not meet as message.
 Attack findClip(const SceneRequest& asked, const IndexedScene& indexed, const StudyOptions& study,
                 const DatasetOptions& options);
 

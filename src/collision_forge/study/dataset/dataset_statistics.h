@@ -10,24 +10,24 @@ namespace forge {
 
 /// The properties of a kept clip that enter the statistics of a data set.
 struct DatasetClip {
-  std::string split;
-  std::string scene;
+  std::string split;     ///< one of splitNames()
+  std::string scene;     ///< name of the scene
   std::string location;  ///< name of the map
   CollisionType type = CollisionType::kRearEnd;
   int length = 0;                 ///< frames (2 Hz) from begin to impact
   double relative_heading = 0.0;  ///< rad, attacker's heading relative to the ego's at contact
-  double off_road_share = 0.0;    ///< 0..1
+  double off_road_share = 0.0;    ///< 0..1, mean share of the attacker's box off the drivable area
 };
 
-/// Counts the clips tried of one type.
+/// Counts of the attempts for one type.
 struct Attempts {
-  std::size_t tried = 0;
-  std::size_t valid = 0;  ///< before balancing
+  std::size_t tried = 0;  ///< requests tried
+  std::size_t valid = 0;  ///< requests for which a clip was found, before balancing
 };
 
 /// Returns the text of statistics.csv, "group,value,train,val,test,all,share": one row per type,
-/// TTA (s), location, and a last row with the number of scenes. `share` is the share of all clips,
-/// empty for scenes. Each line ends with "\n".
+/// TTA (s, from t0 to the impact), location, and a last row "all,scenes" with the number of scenes.
+/// `share` is the share of all clips, 0..1, empty for scenes. Each line ends with "\n".
 std::string datasetCsv(const std::vector<DatasetClip>& clips);
 
 /// Returns the text of statistics.md: the tables of datasetCsv(), and for each type the clips

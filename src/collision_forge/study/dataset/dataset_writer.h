@@ -9,11 +9,13 @@
 
 namespace forge {
 
-/// Writes the data set to `folder`: clips and scenario files per split, statistics.csv and
-/// statistics.md. Returns the text of statistics.md.
+/// Writes the data set to `folder`: per split the clips in COLLIDE's layout (CollideExporter) and
+/// the scenario file scenarios/SPLIT.jsonl, then statistics.csv and statistics.md. Splits the
+/// scenes by options.split. Returns the text of statistics.md.
 ///
 /// `path` is attempts.jsonl, with one line per element of `attempts`; `chosen` are the ascending
-/// indices of the attempts to write. Throws std::runtime_error if a file cannot be written.
+/// indices of the attempts to write, all valid. `scenes` provides the recordings. Throws
+/// std::runtime_error if a file cannot be written.
 std::string writeDataset(const std::string& folder, const std::string& path,
                          const std::vector<Attempt>& attempts,
                          const std::vector<std::size_t>& chosen, const DatasetOptions& options,

@@ -8,16 +8,16 @@
 
 namespace forge {
 
-/// A predicted confidence with the outcome that it predicts.
+/// The predicted confidence of an attack with the outcome that it predicts.
 struct Promise {
   double confidence = 0.0;  ///< predicted success rate, 0..1
-  Trial kept;               ///< value 1 for success, 0 for failure
+  Trial kept;               ///< outcome: value 1 if the attack succeeded, 0 if not
 };
 
-/// One decile of the predictions.
+/// One tenth of the predictions, of neighbouring confidences.
 struct CalibrationGroup {
   double promised = 0.0;  ///< mean confidence, 0..1
-  Rate kept;              ///< success rate
+  Rate kept;              ///< success rate of these predictions, with interval
 
   double difference() const { return kept.value - promised; }  ///< success rate minus confidence
 };
@@ -27,12 +27,13 @@ struct Calibration {
   std::string column;                     ///< column of the protocol that defines success
   std::vector<CalibrationGroup> deciles;  ///< lowest confidence first
 
-  /// Returns the largest |difference| of a decile; 0 without deciles.
+  /// Returns the largest |difference()|, 0..1, of a decile; 0 without deciles.
   double largestDifference() const;
 };
 
-/// Sorts the predictions by confidence (stable) and splits them into ten groups of nearly equal
-/// size. With fewer than ten predictions, empty groups are omitted.
+/// Returns the calibration of the predictions: sorts them by confidence (stable) and splits them
+/// into ten groups of nearly equal size. With fewer than ten predictions, empty groups are omitted.
+/// `column` is Calibration::column.
 Calibration calibrate(const std::string& column, std::vector<Promise> promises);
 
 /// Returns a Markdown table: title, one row per decile in percent, and the largest difference.

@@ -12,16 +12,17 @@ namespace forge {
 
 /// Returns the request that a clip represents: its type, its attacker, and as TTA the time from t0
 /// to the last frame, at least `min_tta` (s), because frames may be slightly less than 0.5 s apart.
-/// `crash` defines the conditions of success.
+/// `crash` defines the conditions of success. All other fields have their defaults.
 CollisionRequest requestOf(const CollideClip& clip, Mode mode, double min_tta,
                            CrashDefinition crash);
 
 // Trajectories of attackers that need no search: from t0 to `search.tail` s after the last frame of
-// the clip, with a point every `search.step` s. `box` is the attacker's size.
+// the clip, with a point about every `search.step` s, of class car. `box` is the attacker's size.
 
-/// Returns the trajectory of the data set's attacker. Positions, speed, acceleration and curvature
-/// come from the quintic through the six frames around each instant, which is exact for COLLIDE,
-/// whose tracks are quintics; headings are interpolated. Continues straight after the last frame.
+/// Returns the trajectory of the data set's attacker, box centres in the map frame. Positions,
+/// speed, acceleration and curvature come from the quintic through the six frames around each
+/// instant, which is exact for COLLIDE, whose tracks are quintics; headings are interpolated.
+/// Continues straight after the last frame.
 AttackerTrajectory recordedAttacker(const CollideClip& clip, const BoxSize& box,
                                     const SearchOptions& search);
 
@@ -29,10 +30,11 @@ AttackerTrajectory recordedAttacker(const CollideClip& clip, const BoxSize& box,
 AttackerTrajectory constantVelocityAttacker(const CollideClip& clip, const BoxSize& box,
                                             const SearchOptions& search);
 
-/// Returns the attacker's pose in each frame of the clip: recorded up to t0, then on `trajectory`.
+/// Returns the attacker's pose (map frame) in each frame of the clip: recorded up to t0, then on
+/// `trajectory` at the time of the frame.
 std::vector<Pose2> framesOf(const CollideClip& clip, const AttackerTrajectory& trajectory);
 
-/// Returns the recorded pose of the attacker in each frame of the clip.
+/// Returns the recorded pose (map frame) of the attacker in each frame of the clip.
 std::vector<Pose2> recordedFrames(const CollideClip& clip);
 
 }  // namespace forge

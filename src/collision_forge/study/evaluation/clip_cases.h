@@ -23,19 +23,24 @@ enum class ClipAttacker {
 
 /// The attacks of a method that become test cases.
 enum class ClipAnswers {
-  kVerified,  ///< only attacks that are verified with the configured conditions
+  kVerified,  ///< only attacks that are verified with the configured conditions; the rest is
+              ///< rejected
   kAll        ///< all attacks, hit or miss, as in the evaluation on clips (ClipQuestion)
 };
 
 /// Returns the test case of a COLLIDE clip, with the data set's box sizes. Attackers made by
 /// `method` use the type rules of clips, the relative heading only (withClipRules()). The case has
-/// the status of the method if it finds no attack.
+/// the status of the method if it finds no attack. `lanes`: map of the clip's city. `method` and
+/// `answers` are not used for kRecorded. Methods use models trained without the clip's scene.
 PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
                        std::shared_ptr<const LaneIndex> lanes, const MethodMaker& method,
                        const StudyOptions& study, ClipAnswers answers = ClipAnswers::kVerified);
 
-/// Opens COLLIDE clips as test cases, named by their files. `dataroot`: nuScenes root with the
-/// maps. PlannerCase::source is "recorded", "history" or "replay". `study` must outlive the result.
+/// Opens the COLLIDE clips at `paths` as test cases, in this order, named by their files (without
+/// folder and ending). `dataroot`: nuScenes root with the maps. `method`: name of the attack
+/// method; "" is the default. PlannerCase::source is "recorded", "history" or "replay". `study`
+/// must outlive the result. Throws std::invalid_argument for an unknown method; at() throws
+/// CollideError for a malformed clip.
 std::unique_ptr<PlannerCases> openClipCases(const std::vector<std::string>& paths,
                                             const std::string& dataroot, ClipAttacker attacker,
                                             const std::string& method, ClipAnswers answers,

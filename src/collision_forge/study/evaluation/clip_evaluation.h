@@ -13,11 +13,11 @@ namespace forge {
 
 /// Defines an evaluation: protocol, method, mode and seeds.
 struct EvaluationPlan {
-  Protocol protocol = Protocol::kStrict;
-  std::string method = "recorded";
+  Protocol protocol = Protocol::kStrict;  ///< protocol that judges the attacks
+  std::string method = "recorded";  ///< name in clipMethods(), for requests in the MethodRegistry
   bool is_seeded = true;  ///< MethodRegistry::Entry::is_seeded of `method`; unused for baselines
-  Mode mode = Mode::kHistory;
-  int seeds = 1;  ///< number of runs of a seeded method, with seeds 0 to seeds - 1
+  Mode mode = Mode::kHistory;  ///< in which `method` runs
+  int seeds = 1;               ///< number of runs of a seeded method, with seeds 0 to seeds - 1
   /// Requests only, as in CrashDefinition; clips are judged by withClipRules().
   LimitSet limits = LimitSet::kDrivable;
   bool believable = true;  ///< requests only: attackers must be plausible
@@ -32,13 +32,15 @@ bool isBaseline(const std::string& method);
 
 /// Returns the methods (names of clipMethods()) that the plan measures: the baselines, the plan's
 /// method without networks if it has any, the plan's method, and in adaptive mode "first_plan".
+/// Each name occurs once.
 std::vector<std::string> methodsOf(const EvaluationPlan& plan);
 
 /// Returns the number of rows of evaluateClip(), which is the same for every clip.
 std::size_t rowsPerClip(const EvaluationPlan& plan);
 
 /// Evaluates all methods of the plan on a clip against its recorded future. Returns one row per
-/// method, for seeded methods one per seed. A method without an attack meets no measure.
+/// method of methodsOf(), in that order; for seeded methods one per seed, ascending. The row of a
+/// method without an attack has the status and meets no measure. `lanes`: map of the clip's city.
 ///
 /// - Collision types are judged by the relative heading only (withClipRules()), at any confidence.
 /// - Mode adaptive: the attack of a method, found with drivable limits, is the first plan of an

@@ -9,9 +9,10 @@ namespace forge {
 /// Returns the methods available for COLLIDE clips:
 /// - "recorded": recordedAttacker();
 /// - "constant_velocity": constantVelocityAttacker(), replaces the entry of `methods`;
-/// - all other entries of `methods`.
+/// - all other entries of `methods`, in their order.
 ///
 /// The methods read `clip`, which must outlive them; it may be null if only names are needed.
+/// `evaluation` gives the size of the attacker's box.
 MethodRegistry clipMethods(const MethodRegistry& methods, const CollideClip* clip,
                            const EvaluationOptions& evaluation);
 

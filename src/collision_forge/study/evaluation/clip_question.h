@@ -15,14 +15,15 @@ namespace forge {
 
 /// References to the inputs of an evaluation on clips, which must outlive it.
 struct ClipEvaluationSetup {
-  const MethodRegistry& methods;  ///< configured methods; clipMethods() adds more
-  const PredictionModels& models;
-  const StudyOptions& study;
+  const MethodRegistry& methods;   ///< configured methods; clipMethods() adds more
+  const PredictionModels& models;  ///< loaded models, from which clipMethod() selects
+  const StudyOptions& study;       ///< all options
 };
 
 /// Returns the maker of a method of clipMethods() for `clip`, which must outlive it. Uses models
-/// trained without the clip's scene, or with `seen_scenes` models trained on all scenes that also
-/// know the collision type. Throws std::invalid_argument for an unknown name, as MethodMaker.
+/// trained without the clip's scene, or with `seen_scenes` the models trained on all scenes,
+/// conditioned on the clip's collision type. Throws std::invalid_argument for an unknown name, as
+/// MethodMaker.
 MethodMaker clipMethod(const std::string& name, const CollideClip& clip,
                        const ClipEvaluationSetup& setup, bool seen_scenes);
 
@@ -35,18 +36,19 @@ class ClipQuestion {
   ClipQuestion(const CollideClip& clip, std::shared_ptr<const LaneIndex> lanes, Mode mode,
                const StudyOptions& study);
 
-  /// The clip at t0, with its recorded future.
+  /// Returns the clip at t0, with its recorded future.
   const Moment& moment() const { return moment_; }
-  /// The clip's request.
+  /// Returns the clip's request, with seed 0.
   const CollisionRequest& request() const { return request_; }
 
-  /// Returns the clip as a scene, the source of the snapshot and the future of moment().
+  /// Returns the clip as a scene (toScene()), the source of the snapshot and the future of
+  /// moment().
   const Scene& recording() const { return recording_; }
 
   /// Returns the status of checkRequest() for a seeded method (MethodMaker::isSeeded()), kOk for
   /// any other.
   Status check(const MethodMaker& maker) const;
-  /// Runs the method with `seed` and returns its attack, verified or not.
+  /// Runs the method with `seed` and returns its attack, verified or not, or its rejection.
   Attack ask(const AttackMethod& method, std::uint64_t seed) const;
   /// Calls check(), then ask() if it returns kOk; otherwise returns a rejection with that status.
   /// `method` was made by `maker`.

@@ -10,40 +10,50 @@ namespace forge {
 
 /// A recorded vehicle in a cloud.
 struct VehicleInCloud {
-  std::string id;
+  std::string id;  ///< agent id
   AgentClass agent_class = AgentClass::kCar;
-  Eigen::Isometry3d pose;  ///< in the cloud's frame; origin at the bottom of the box
-  Eigen::Vector3d size;    ///< length, width, height, m
+  /// Pose in the cloud's frame; origin in the middle of the bottom of the box, x ahead.
+  Eigen::Isometry3d pose;
+  Eigen::Vector3d size;  ///< length, width, height, m
 };
 
-/// A recorded vehicle compared with the body that replaced it. Points: of the box and 0.1 m around
-/// it, from 0.2 m above the ground on.
+/// A recorded vehicle compared with the body that replaced it. "Points" are the returns in the
+/// vehicle's box and 0.1 m around it, from 0.2 m above the ground on. "Recorded" is the original
+/// cloud, "injected" the cloud with the body.
 struct ReplacedVehicle {
-  std::string id;
+  std::string id;  ///< VehicleInCloud::id
   AgentClass agent_class = AgentClass::kCar;
-  double range = 0.0;           ///< m, to the middle of the box
-  std::size_t recorded = 0;     ///< points
-  std::size_t injected = 0;     ///< points
-  double ring_overlap = 0.0;    ///< 0..1, shared part of the two histograms over the rings
-  double recorded_share = 0.0;  ///< of the rays that meet the body: recorded returns in the box
-  double injected_share = 0.0;  ///< the same after the replacement
-  double distance = 0.0;        ///< m, Chamfer distance of recorded and injected points
-  double floor = 0.0;           ///< m, the same of recorded points among themselves
-  double recorded_brightness = 0.0;  ///< median intensity
-  double injected_brightness = 0.0;
+  double range = 0.0;  ///< m from the cloud's origin to the ground below the middle of the box
+  std::size_t recorded = 0;   ///< number of recorded points
+  std::size_t injected = 0;   ///< number of injected points
+  double ring_overlap = 0.0;  ///< 0..1, intersection of the two normalised histograms of points
+                              ///< over the rings; 1: equal
+  /// recorded points over the number of rays that meet the body; may exceed 1.
+  double recorded_share = 0.0;
+  double injected_share = 0.0;  ///< injected points over the same number of rays
+  double distance = 0.0;  ///< m, Chamfer distance of recorded and injected points; infinite without
+                          ///< injected points
+  double floor = 0.0;  ///< m, Chamfer distance of the two halves of the recorded points: the best
+                       ///< possible `distance`
+  double recorded_brightness = 0.0;  ///< median intensity of the recorded points, in the cloud's
+                                     ///< unit; 0 without a field for it
+  double injected_brightness = 0.0;  ///< the same of the injected points
 };
 
 /// How vehicles are replaced.
 struct ReplacementOptions {
   std::size_t least_points = 20;  ///< vehicles with fewer recorded points are left out
-  double range_noise = 0.0;       ///< m
-  std::uint64_t seed = 0;
+  double range_noise = 0.0;       ///< m, standard deviation of the range of the body's returns
+  std::uint64_t seed = 0;         ///< seed of all random draws
 };
 
-/// Takes each vehicle out of the cloud and puts a body of its box in its place, one at a time.
-/// Returns of the body are drawn by what the other vehicles of the cloud return. Distances are
-/// between every second recorded point and every second point of the other kind, so that both have
-/// the same number of samples: the mean over both directions of the distance to the nearest.
+/// Takes each vehicle out of the cloud and puts a body of its box in its place, one at a time, and
+/// compares both. Returns one element per vehicle with at least `least_points` recorded points, in
+/// the order of `vehicles`. Return and intensity of each ray that meets the body are drawn from
+/// the returns of the other vehicles in the cloud. The Chamfer distances compare every second
+/// recorded point with every second point of the other kind, so that `distance` and `floor` use
+/// equally many recorded samples: the mean over both directions of the mean distance to the nearest
+/// point.
 std::vector<ReplacedVehicle> replaceVehicles(const PointCloud& cloud, const SweepTiming& timing,
                                              const std::vector<VehicleInCloud>& vehicles,
                                              const ReplacementOptions& options);

@@ -8,16 +8,17 @@ namespace forge {
 
 /// Constants of the evaluation protocol of arXiv 2510.12206, as published.
 struct PublishedOptions {
-  BoxSize box = CollideOptions().box;    ///< m, of all vehicles
-  double min_overlap = 0.02;             ///< intersection over union above which two boxes collide
-  int steps_per_interval = 5;            ///< steps between two frames
-  int steps_after = 20;                  ///< steps from the last frame on, that frame included
-  double similar_heading = 0.174532925;  ///< rad (10 degrees), heading error of similar crashes
+  BoxSize box = CollideOptions().box;  ///< m, of all vehicles
+  double min_overlap = 0.02;   ///< intersection over union, 0..1, above which two boxes collide
+  int steps_per_interval = 5;  ///< steps of the protocol per interval between two frames
+  int steps_after = 20;        ///< steps from the last frame on, that frame included
+  /// rad (10 degrees); a hit with a smaller heading error is similar.
+  double similar_heading = 0.174532925;
 };
 
-/// The constants of evaluations.
+/// The constants of evaluations; not read from files.
 struct EvaluationOptions {
-  CollideOptions collide;
+  CollideOptions collide;  ///< sizes and offsets for reading COLLIDE clips
   PublishedOptions published;
 };
 

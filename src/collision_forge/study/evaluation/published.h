@@ -17,11 +17,13 @@ struct PublishedOutcome {
     kEgoOther,       ///< ego and another agent collide: a miss
   };
   Event event = Event::kNone;  ///< the first collision, which ends the clip
-  int step = 0;                ///< step of the event, from frame 0; unset with kNone
-  std::string other_id;        ///< the attacker with kHit, else the other agent; empty with kNone
-  double relative_heading = 0.0;  ///< rad in [0, pi], between ego and attacker; only with kHit
-  bool similar = false;           ///< hit with about the angle in the file name
+  int step = 0;  ///< index of the event's step in publishedSteps(), 0 at frame 0; unset with kNone
+  std::string other_id;  ///< the attacker with kHit, else the other agent; empty with kNone
+  /// rad in [0, pi], |angle| between the headings of ego and attacker; only with kHit.
+  double relative_heading = 0.0;
+  bool similar = false;  ///< a hit that is similar by rule 4 of publishedOutcome()
 
+  /// Returns true if ego and attacker are the first to collide.
   bool isHit() const { return event == Event::kHit; }
 };
 
@@ -50,11 +52,12 @@ PublishedOutcome publishedOutcome(const CollideClip& clip, const std::vector<Pos
 PublishedOutcome publishedOutcome(const CollideClip& clip, const std::vector<Pose2>& attacker,
                                   const std::vector<Pose2>& ego, const PublishedOptions& options);
 
-/// Returns the poses at the steps of rule 1 for an agent with a pose in each frame (at least two).
+/// Returns the poses at the steps of rule 1, steps_per_interval * (frames - 1) + steps_after of
+/// them, for an agent with a pose in each frame (at least two frames).
 std::vector<Pose2> publishedSteps(const std::vector<Pose2>& frames,
                                   const PublishedOptions& options);
 
-/// Returns the recorded pose of the ego in each frame of the clip.
+/// Returns the recorded pose (map frame) of the ego in each frame of the clip.
 std::vector<Pose2> egoFrames(const CollideClip& clip);
 
 }  // namespace forge

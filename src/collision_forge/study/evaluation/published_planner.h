@@ -13,23 +13,23 @@ namespace forge {
 
 // COLLIDE clips with an ego driven by a planner, for publishedOutcome().
 
-/// Returns the clip with the ego's frames replaced by `driven` (map frame) from the time of its
-/// first point on; frames after the last point repeat its pose. Throws std::invalid_argument for an
-/// empty `driven`.
+/// Returns the clip with the ego's frames replaced by `driven` (box centres, map frame, clip's
+/// clock), interpolated, from the time of its first point on; frames after the last point repeat
+/// its pose. Throws std::invalid_argument for an empty `driven`.
 CollideClip withEgo(CollideClip clip, const std::vector<TrajectoryPoint>& driven);
 
 /// Returns the clip with the attacker's frames after t0 replaced by `trajectory`; speeds are mean
 /// speeds since the previous frame.
 CollideClip withAttacker(CollideClip clip, const AttackerTrajectory& trajectory);
 
-/// One step of an ego driven by IDM.
+/// One step of an ego driven by IDM (Intelligent Driver Model).
 struct PublishedIdmStep {
   Pose2 pose;          ///< at the end of the step, map frame
   double speed = 0.0;  ///< m/s, over the step
 };
 
 /// Simulates the ego of the planner test of arXiv 2510.12206: IDM that follows the clip's attacker.
-/// Returns its state at each step of publishedOutcome().
+/// Returns its state at each step of publishedSteps(), the first being its recorded one.
 ///
 /// 1. The ego starts in frame 0 with its recorded pose and speed.
 /// 2. In each step its speed is publishedIdmSpeed() with the attacker as lead: the distance between
@@ -45,7 +45,8 @@ std::vector<PublishedIdmStep> publishedIdmDrive(const CollideClip& clip,
                                                 const PublishedIdmOptions& idm,
                                                 const PublishedOptions& protocol);
 
-/// Returns the protocol that applies publishedOutcome() to `clip` for a given motion of the ego.
+/// Returns the protocol that applies publishedOutcome() to `clip` with a given motion of the ego
+/// (withEgo()), or with the ego of publishedIdmDrive(). The attacker moves as in `clip`.
 std::shared_ptr<const PublishedProtocol> publishedProtocol(CollideClip clip,
                                                            const PublishedOptions& options);
 

@@ -29,14 +29,15 @@ std::size_t rowsPerRequest(const EvaluationPlan& plan);
 
 /// The time of one search, or of one update step of an adaptive attacker.
 struct SearchTime {
-  std::string method;         ///< of requestRowMethods(), or the label of the update steps
-  double milliseconds = 0.0;  ///< wall-clock time
+  std::string method;         ///< name of requestRowMethods(), or "adaptive, per update step"
+  double milliseconds = 0.0;  ///< ms, wall-clock time
 };
 
 /// The rows of a request, in the order of requestRowMethods(), then of the seeds.
 struct EvaluatedRequest {
-  std::vector<ResultRow> rows;
-  std::vector<SearchTime> times;  ///< of seeded methods and adaptive attackers, in order
+  std::vector<ResultRow> rows;    ///< rowsPerRequest() rows
+  std::vector<SearchTime> times;  ///< searches of seeded methods and steps of adaptive attackers,
+                                  ///< in the order of the rows; empty for a rejected request
 };
 
 /// Evaluates requests over recorded scenes. Thread-safe; deterministic across processes.
@@ -54,17 +55,19 @@ class RequestEvaluator {
  public:
   /// The runs of the plan's method that yield the rows named `name`.
   struct MethodRow {
-    std::string name;
-    Mode mode;
-    int seeds;  ///< number of runs
+    std::string name;  ///< column `method` of the rows
+    Mode mode;         ///< in which the method runs
+    int seeds;         ///< number of runs
   };
 
-  /// `scenes` must outlive the evaluator. Throws std::invalid_argument for a plan with another
-  /// protocol than kStrict, a wrong `plan.is_seeded`, or an unknown method.
+  /// `scenes` must outlive the evaluator; the other arguments are copied. Throws
+  /// std::invalid_argument for a plan with another protocol than kStrict, a wrong `plan.is_seeded`,
+  /// or an unknown method.
   RequestEvaluator(SceneSource& scenes, const StudyOptions& study, const PredictionModels& models,
                    const MethodRegistry& methods, const EvaluationPlan& plan);
 
-  /// Evaluates one request; `name` is the column `name` of its rows. Throws the exceptions of
+  /// Evaluates one request; `name` is the column `name` of its rows. Ignores mode and crash
+  /// definition of the request, which the plan and the options give. Throws the exceptions of
   /// SceneSource::at().
   EvaluatedRequest evaluate(const std::string& name, const SceneRequest& asked) const;
 

@@ -12,19 +12,21 @@ namespace forge {
 
 // Tables over the rows of RequestEvaluator; docs/protocols.md defines every figure.
 
-/// Returns the tables of an evaluation of requests:
+/// Returns the tables of an evaluation of requests, from all its rows, one row per method of
+/// requestRowMethods(), in this order:
 ///
 /// 1. For each measure of the strict protocol by full definitions, the rate of each method, over
 ///    all requests and over the requests that the road allows.
 /// 2. For a seeded method outside replay mode: all conditions over the requests that replay mode
 ///    solves with any seed (recall against replay mode).
-/// 3. The share of requests that the road allows, and how many of the others a search solved.
+/// 3. The share of requests that the road allows, and for a seeded method the share of the others
+///    for which it returned an attack.
 /// 4. The share of plausible attacks among the attacks that touch the ego.
 std::vector<RateTable> requestTables(const std::vector<ResultRow>& rows,
                                      const EvaluationPlan& plan);
 
-/// Returns the calibration of the confidences; nullopt unless the plan has a seeded method outside
-/// replay mode.
+/// Returns the calibration of the confidences of the plan's method against all conditions by full
+/// definitions; nullopt unless the plan has a seeded method outside replay mode.
 std::optional<Calibration> requestCalibration(const std::vector<ResultRow>& rows,
                                               const EvaluationPlan& plan);
 

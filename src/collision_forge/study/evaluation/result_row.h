@@ -10,49 +10,62 @@
 
 namespace forge {
 
-/// The evaluation protocol: study/evaluation/published.h or attack/verify/strict_outcome.h.
+/// The evaluation protocol: kPublished in study/evaluation/published.h, kStrict in
+/// attack/verify/strict_outcome.h.
 enum class Protocol { kPublished, kStrict };
 /// Returns "published" or "strict".
 const char* toString(Protocol protocol);
 
 /// Returns the measures of a protocol, in the order of ResultRow::meets. Published: collision,
-/// similar. Strict: all conditions by angle bands, by full definitions, then each condition.
+/// similar. Strict: all conditions by angle bands, all by full definitions, then each condition:
+/// contact, type by angle bands, type by full definitions, on time, limits kept, no earlier
+/// contact. The reference is always valid.
 const std::vector<Measure>& measuresOf(Protocol protocol);
 
 /// Columns of results.csv that only rows of requests have.
 struct RequestFacts {
-  std::optional<bool> road_allows;  ///< roadAllows() for the recorded ego; empty: no frame at t0
-  std::optional<bool> believable;   ///< plausible up to the recorded contact; empty: no contact
+  /// roadAllows() for the recorded ego; empty if the scene has no frame at t0.
+  std::optional<bool> road_allows;
+  std::optional<bool> believable;  ///< the attack is plausible up to its contact with the recorded
+                                   ///< ego; empty without contact
   std::string attacker;  ///< id of the attacker; empty without an attack and for baselines
-  std::optional<AgentClass> attacker_class;  ///< empty if `attacker` is
+  std::optional<AgentClass> attacker_class;  ///< class of `attacker`; empty if that is
 };
 
 /// The result of one method on one clip or request: a row of results.csv.
 struct ResultRow {
   std::string name;   ///< clip name, or line of the request in its list
-  std::string scene;  ///< name
+  std::string scene;  ///< name of the scene
   CollisionType type = CollisionType::kRearEnd;
-  double tta = 0.0;  ///< s, nominal for clips
-  std::string method;
-  std::uint64_t seed = 0;
-  std::string status;                      ///< "OK", or the status code of the rejection
-  std::vector<bool> meets;                 ///< one per measure of the protocol
-  std::optional<double> contact_after;     ///< s from t0 to contact, negative before t0
-  std::optional<double> relative_heading;  ///< rad, between ego and attacker at contact
-  std::optional<double> confidence;        ///< predicted by the search, 0..1
-  /// Mean share, 0..1, of the attacker's box off the drivable area from t0 to contact.
+  double tta = 0.0;         ///< s, requested; for clips at the nominal 2 Hz
+  std::string method;       ///< methodsOf() for clips, requestRowMethods() for requests
+  std::uint64_t seed = 0;   ///< seed of the method's run
+  std::string status;       ///< "OK", or the status code of the rejection
+  std::vector<bool> meets;  ///< one per measure of measuresOf()
+  /// s from t0 to the contact of ego and attacker, in the published protocol to the first collision
+  /// of either; negative before t0, empty without.
+  std::optional<double> contact_after;
+  /// rad, attacker's yaw minus ego's at contact, in the published protocol its magnitude; empty
+  /// without contact.
+  std::optional<double> relative_heading;
+  /// CollisionReport::confidence, 0..1; empty for methods without one.
+  std::optional<double> confidence;
+  /// Mean share, 0..1, of the attacker's box off the drivable area from t0 to contact; strict
+  /// protocol only, empty without contact.
   std::optional<double> off_road_share;
   std::string note;  ///< broken limit, other agent touched, reason of implausibility or rejection
-  std::optional<RequestFacts> request;  ///< requests only
+  std::optional<RequestFacts> request;  ///< empty for clips
 };
 
-/// The items of results.csv.
+/// The items whose rows results.csv has.
 enum class RowsOf { kClips, kRequests };
 
 // Header and line of results.csv, without line ends. Times have three decimals, shares four,
 // headings are in degrees with two. toCsv() throws std::runtime_error for a name or scene with
-// commas or line ends.
+// commas or line ends; commas and line ends in other texts are replaced.
+/// Returns the header: the names of all columns.
 std::string csvHeader(Protocol protocol, RowsOf rows_of = RowsOf::kClips);
+/// Returns the line of a row.
 std::string toCsv(const ResultRow& row);
 
 /// Parses a line of toCsv(), of a request if it has the columns of requests. Returns nullopt for a

@@ -10,13 +10,14 @@
 
 namespace forge {
 
-/// Returns the rows of `method` as trials of the measure with index `measure`. With `given`, only
-/// rows that meet the measure with that index.
+/// Returns the rows of `method` as trials of the measure with index `measure` in measuresOf(),
+/// value 1 if the row meets it, else 0, in the order of `rows`. With `given`, only rows that meet
+/// the measure with that index.
 std::vector<Trial> trialsOf(const std::vector<ResultRow>& rows, const std::string& method,
                             std::size_t measure, const std::optional<std::size_t>& given = {});
 
-/// Returns one table per measure of the protocol, with the given methods in this order. Ignores
-/// rows of other methods.
+/// Returns one table per measure of measuresOf(protocol), in that order, with the rates of the
+/// given methods as rows, in the order of `methods`. Ignores rows of other methods.
 std::vector<RateTable> tabulate(const std::vector<ResultRow>& rows, Protocol protocol,
                                 const std::vector<std::string>& methods);
 

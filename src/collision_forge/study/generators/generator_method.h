@@ -14,9 +14,11 @@ namespace forge {
 /// Thread-safe.
 class GeneratorMethod : public AttackMethod {
  public:
+  /// Keeps the generator alive.
   GeneratorMethod(std::shared_ptr<const TrafficGenerator> generator, const AttackOptions& options);
 
-  /// Throws std::runtime_error if the generator returns values that are not finite.
+  /// Returns the attack, verified or not; see AttackMethod. Throws std::runtime_error if the
+  /// generator returns values that are not finite.
   Attack answer(const Moment& moment, const CollisionRequest& request) const override;
 
  private:
@@ -24,13 +26,16 @@ class GeneratorMethod : public AttackMethod {
   AttackOptions options_;
 };
 
-/// Extends all agents of `clip` from the history to the frame of the crash. Agents without a pose
-/// in each frame of the history disappear.
+/// Replaces the frames of all agents of `clip` after t0 by predictions, up to the frame of the
+/// crash or a few beyond, with random numbers of `seed`. Each call of the generator adds its
+/// future_frames. An agent without a pose in each frame of the history (ending at the newest frame
+/// so far) is absent from then on. Throws std::runtime_error if a prediction is not finite.
 void rollOut(const TrafficGenerator& generator, std::uint64_t seed, TrafficClip& clip);
 
 /// Converts the attacker's frames of a clip, complete up to the frame of the crash, to an attack: a
-/// smooth curve through the frames, then straight. `ego` is the ego's pose at t0 (map frame), the
-/// origin of the clip; `now` is the index of the frame at t0.
+/// smooth curve through the frames, evenly spaced over the TTA, then straight. `ego` is the ego's
+/// pose at t0 (map frame), the origin of the clip; `attacker` is the attacker's id in the snapshot;
+/// `now` is the index of the frame at t0. Pattern and report come from drivenAttack().
 Attack drivenThrough(const TrafficClip& clip, const Pose2& ego, const std::string& attacker,
                      const Moment& moment, const CollisionRequest& request, int now,
                      const AttackOptions& options);

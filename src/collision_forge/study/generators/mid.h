@@ -7,13 +7,14 @@
 
 namespace forge {
 
-/// The noise schedule of a diffusion model.
+/// The noise schedule of a diffusion model, for steps 0 to MidOptions::diffusion_steps.
 struct NoiseSchedule {
   std::vector<double> beta;       ///< noise variance of step t at index t; 0 at index 0
   std::vector<double> alpha_bar;  ///< product of 1 - beta up to step t; 1 at index 0
 };
 
-/// Returns a schedule with betas linearly spaced from `beta_first` to `beta_last`.
+/// Returns the schedule with betas linearly spaced from `beta_first` at step 1 to `beta_last` at
+/// the last step.
 NoiseSchedule noiseSchedule(const MidOptions& options);
 
 /// Creates C-MID: MID (Gu et al., CVPR 2022, arXiv 2203.13777), a diffusion model of futures, with

@@ -7,25 +7,26 @@
 namespace forge {
 
 /// The N agents of a batch that are observed in the whole history, window by window, with E ordered
-/// pairs of agents of the same window (graph edges). Poses in the frame of the batch.
+/// pairs of agents of the same window (graph edges). Poses (x, y in m, yaw in rad) are in the frame
+/// of the batch, the one of each window's ego at t0.
 struct StriveScene {
   torch::Tensor window;     ///< [N] index of the window in the batch
   torch::Tensor agent;      ///< [N] index of the agent in that window
-  torch::Tensor to;         ///< [E] receiving agent
-  torch::Tensor from;       ///< [E] sending agent
+  torch::Tensor to;         ///< [E] receiving agent, index into [N]
+  torch::Tensor from;       ///< [E] sending agent, index into [N]
   torch::Tensor place;      ///< [E] position of the sender among the agents of the window
   torch::Tensor pose;       ///< [N, 3] at t0, m and rad
   torch::Tensor speed;      ///< [N] m/s at t0
   torch::Tensor turn;       ///< [N] rad/s at t0, state of the bicycle: yaw rate * length / speed
-  torch::Tensor past;       ///< [N, feature]
-  torch::Tensor map;        ///< [N, feature]
+  torch::Tensor past;       ///< [N, feature] learned feature of the agent's history
+  torch::Tensor map;        ///< [N, feature] learned feature of the lanes around it
   torch::Tensor condition;  ///< [N, 6], as in TrafficBatch
 };
 
 /// A normal distribution with independent components; both tensors [N, latent].
 struct StriveLatent {
-  torch::Tensor mean;
-  torch::Tensor log_variance;
+  torch::Tensor mean;          ///< mean of each component
+  torch::Tensor log_variance;  ///< natural logarithm of the variance of each component
 };
 
 struct StriveMlp;
@@ -35,21 +36,27 @@ struct StriveGraphNet;
 /// supplement).
 class StriveNetwork : public torch::nn::Module {
  public:
+  /// Creates the layers with random weights from libtorch's generator.
   StriveNetwork(const StriveOptions& options, const TrafficOptions& traffic);
   ~StriveNetwork() override;
 
-  /// Encodes a batch of histories.
+  /// Returns a batch of histories (historyOf()) encoded. In training mode, adds
+  /// StriveOptions::noise.
   StriveScene encode(const TrafficBatch& history);
-  /// Returns the distribution of the latent given the history.
+  /// Returns the distribution of the latent of each agent given the history.
   StriveLatent prior(const StriveScene& scene);
   /// Returns the distribution of the latent given history and future. `future`: the batch of
   /// `scene` with history and future frames.
   StriveLatent posterior(const StriveScene& scene, const TrafficBatch& future);
-  /// Decodes `latent` [N, latent] to poses [N, frames, 3].
+  /// Returns the poses [N, frames, 3] after t0, at 2 Hz, of agents that drive as kinematic bicycles
+  /// with the controls that the decoder derives from `latent` [N, latent].
   torch::Tensor drive(const StriveScene& scene, const torch::Tensor& latent, long frames);
 
  private:
+  /// Returns StriveScene::map.
   torch::Tensor mapFeature(const TrafficBatch& history, const StriveScene& scene);
+  /// Returns the scaled motion [N, T, 6] of poses [N, T, 3] relative to `origin` [N, 3]: x, y, cos
+  /// and sin of the yaw, speed, turn.
   torch::Tensor motionFeature(const torch::Tensor& poses, const torch::Tensor& origin);
 
   StriveOptions options_;
@@ -59,14 +66,15 @@ class StriveNetwork : public torch::nn::Module {
   torch::nn::GRU memory_{nullptr};
 };
 
-/// Returns the overlap [E, frames] of the pairs of agents, approximated by discs along their boxes:
-/// 0 if apart, 1 if the centres of two discs coincide. `poses`: [N, frames, 3].
+/// Returns the overlap [E, frames] of the pairs of agents (`scene.to`, `scene.from`), approximated
+/// by five discs along their boxes: 0 if apart, 1 if the centres of two discs coincide. `poses`:
+/// [N, frames, 3].
 torch::Tensor overlapOf(const StriveScene& scene, const torch::Tensor& poses,
                         const StriveOptions& options);
 
 /// Returns how far (m, [N, frames]) the poses [N, frames, 3] are beyond `reach` (m) from the
-/// nearest lane centre line; 0 without lanes. `window` [N]: index of each agent's window in the
-/// batch.
+/// nearest point of a lane piece of their window; 0 without lanes. `window` [N]: index of each
+/// agent's window in the batch.
 torch::Tensor beyondLanes(const torch::Tensor& window, const TrafficBatch& batch,
                           const torch::Tensor& poses, double reach);
 

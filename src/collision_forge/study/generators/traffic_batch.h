@@ -28,22 +28,28 @@ struct TrafficWindow {
 struct TrafficBatch {
   torch::Tensor poses;      ///< [B, A, T, 3] x and y in m, yaw in rad; 0 if not observed
   torch::Tensor seen;       ///< [B, A, T] 1 if the agent is observed in the frame, else 0
-  torch::Tensor condition;  ///< [B, 6] one-hot type; (collision_frame - now - 1) / 12
+  torch::Tensor condition;  ///< [B, 6] one-hot type in the order of CollisionType; (collision_frame
+                            ///< - now - 1) / kTtaFrames
   torch::Tensor lanes;      ///< [B, L, P, 5] kLaneNumbers, nearest to ego or attacker first
   torch::Tensor lane_seen;  ///< [B, L, P] 1 where there is a point, else 0
 };
 
-/// Returns the batch of the windows with `future_frames` frames after t0; 0: history only.
+/// Returns the batch of the windows, on the CPU, with `future_frames` frames after t0; 0: history
+/// only. A and L are the largest numbers in a window; smaller windows are padded with unobserved
+/// agents and missing lanes. Ego and attacker must be observed at each `now`.
 TrafficBatch batchOf(const std::vector<TrafficWindow>& windows, const TrafficOptions& options,
                      int future_frames);
 
-/// Returns all windows of a clip with at least one future frame.
+/// Returns the windows of a clip whose history is complete and whose future_frames end at the crash
+/// at the latest, by ascending t0; if there is none, the window with the earliest t0 (frame
+/// history_frames - 1). `clip` must outlive them.
 std::vector<TrafficWindow> windowsOf(const TrafficClip& clip, const TrafficOptions& options);
 
 /// Returns the batch on a device.
 TrafficBatch movedTo(const TrafficBatch& batch, torch::Device device);
 
-/// Returns the batch with the first `history_frames` frames only.
+/// Returns the batch with the first `history_frames` frames only; the tensors share memory with
+/// `batch`.
 TrafficBatch historyOf(const TrafficBatch& batch, int history_frames);
 
 /// Returns [B, A] with 1 for agents that are observed in all of the first `frames` frames, else 0.

@@ -13,22 +13,25 @@
 
 namespace forge {
 
-/// The poses of an agent by frame, ascending in time; empty if it is not observed.
+/// The poses (box centres) of an agent by frame, ascending in time; nullopt in frames in which it
+/// is not observed.
 using AgentFrames = std::vector<std::optional<Pose2>>;
 
 /// Input or training example of a traffic model: frames at about 2 Hz, t0 at index history_frames -
 /// 1. Coordinates are in the frame of the ego at t0.
 struct TrafficClip {
-  std::string scene;  ///< name
+  std::string scene;  ///< name of the scene; "" if unknown
   CollisionType type = CollisionType::kRearEnd;
   int collision_frame = 0;          ///< index of the frame of the crash
-  std::vector<AgentFrames> agents;  ///< ego, attacker, then other moving agents, nearest first
-  std::vector<TrafficLane> lanes;   ///< around ego and attacker at t0
-  std::vector<std::string> ids;     ///< ids of the agents
+  std::vector<AgentFrames> agents;  ///< ego, attacker, then other moving motor vehicles, nearest to
+                                    ///< the ego first; at most TrafficOptions::max_agents
+  /// lanesAround() ego and attacker at t0; empty if the model ignores lanes.
+  std::vector<TrafficLane> lanes;
+  std::vector<std::string> ids;  ///< ids of `agents`, in their order
 };
 
 inline constexpr std::size_t kEgoAgent = 0;       ///< index of the ego in TrafficClip::agents
-inline constexpr std::size_t kAttackerAgent = 1;  ///< index of the attacker
+inline constexpr std::size_t kAttackerAgent = 1;  ///< index of the attacker in TrafficClip::agents
 
 /// Converts all frames of a COLLIDE clip. Replaces the attacker's history by straight motion at the
 /// speed at t0 (toScene()), because the history in the file reveals its future. `lanes` may be

@@ -8,29 +8,32 @@ namespace forge {
 /// and the remaining time. Thread-safe.
 class TrafficGenerator : public TrafficModel {
  public:
+  /// `traffic`: TrafficModel::traffic() of this model.
   explicit TrafficGenerator(const TrafficOptions& traffic) : traffic_(traffic) {}
 
-  /// Predicts poses [B, A, future_frames, 3] in the frame of the batch. Poses of agents that are
+  /// Predicts poses [B, A, future_frames, 3] (x and y in m, yaw in rad) of the frames after t0, in
+  /// the frame of the batch. `history`: a batch of history_frames frames. Poses of agents that are
   /// not observed in the whole history are undefined. Deterministic for a given state of `noise`.
   /// Called by rollOut() once per iteration, from several threads.
   virtual torch::Tensor predict(const TrafficBatch& history, torch::Generator noise) const = 0;
 
-  /// The errors are mean displacements (m) over one prediction: of the attacker, then of all
-  /// agents.
+  /// The errors are displacements (m), averaged over the frames of one prediction: of the attacker,
+  /// then of all agents observed in the whole history.
   std::vector<std::string> errorNames() const override;
   std::vector<ErrorSum> errorsOn(const TrafficBatch& batch, torch::Generator noise) const override;
 
   const TrafficOptions& traffic() const override { return traffic_; }
 
-  /// Returns a GeneratorMethod for any name.
+  /// Returns a GeneratorMethod with this model.
   std::unique_ptr<const AttackMethod> method(const AttackOptions& options) const override;
 
  private:
   TrafficOptions traffic_;
 };
 
-/// Returns the yaws [B, A, T] along steps [B, A, T, 2] (m), starting with `yaw` [B, A]; steps
-/// shorter than `min_step` (m) keep the previous yaw.
+/// Returns the yaws [B, A, T] (rad) at the end of the steps [B, A, T, 2] (m): the direction of each
+/// step; steps shorter than `min_step` (m) keep the previous yaw. `yaw` [B, A] is the yaw before
+/// the first step.
 torch::Tensor yawsAlong(const torch::Tensor& steps, torch::Tensor yaw, double min_step);
 
 }  // namespace forge

@@ -10,10 +10,10 @@
 
 namespace forge {
 
-/// A sum of errors with the number of summands.
+/// A sum of errors with the number of summands; sum / count is the mean error.
 struct ErrorSum {
-  double sum = 0.0;
-  double count = 0.0;
+  double sum = 0.0;    ///< in the unit of errorNames()
+  double count = 0.0;  ///< number of summands, may be 0
 };
 
 /// Interface of a learned baseline from the literature, trained on clips. The training run, the
@@ -34,20 +34,23 @@ class TrafficModel : public std::enable_shared_from_this<TrafficModel> {
   /// Returns the names of the errors of errorsOn(), in its order, with the unit at the end. The
   /// last one selects the best epoch.
   virtual std::vector<std::string> errorNames() const = 0;
-  /// Computes the errors on a batch with future frames. Called after each epoch on validation data,
-  /// with the network in eval mode. Must not change the model.
+  /// Returns the errors on a batch with future frames, summed. `noise` is the source of all random
+  /// numbers. Called after each epoch on validation data, with the network in eval mode. Must not
+  /// change the model.
   virtual std::vector<ErrorSum> errorsOn(const TrafficBatch& batch,
                                          torch::Generator noise) const = 0;
 
-  /// Return the number of epochs of a complete training, and of windows (clips) per batch.
+  /// Returns the number of epochs of a complete training.
   virtual int epochs() const = 0;
+  /// Returns the number of windows (clips) per batch of the training.
   virtual int batchSize() const = 0;
   /// Returns the options with which clips and batches for this model must be made.
   virtual const TrafficOptions& traffic() const = 0;
 
   /// Returns the module with all trainable weights.
   virtual std::shared_ptr<torch::nn::Module> network() const = 0;
-  /// Save and restore the training state besides the weights, e.g. of optimizers.
+  /// Save to and restore from an archive the training state besides the weights, e.g. of
+  /// optimizers.
   virtual void saveTraining(torch::serialize::OutputArchive& archive) const = 0;
   virtual void loadTraining(torch::serialize::InputArchive& archive) = 0;
 

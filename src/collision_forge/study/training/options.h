@@ -6,25 +6,28 @@
 namespace forge {
 
 /// config/study/training.yaml, section training. A sample is a moment of a recording or of a clip.
+/// Fields with a default other than 0 are not in the file.
 struct TrainingOptions {
-  int epochs = 0;                     ///< passes over the training data
-  int batch = 0;                      ///< samples per step
-  int times = 0;                      ///< prediction times per sample
-  double learning_rate = 0.0;         ///< largest, of the optimizer
-  double weight_decay = 0.01;         ///< of the optimizer
-  double dropout = 0.0;               ///< probability 0..1
-  double context_dropout = 0.4;       ///< probability 0..1 to drop all other agents and lanes
-  double max_gradient = 5.0;          ///< norm
-  double heading_weight = 5.0;        ///< loss weight; the loss of the ego position has 1
-  double offset_weight = 3.0;         ///< loss weight
-  double selection_weight = 0.3;      ///< loss weight
-  double clip_weight = 2.0;           ///< weight of the impact of a clip; other times have 1
+  int epochs = 0;  ///< passes over the training data
+  int batch = 0;   ///< samples per step
+  int times = 0;   ///< prediction times per sample and step, drawn from TrainingSample::times
+  double learning_rate = 0.0;     ///< peak value for AdamW; warm-up, then cosine decay
+  double weight_decay = 0.01;     ///< weight decay of AdamW
+  double dropout = 0.0;           ///< probability 0..1 to drop an activation
+  double context_dropout = 0.4;   ///< probability 0..1 to drop all other agents and lanes
+  double max_gradient = 5.0;      ///< norm to which larger gradients are clipped
+  double heading_weight = 5.0;    ///< weight of TrainingLosses::heading; TrainingLosses::ego has 1
+  double offset_weight = 3.0;     ///< weight of TrainingLosses::offset
+  double selection_weight = 0.3;  ///< weight of TrainingLosses::selection
+  /// Weight of the impact of a clip in the ego's losses; other times have 1.
+  double clip_weight = 2.0;
   double hidden_history_share = 0.3;  ///< share 0..1 of samples without history of other agents
   double mirrored_share = 0.5;  ///< share 0..1 of samples with left and right exchanged; never ltap
-  double validation_share = 0.0;   ///< share 0..1 of the scenes for validation
-  double max_tta = 0.0;            ///< s, PredictionOptions::max_tta
-  double min_vehicle_speed = 0.0;  ///< m/s, mean; slower vehicles do not serve as ego
-  double vehicle_stride = 1.0;     ///< s between the samples of a vehicle
+  double validation_share = 0.0;  ///< share 0..1 of the scenes for validation
+  double max_tta = 0.0;           ///< s, PredictionOptions::max_tta
+  /// m/s, mean over the recording; slower vehicles do not serve as ego.
+  double min_vehicle_speed = 0.0;
+  double vehicle_stride = 1.0;  ///< s between the samples of a vehicle that serves as ego
   /// Standard deviation of the noise on the ego pose that candidates are scored with: noise_along *
   /// TTA^noise_along_exponent along the heading, noise_across * TTA across it.
   double noise_along = 0.3;           ///< m at a TTA of 1 s
@@ -34,12 +37,13 @@ struct TrainingOptions {
 
 /// The configuration of trainings: config/study/training.yaml, one member per section.
 struct LearningOptions : StudyOptions {
-  PatternFeatureOptions pattern_features;
-  PatternNetworkOptions pattern_layers;
-  TrainingOptions training;
+  PatternFeatureOptions pattern_features;  ///< section features
+  PatternNetworkOptions pattern_layers;    ///< section network
+  TrainingOptions training;                ///< section training
 };
 
-/// Reads training.yaml. `options.attack` must have been read before. Throws ConfigError.
+/// Reads the sections of training.yaml, the whole file. `options.attack` must have been read
+/// before. Throws ConfigError.
 void readOptions(Section& file, LearningOptions& options);
 
 }  // namespace forge

@@ -18,18 +18,26 @@ class PatternModuleImpl : public torch::nn::Module {
   /// whole context (other agents and lanes) of a sample. Both apply in training mode only.
   PatternModuleImpl(const PatternNetworkOptions& options, double dropout, double context_dropout);
 
-  /// Returns the encoded scenes [B, scene].
+  /// Returns the encoded scenes [B, PatternNetworkOptions::scene].
   torch::Tensor encode(const PatternBatch& batch);
-  /// Joins encoded scenes with request features; returns tensors of the shape of `scene`.
+  /// Joins encoded scenes [..., scene] with the features of a request each, [...,
+  /// kRequestFeatures]; returns a tensor of the shape of `scene`.
   torch::Tensor withRequest(const torch::Tensor& scene, const torch::Tensor& requests);
-  /// Returns [B, T, G * K, 6] for the anchors: score (including the prior), offsets along and
-  /// across, their log spreads, turn.
+  /// Returns [B, T, G * K, 6] for the anchors: score (a logit, including the prior), mean offset
+  /// along and across the anchor's heading in units of batch.scales, log of the spread along and
+  /// across in the same units, turn from the anchor's heading (rad). `with_request`: withRequest()
+  /// [B, T, scene].
   torch::Tensor ego(const torch::Tensor& with_request, const PatternBatch& batch);
-  /// Returns [A, C, 5] for candidates: score, then x, y, cos, sin of the attacker's offset.
+  /// Returns [A, C, 5] for candidates: score (a logit), then x, y (units of kOffsetScale), cos, sin
+  /// of the attacker's offset if it is this candidate. `with_request`: withRequest() [A, scene];
+  /// `features`: [A, C, kCandidateFeatures].
   torch::Tensor candidates(const torch::Tensor& with_request, const torch::Tensor& features);
 
  private:
+  /// Returns a layer of layerShapes().
   torch::nn::Linear layer(const std::string& name) { return layers_.at(name); }
+  /// Returns the features [B, polylines, hidden] of polylines of masked vectors; `name`: "agent" or
+  /// "lane".
   torch::Tensor polylines(const torch::Tensor& vectors, const torch::Tensor& mask,
                           const std::string& name);
 
@@ -40,7 +48,8 @@ class PatternModuleImpl : public torch::nn::Module {
 };
 TORCH_MODULE(PatternModule);
 
-/// Scalar differentiable losses. Offset and selection train only the layers candidate_*.
+/// Scalar differentiable losses, without the weights of TrainingOptions. Offset and selection train
+/// only the layers candidate_*.
 struct BatchLosses {
   torch::Tensor ego;        ///< as TrainingLosses::ego
   torch::Tensor heading;    ///< as TrainingLosses::heading

@@ -15,12 +15,13 @@
 
 namespace forge {
 
-/// Mean losses over the samples.
+/// Mean losses over the samples; see lossesOf().
 struct TrainingLosses {
-  double ego = 0.0;        ///< negative log of the predicted density (1/m2) at the true position
-  double heading = 0.0;    ///< 1 - cos of the heading error
-  double offset = 0.0;     ///< smooth L1
-  double selection = 0.0;  ///< cross entropy
+  double ego = 0.0;  ///< negative log of the predicted density (1/m2) at the ego's true position
+  double heading = 0.0;  ///< 1 - cos of the error of the ego's heading
+  double offset = 0.0;  ///< smooth L1 of the attacker's offset, x and y in units of kOffsetScale; 0
+                        ///< without attacks
+  double selection = 0.0;  ///< cross entropy of the choice of the attacker; 0 without attacks
   double total = 0.0;      ///< sum with the weights of TrainingOptions
 };
 
@@ -30,7 +31,7 @@ struct TrainingLosses {
 class PatternTrainer {
  public:
   /// `device`: "cpu" or "cuda"; `threads`: CPU threads of libtorch. Throws TrainingError if CUDA is
-  /// not available.
+  /// not available. Sets the threads and the seed of libtorch for the whole process.
   PatternTrainer(const PatternFeatureOptions& features, const PatternNetworkOptions& network,
                  const TrainingOptions& options, const std::string& device, int threads,
                  std::uint64_t seed);
@@ -39,21 +40,23 @@ class PatternTrainer {
   /// Returns the number of epochs trained, including the epochs of a loaded state.
   int epochsDone() const;
 
-  /// Trains one epoch on the samples with the indices `chosen`, in random order. Calls `on_batch`
-  /// after each batch with the number of samples done. Returns the mean losses.
+  /// Trains one epoch on the samples with the indices `chosen` (not empty), in random order. Calls
+  /// `on_batch`, if set, on the same thread after each batch with the number of samples done in
+  /// this epoch. Returns the mean losses over the epoch, each from before its step.
   TrainingLosses trainEpoch(const std::vector<TrainingSample>& samples,
                             const std::vector<std::size_t>& chosen,
                             const std::function<void(std::size_t)>& on_batch = nullptr);
 
-  /// Returns the mean losses of the averaged weights on `chosen`, without dropout and with a fixed
-  /// choice of times and noise.
+  /// Returns the mean losses of the averaged weights (weights()) on the samples with the indices
+  /// `chosen` (0 if there are none), without dropout and with a fixed choice of times and noise.
   TrainingLosses losses(const std::vector<TrainingSample>& samples,
                         const std::vector<std::size_t>& chosen);
 
   /// Returns the exponential moving average of the weights over the last few hundred steps.
   PatternWeights weights() const;
 
-  /// Returns the complete training state, as the content of a file for load().
+  /// Returns the complete training state (weights, average, optimizer, progress), as the content of
+  /// a file for load().
   std::string state() const;
   /// Restores a state from a file. Throws TrainingError, naming `path`, if the file is missing,
   /// damaged, or of a training with another seed or network.

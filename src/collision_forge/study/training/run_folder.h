@@ -13,17 +13,18 @@
 /// validation split, and the table of metrics.
 namespace forge {
 
-/// Returns the names of the scenes that run.fold leaves out; empty for fold 0. Throws
-/// std::runtime_error for a fold without scenes.
+/// Returns the names of the scenes that the training must not use, the scenes of run.fold
+/// (scenesOfFold()); empty for fold 0. Throws std::runtime_error for a fold without scenes.
 std::set<std::string> leftOutScenes(const TrainingRun& run);
 
 /// Returns the text of run.txt: program version, fingerprints of all inputs, options, and the
 /// content of the configuration file `config` (path relative to config/).
 std::string describeRun(const TrainingRun& run, const std::string& config);
 
-/// Creates the run folder with run.txt, or checks that the existing run.txt equals `description`.
-/// Returns the lock of the folder. Throws std::runtime_error naming the first different line, or if
-/// a state exists without run.txt, and the exceptions of OutputLock.
+/// Creates the run folder run.out with run.txt, or checks that the existing run.txt equals
+/// `description`. Returns the lock of the folder, to be held during the training. Throws
+/// std::runtime_error naming the first different line, or if a state exists without run.txt, and
+/// the exceptions of OutputLock.
 [[nodiscard]] OutputLock openRunFolder(const TrainingRun& run, const std::string& description);
 
 /// Returns the content of a file, or "" if it cannot be read.
@@ -36,18 +37,19 @@ std::string statePath(const TrainingRun& run);
 /// that EpochTable::keep() wrote.
 bool hasState(const TrainingRun& run);
 
-/// Indices of samples.
+/// Indices of samples, ascending.
 struct SampleSplit {
-  std::vector<std::size_t> training;
+  std::vector<std::size_t> training;    ///< for the training itself
   std::vector<std::size_t> validation;  ///< for the choice of the best epoch
 };
 
-/// Splits samples by scene. `scenes` holds the scene of each sample; about the share
-/// `validation_share` (0..1) of the scenes, chosen by `seed`, is for validation.
+/// Splits samples so that both parts share no scene. `scenes` holds the name of the scene of each
+/// sample; about the share `validation_share` (0..1, 0: none, at most half) of the scenes, chosen
+/// by `seed`, is for validation.
 SampleSplit splitByScene(const std::vector<std::string>& scenes, double validation_share,
                          std::uint64_t seed);
 
-/// Checksums of the files after one epoch.
+/// Checksums, fingerprint(), of the files after one epoch.
 struct EpochSums {
   std::string state;  ///< of the training state
   std::string rows;   ///< of the rows of metrics.csv up to this epoch
@@ -56,24 +58,28 @@ struct EpochSums {
 /// metrics.csv of a run folder, one row per epoch. The best epoch has the lowest last column.
 class EpochTable {
  public:
-  /// Reads the first `epochs` rows of the file; later rows are dropped by the next add(). Throws
+  /// `columns`: names of the columns after "epoch". Reads the first `epochs` rows of the file, the
+  /// epochs of the training state; later rows are dropped by the next add(). Throws
   /// std::runtime_error naming file and line if a row is missing or damaged.
   EpochTable(const TrainingRun& run, const std::vector<std::string>& columns, int epochs);
 
-  /// Appends a row and rewrites the file. Returns true if the last number is lower than in all rows
-  /// before.
+  /// Appends a row with the next epoch and `numbers`, one per column, and rewrites the file.
+  /// Returns true if the last number is lower than in all rows before: the epoch is the best so
+  /// far.
   bool add(const std::vector<double>& numbers);
 
-  /// Writes the training state that belongs to the last row; must be called once per add(). Writes
-  /// the checksums before the state and keeps older ones, so that the existing state has a checksum
-  /// whenever the process is killed.
+  /// Writes the training state `state` (the content of the file) that belongs to the last row; must
+  /// be called once per add(). Writes the checksums before the state and keeps older ones, so that
+  /// the existing state has a checksum whenever the process is killed.
   void keep(const std::string& state);
 
   /// Returns the row added last, without line end. add() must have been called.
   const std::string& lastRow() const { return rows_.back(); }
 
  private:
+  /// Returns the first line of the file.
   std::string header() const;
+  /// Appends a row to rows_ only. Throws std::runtime_error for a malformed row.
   void append(const std::string& row);
 
   std::string path_;

@@ -5,16 +5,19 @@
 namespace forge {
 
 /// Trains the collision-pattern network on logs and clips; resumes an interrupted
-/// run. Writes weights.bin of the best epoch, metrics and the training state.
-/// Throws std::runtime_error.
+/// run. Writes weights.bin of the best epoch (without validation scenes, of the last one),
+/// metrics.csv and the training state to run.out, and prints the progress. Throws
+/// std::runtime_error.
 void trainPatternNetwork(const TrainingRun& run);
 
 /// Trains the learned baseline run.generator on clips; resumes an interrupted run. Writes
-/// weights.pt of the best epoch, metrics and the training state. Throws std::runtime_error.
+/// weights.pt of the best epoch, metrics.csv and the training state to run.out, and prints the
+/// progress. Throws std::runtime_error, also without clips.
 void trainGenerator(const TrainingRun& run);
 
 }  // namespace forge
 
-/// Runs one of the trainings above. The entry point of libcollision_forge_training.so, which links
-/// libtorch and is loaded with dlopen() only when needed. Throws std::runtime_error.
+/// Runs trainGenerator() if run.generator is set, else trainPatternNetwork(). The entry point of
+/// libcollision_forge_training.so, which links libtorch and is loaded with dlopen() only when
+/// needed. Throws std::runtime_error.
 extern "C" void forgeTrain(const forge::TrainingRun& run);

@@ -9,24 +9,27 @@
 
 namespace forge {
 
-/// The random choices for one use of a sample in a training step. Refers to the sample, which must
-/// outlive it.
+/// The (random) choices for one use of a sample in a training step or a computation of losses.
+/// Refers to the sample, which must outlive it.
 struct TrainingDraw {
-  const TrainingSample* sample = nullptr;
-  /// TrainingOptions::times prediction times; includes the impact if the sample has an attack.
+  const TrainingSample* sample = nullptr;  ///< the sample, not null in a draw
+  /// TrainingOptions::times elements of sample->times; includes the impact if the sample has an
+  /// attack.
   std::vector<const TimedSample*> times;
   bool hides_history = false;  ///< removes the history of other agents
   bool is_mirrored = false;    ///< exchanges left and right
-  Pose2 expected_ego;  ///< ego pose at the impact with noise, in the frame of t0; not mirrored
+  Pose2 expected_ego;  ///< ego pose at the impact with noise, in the frame of the ego at t0, not
+                       ///< mirrored; candidates are scored with it. Unused without an attack
 };
 
-/// Draws times, mirroring, hidden history and noise at random. Never mirrors left turns (ltap).
+/// Draws times, mirroring, hidden history and noise at random. Always hides the history of samples
+/// with an attack, never mirrors left turns (ltap).
 TrainingDraw randomDraw(const TrainingSample& sample, const TrainingOptions& options,
                         std::mt19937_64& engine);
 
 /// Draws without augmentation: evenly spaced times including the last, no mirroring; hides the
 /// history only for samples with an attack. `expected_ego` is the true pose; with `engine`, noise
-/// is added.
+/// of the same size as in randomDraw() is added.
 TrainingDraw evenDraw(const TrainingSample& sample, const TrainingOptions& options,
                       std::mt19937_64* engine = nullptr);
 
