@@ -24,7 +24,7 @@ constexpr std::size_t kMostStates = 200;
 const AttackOptions& quickOptions() {
   static const AttackOptions options = [] {
     AttackOptions quick = configuration().attack;
-    quick.search.draws = quick.search.homed = quick.search.kept = 4;
+    quick.search.draws = quick.search.corrected_candidates = quick.search.kept = 4;
     quick.search.ego_poses = 2;
     quick.search.corrections = quick.search.rounds = quick.search.perturbations = 1;
     quick.search.bicycle_targets = quick.search.bicycle_rounds = 1;
@@ -78,7 +78,7 @@ void answer(const collision_forge::RealizeTrajectory::Request& message) {
     checkPattern(patterns.back(), config.input_limits, "patterns");
   }
   if (message.ways.size() > kMost) throw InputError("too many ways to fuzz with");
-  AttackerWays ways;
+  AttackerPaths ways;
   for (const auto& way : message.ways) {
     if (way.points.size() > 10 * kMost) throw InputError("too long a way to fuzz with");
     ways.emplace(way.attacker_id, fromMessage(way));

@@ -89,8 +89,8 @@ TEST(LaneMapMessage, FeaturesAreReadBack) {
               testing::ThrowsMessage<MessageError>("map feature: kind = 5 does not exist"));
 }
 
-TEST(AttackerWay, WithTooFewPointsIsRefusedWithItsAttacker) {
-  collision_forge::AttackerWay message;
+TEST(AttackerPath, WithTooFewPointsIsRefusedWithItsAttacker) {
+  collision_forge::AttackerPath message;
   message.attacker_id = "added-1";
   message.spacing = 1.0;
   message.points.resize(3);

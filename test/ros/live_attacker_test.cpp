@@ -18,30 +18,30 @@ class LiveAttackerTest : public testing::Test {
   explicit LiveAttackerTest(bool keeps_attack = true)
       : live_([this](const auto& attack) { published_.push_back(attack); }, keeps_attack, 40.0) {}
 
-  collision_forge::Attack setOut() {
+  collision_forge::Attack start() {
     const Attack first = chase_.firstAttack();
-    return live_.setOut(toMessage(first, "search", kNow),
-                        {chase_.snapshot, chase_.lanes, chase_.ego, chase_.request, first.pattern,
-                         first.trajectory},
-                        shippedSetupOfAttackers());
+    return live_.start(toMessage(first, "search", kNow),
+                       {chase_.snapshot, chase_.lanes, chase_.ego, chase_.request, first.pattern,
+                        first.trajectory},
+                       shippedSetupOfAttackers());
   }
 
   /// Frames after `from` seconds from kNow up to `until`; before kNow the ego stands.
-  void see(const SpeedOf& speed, double from, double until) {
+  void addFrame(const SpeedOf& speed, double from, double until) {
     const Track ego = egoAt(speed);
     for (int i = static_cast<int>(std::lround(10.0 * from)) + 1; 0.1 * i <= until + 1e-9; ++i) {
       Frame frame = frameOf(ego, kNow + 0.1 * std::max(i, 0));
       frame.time = kNow + 0.1 * i;
-      live_.see(frame, kClock + 0.1 * i);
+      live_.addFrame(frame, kClock + 0.1 * i);
     }
   }
 
   /// One from before kNow.
-  void seeTheStart() { live_.see({kNow - 1.0, {-8.0, 0.0, 0.0}, {}}, kClock + 9.0); }
+  void seeTheStart() { live_.addFrame({kNow - 1.0, {-8.0, 0.0, 0.0}, {}}, kClock + 9.0); }
 
   collision_forge::AttackerTrajectory drivenBy(const SpeedOf& speed, double until) const {
     AdaptiveAttacker attacker = chase_.attacker();
-    watch(attacker, egoAt(speed), until);
+    checkForLostFrames(attacker, egoAt(speed), until);
     return toMessage(attacker.trajectory());
   }
 
@@ -56,7 +56,7 @@ class ForgetfulLiveAttackerTest : public LiveAttackerTest {
 };
 
 TEST_F(ForgetfulLiveAttackerTest, ARestartedReplayDropsTheAttack) {
-  setOut();
+  start();
   see(braking, 0.0, 3.0);
   seeTheStart();
   EXPECT_EQ(published_.back(), collision_forge::Attack());
@@ -66,17 +66,17 @@ TEST_F(ForgetfulLiveAttackerTest, ARestartedReplayDropsTheAttack) {
 }
 
 TEST_F(LiveAttackerTest, IsRemovedOnceOnRequest) {
-  setOut();
-  EXPECT_TRUE(live_.forget());
+  start();
+  EXPECT_TRUE(live_.end());
   EXPECT_EQ(published_.back(), collision_forge::Attack());
-  EXPECT_FALSE(live_.forget());
+  EXPECT_FALSE(live_.end());
   const std::size_t before = published_.size();
   see(braking, 0.0, 3.0);
   EXPECT_EQ(published_.size(), before);
 }
 
 TEST_F(LiveAttackerTest, StartsWithThePublishedAttack) {
-  const collision_forge::Attack first = setOut();
+  const collision_forge::Attack first = start();
   ASSERT_EQ(published_.size(), 1u);
   EXPECT_EQ(published_[0], first);
   EXPECT_EQ(first.trajectory, toMessage(chase_.firstAttack().trajectory));
@@ -88,7 +88,7 @@ TEST_F(LiveAttackerTest, StartsWithThePublishedAttack) {
 }
 
 TEST_F(LiveAttackerTest, PublishesEveryDecisionWithTheNewPrediction) {
-  setOut();
+  start();
   see(braking, 0.0, 5.5);
   ASSERT_GT(published_.size(), 2u);
   for (std::size_t i = 1; i < published_.size(); ++i) {
@@ -113,7 +113,7 @@ TEST_F(LiveAttackerTest, PublishesEveryDecisionWithTheNewPrediction) {
 
 TEST_F(LiveAttackerTest, ReplaysTheFramesReceivedDuringTheRequest) {
   see(braking, -0.5, 1.5);
-  const collision_forge::Attack first = setOut();
+  const collision_forge::Attack first = start();
   EXPECT_EQ(published_.front(), first);
   EXPECT_EQ(published_.back().trajectory, drivenBy(braking, 1.5));
   EXPECT_GT(published_.back().plans, 1u);
@@ -122,7 +122,7 @@ TEST_F(LiveAttackerTest, ReplaysTheFramesReceivedDuringTheRequest) {
 }
 
 TEST_F(LiveAttackerTest, StartsAgainWithARestartedReplay) {
-  const collision_forge::Attack first = setOut();
+  const collision_forge::Attack first = start();
   see(braking, 0.0, 3.0);
   ASSERT_GT(published_.back().plans, 1u);
   seeTheStart();
@@ -135,46 +135,46 @@ TEST_F(LiveAttackerTest, StartsAgainWithARestartedReplay) {
 }
 
 TEST_F(LiveAttackerTest, AbortsIfNoFrameArrives) {
-  setOut();
+  start();
   see(braking, 0.0, 1.0);
   const std::size_t before = published_.size();
-  live_.watch(kClock + 1.5);
-  live_.watch(kClock + 2.0);
+  live_.checkForLostFrames(kClock + 1.5);
+  live_.checkForLostFrames(kClock + 2.0);
   EXPECT_EQ(published_.size(), before) << "for a moment nothing is given up";
-  live_.watch(kClock + 2.5);
+  live_.checkForLostFrames(kClock + 2.5);
   ASSERT_EQ(published_.size(), before + 1);
   EXPECT_EQ(published_.back().phase, "driving_on");
   EXPECT_EQ(published_.back().decision, "the ego is no longer observed");
   EXPECT_NEAR(published_.back().decided.toSec(),
               kNow + 2.5 + shippedAdaptive().fairness.reaction_time, 0.1);
-  live_.watch(kClock + 3.0);
+  live_.checkForLostFrames(kClock + 3.0);
   EXPECT_EQ(published_.size(), before + 1);
 }
 
 TEST_F(LiveAttackerTest, AFastClockAloneDoesNotAbortTheAttack) {
-  setOut();
+  start();
   see(braking, 0.0, 1.0);
   const std::size_t before = published_.size();
-  live_.watch(kClock + 9.0);
+  live_.checkForLostFrames(kClock + 9.0);
   see(braking, 1.0, 1.1);
-  live_.watch(kClock + 9.0);
+  live_.checkForLostFrames(kClock + 9.0);
   for (std::size_t i = before; i < published_.size(); ++i) {
     EXPECT_EQ(published_[i].phase, "attacking");
   }
 }
 
 TEST_F(LiveAttackerTest, AFixedAttackReplacesAnAdaptiveOne) {
-  setOut();
+  start();
   see(braking, 0.0, 0.5);
   collision_forge::Attack fixed;
   fixed.method = "fixed";
-  live_.setOut(fixed);
+  live_.start(fixed);
   EXPECT_EQ(published_.back(), fixed);
   const std::size_t before = published_.size();
   see(braking, 0.5, 3.0);
   seeTheStart();
-  live_.watch(kClock + 20.0);
-  live_.watch(kClock + 30.0);
+  live_.checkForLostFrames(kClock + 20.0);
+  live_.checkForLostFrames(kClock + 30.0);
   EXPECT_EQ(published_.size(), before);
 }
 

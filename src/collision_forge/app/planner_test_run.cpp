@@ -218,7 +218,7 @@ std::vector<PlannerTestResult> PlannerTestRun::run(const PlannerCases& cases,
   return results;
 }
 
-int PlannerTestRun::judged(const std::vector<PlannerTestResult>& results, int code) const {
+int PlannerTestRun::applyCriteria(const std::vector<PlannerTestResult>& results, int code) const {
   const std::vector<std::string> rows = rowNames(plan_);
   const std::vector<CriterionVerdict> verdicts = judge(arguments_.criteria, results, rows);
   std::cout << verdictText(verdicts);

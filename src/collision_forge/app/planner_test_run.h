@@ -69,7 +69,7 @@ class PlannerTestRun {
 
   /// Applies the criteria of the arguments to the results: prints the verdicts, writes the JUnit
   /// file if one was asked for. Returns kExitFailed if a criterion holds for any row, else `code`.
-  int judged(const std::vector<PlannerTestResult>& results, int code) const;
+  int applyCriteria(const std::vector<PlannerTestResult>& results, int code) const;
 
   /// Writes the HTML report of results.jsonl and of the files `attacks` (scenario files over
   /// `logs`, map.png of sweeps) to the folder `report`; does nothing without one. Throws as

@@ -185,7 +185,7 @@ int sweep(Arguments arguments) {
   std::cout << counted(cells.size(), "cell") << ": " << statusCounts(cells) << "\n"
             << (is_feasible ? verdictTable(cells, map) : "") << "in " << arguments.out
             << ": map.png, sweep.csv, boundary.csv, sweep.jsonl\n";
-  if (is_feasible) return run.judged(results, kExitOk);
+  if (is_feasible) return run.applyCriteria(results, kExitOk);
   std::cerr << "NOTHING_FEASIBLE: no cell of the sweep has an attack; docs/rejections.md explains "
                "the codes\n";
   return kExitNoAttack;

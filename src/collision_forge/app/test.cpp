@@ -73,7 +73,7 @@ int testOnDraw(const Arguments& arguments) {
   } else {
     test.writePage({weaknesses}, arguments.logs);
   }
-  return test.judged(results, exitAfterUnreadable(drawn.requests.unreadable()));
+  return test.applyCriteria(results, exitAfterUnreadable(drawn.requests.unreadable()));
 }
 
 int testOnScenarios(const Arguments& arguments) {
@@ -83,7 +83,7 @@ int testOnScenarios(const Arguments& arguments) {
                         static_cast<std::size_t>(arguments.jobs) + 1, test.config(), showReading());
   const std::vector<PlannerTestResult> results = test.run(*cases);
   test.writePage(arguments.scenarios, arguments.logs);
-  return test.judged(results, kExitOk);
+  return test.applyCriteria(results, kExitOk);
 }
 
 int test(Arguments arguments) {

@@ -127,10 +127,10 @@ TEST(EgoPaths, TheFollowedPathIsTheNearestToTheTrack) {
 
 class VehicleAhead : public testing::Test {
  protected:
-  WayAhead with(Track agent) {
+  RoadAhead with(Track agent) {
     const EgoNow ego = egoAt({-50, 0, 0}, 10.0);
     const auto paths = egoPaths(ego, LaneIndex(junction()), kHorizon);
-    return wayAhead(
+    return roadAhead(
         paths.front(), ego,
         snapshotOf(pastTrack(kEgoId, kEgoSize, {-50, 0, 0}, 10.0), {std::move(agent)}, junction()));
   }
@@ -138,7 +138,7 @@ class VehicleAhead : public testing::Test {
 
 TEST_F(VehicleAhead, IsDescribedByGapAndClosingSpeed) {
   // Middles 24 m apart: 19.658 m between bumpers; 10 m/s against 4 m/s; 2 m + 1.2 s is wished.
-  const WayAhead ahead = with(pastTrack("lead", kCarSize, {-26, 0.3, 0}, 4.0));
+  const RoadAhead ahead = with(pastTrack("lead", kCarSize, {-26, 0.3, 0}, 4.0));
   const double gap = 24.0 - 0.5 * (kEgoSize.length + kCarSize.length);
   EXPECT_NEAR(ahead.closing, 6.0 / gap, 0.02);
   EXPECT_NEAR(ahead.headway, 14.0 / gap, 0.02);

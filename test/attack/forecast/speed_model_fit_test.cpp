@@ -50,7 +50,7 @@ std::vector<SpeedProfileRow> linearDrivers(int scenes, int frames, double noise,
     const double turn = 0.2 * (scene % 5);
     double speed = 2.0 + static_cast<double>(normal.engine()() % 1000) / 80.0;
     for (int frame = 0; frame < frames; ++frame) {
-      WayAhead ahead;
+      RoadAhead ahead;
       ahead.bend_turn = turn;
       rows.push_back({"scene-" + std::to_string(scene), frame, speed, ahead});
       speed += 0.1 * (10.0 - 5.0 * turn - speed) + noise * normal();

@@ -23,7 +23,7 @@ class AddedDrivesTest : public testing::Test {
   /// Again, for a scene that has changed.
   void make() {
     input_ = std::make_unique<AddedVehicleInput>(scene_.input());
-    ways_ = std::make_unique<AddedWays>(*input_, options_.added);
+    ways_ = std::make_unique<AddedPaths>(*input_, options_.added);
     drives_ = std::make_unique<AddedDrives>(*input_, options_);
   }
 
@@ -34,7 +34,7 @@ class AddedDrivesTest : public testing::Test {
     meeting.ego = {{kEgoThen, 0.0, 0.0}, kEgoSize};
     meeting.contact = kContact;
     meeting.side = side;
-    meeting.across = meeting.seen(kCarSize).across;
+    meeting.across = meeting.frenetOf(kCarSize).across;
     return meeting;
   }
 
@@ -56,7 +56,7 @@ class AddedDrivesTest : public testing::Test {
   AddedScene scene_;
   AttackOptions options_ = shippedOptions();
   std::unique_ptr<AddedVehicleInput> input_;
-  std::unique_ptr<AddedWays> ways_;
+  std::unique_ptr<AddedPaths> ways_;
   std::unique_ptr<AddedDrives> drives_;
   AddedDrive drive_;
 };
@@ -92,7 +92,7 @@ TEST_F(AddedDrivesTest, ATrainKeepsTheEgosDistanceUntilNow) {
   const double gap = -kTouching - 0.5 * 1.2 * kContact * kContact;
   ASSERT_EQ(drive_.back.size(), ego.size());
   for (std::size_t i = 0; i < ego.size(); ++i) EXPECT_NEAR(drive_.back[i] - ego[i], gap, 1e-6);
-  EXPECT_NEAR(drive_.on.back(), meeting.seen(kCarSize).along, 1e-6);
+  EXPECT_NEAR(drive_.on.back(), meeting.frenetOf(kCarSize).along, 1e-6);
 }
 
 TEST_F(AddedDrivesTest, AFollowerRepeatsAFlowEarlierOrLater) {
@@ -102,7 +102,7 @@ TEST_F(AddedDrivesTest, AFollowerRepeatsAFlowEarlierOrLater) {
   const AddedMeeting meeting = meetingAt(Side::kRear);
   ASSERT_EQ(meeting.way->flows.size(), 1u);
   ASSERT_TRUE(plan(meeting, {ApproachManner::kFollow, 0.0}));
-  EXPECT_NEAR(drive_.on.back(), meeting.seen(kCarSize).along, 1e-6);
+  EXPECT_NEAR(drive_.on.back(), meeting.frenetOf(kCarSize).along, 1e-6);
   EXPECT_NEAR(drive_.at(0) - meeting.way->flows.front().at(0.0), 17.0, 1e-6) << "1.7 s ahead of it";
   scene_ = {};
   scene_.add("at the same time", {kEgoThen - kTouching - 45.0, 0.0, 0.0}, 10.0);
@@ -113,7 +113,7 @@ TEST_F(AddedDrivesTest, AFollowerRepeatsAFlowEarlierOrLater) {
 TEST_F(AddedDrivesTest, AStartingVehicleStandsNow) {
   const AddedMeeting meeting = meetingAt(Side::kRear);
   ASSERT_TRUE(plan(meeting, {ApproachManner::kStart, 1.2, false}));
-  EXPECT_NEAR(drive_.on.back(), meeting.seen(kCarSize).along, 1e-6);
+  EXPECT_NEAR(drive_.on.back(), meeting.frenetOf(kCarSize).along, 1e-6);
   ASSERT_EQ(drive_.back.size(), 121u);
   EXPECT_EQ(drive_.back.front(), drive_.back.back()) << "stood all along";
   EXPECT_GT(drive_.at(1), drive_.at(0));
@@ -128,7 +128,7 @@ TEST_F(AddedDrivesTest, AVehicleDepartsAtTheRequestedTime) {
   ASSERT_TRUE(plan(meeting, {ApproachManner::kStart, 1.2, false, 0.0, false, 2.0}));
   EXPECT_EQ(drive_.at(20), drive_.at(-120));
   EXPECT_GT(drive_.at(21), drive_.at(20));
-  EXPECT_NEAR(drive_.on.back(), meeting.seen(kCarSize).along, 1e-6);
+  EXPECT_NEAR(drive_.on.back(), meeting.frenetOf(kCarSize).along, 1e-6);
 }
 
 TEST_F(AddedDrivesTest, AStandingVehicleStandsAtTheMeeting) {

@@ -19,8 +19,8 @@ class AddedPastTest : public testing::Test {
   /// Null: possible.
   const char* drive(double now, double speed, double aside = 0.0) {
     const AddedVehicleInput input = scene_.input();
-    AddedWays ways(input, options_.added);
-    const AddedWay& way = *ways.to({0, kMeeting, {}}).front();
+    AddedPaths ways(input, options_.added);
+    const AddedPath& way = *ways.to({0, kMeeting, {}}).front();
     AddedDrive drive;
     drive.aside = aside;
     const double begin = way.path.project({-200.0, 0.0});

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "attack/search/test_scenes.h"
-#include "collision_forge/attack/search/added_ways.h"
+#include "collision_forge/attack/search/added_paths.h"
 
 namespace forge {
 

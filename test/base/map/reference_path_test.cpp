@@ -25,14 +25,14 @@ std::vector<Vector2> mirrored(std::vector<Vector2> points) {
 
 TEST(ReferencePath, ReturnsCurvatureEveryMetre) {
   const ReferencePath left(Polyline(leftBend(15.0, 30.4, 1.0)));
-  const std::vector<double> bends = left.bends();
+  const std::vector<double> bends = left.curvatures();
   ASSERT_EQ(bends.size(), static_cast<std::size_t>(left.length()) + 1);
   EXPECT_NEAR(bends[15], 1.0 / 15.0, 2e-3);
   const std::vector<double> right =
-      ReferencePath(Polyline(mirrored(leftBend(15.0, 30.4, 1.0)))).bends();
+      ReferencePath(Polyline(mirrored(leftBend(15.0, 30.4, 1.0)))).curvatures();
   ASSERT_EQ(right.size(), bends.size());
   EXPECT_NEAR(right[15], bends[15], 1e-9) << "without a sign";
-  for (const double bend : ReferencePath(Polyline({{0.0, 0.0}, {30.0, 0.0}})).bends()) {
+  for (const double bend : ReferencePath(Polyline({{0.0, 0.0}, {30.0, 0.0}})).curvatures()) {
     EXPECT_EQ(bend, 1e-3) << "straight";
   }
 }
@@ -46,7 +46,7 @@ double projectSlowly(const ReferencePath& path, const Vector2& point) {
       closest = i;
   }
   const double along = path.spacing() * static_cast<double>(closest - 1);
-  const ReferencePath::Place place = path.at(along);
+  const ReferencePath::PathPoint place = path.at(along);
   return along + place.heading.dot(point - place.pose.position());
 }
 
@@ -78,7 +78,7 @@ TEST(ReferencePath, HasAParallelPath) {
   const ReferencePath inside = left.beside(2.0);
   EXPECT_NEAR(inside.length(), left.length() * 13.0 / 15.0, 0.6) << "nearer to the middle";
   const Pose2 middle = left.at(0.5 * left.length()).pose;
-  const PathPose seen = inside.seen(compose(middle, {0.0, 2.0, 0.0}));
+  const PathPose seen = inside.frenetOf(compose(middle, {0.0, 2.0, 0.0}));
   EXPECT_NEAR(seen.across, 0.0, 0.05);
   EXPECT_NEAR(seen.lean, 0.0, 0.02);
   EXPECT_NEAR(left.beside(-2.0).length(), left.length() * 17.0 / 15.0, 0.6);
@@ -87,13 +87,13 @@ TEST(ReferencePath, HasAParallelPath) {
 TEST(ReferencePath, ContinuesStraightBeyondItsEnds) {
   const ReferencePath path(Polyline(leftBend(20.0, 20.0, 1.0)));
   for (const double beyond : {0.5, 3.0, 50.0}) {
-    const ReferencePath::Place before = path.at(-beyond);
+    const ReferencePath::PathPoint before = path.at(-beyond);
     const Pose2 back = relativeTo(path.at(0.0).pose, before.pose);
     EXPECT_NEAR(back.x, -beyond, 1e-9);
     EXPECT_NEAR(back.y, 0.0, 1e-9);
     EXPECT_NEAR(back.yaw, 0.0, 1e-12);
     EXPECT_EQ(before.curvature, 0.0);
-    const ReferencePath::Place after = path.at(path.length() + beyond);
+    const ReferencePath::PathPoint after = path.at(path.length() + beyond);
     const Pose2 on = relativeTo(path.at(path.length()).pose, after.pose);
     EXPECT_NEAR(on.x, beyond, 1e-9);
     EXPECT_NEAR(on.y, 0.0, 1e-9);
@@ -108,7 +108,7 @@ TEST(ReferencePath, CurvatureAndHeadingMatchTheBend) {
       const std::vector<Vector2> left = leftBend(radius, 30.0, 0.5);
       const ReferencePath path(Polyline(side > 0.0 ? left : mirrored(left)));
       for (double s = 6.0; s <= 24.0; s += 0.5) {
-        const ReferencePath::Place place = path.at(s);
+        const ReferencePath::PathPoint place = path.at(s);
         EXPECT_NEAR(place.curvature, side / radius, 0.05 / radius) << radius << " at " << s;
         // Means over 5 m of a bend lie inside it by up to 2 / radius, chords by 0.125 / radius.
         const double inner = radius - 2.0 / radius;
@@ -157,7 +157,7 @@ TEST(ReferencePath, ContinuesAShortLine) {
 TEST(ReferencePath, ReturnsFrenetCoordinates) {
   const ReferencePath path(Polyline(leftBend(40.0, 60.0, 1.0)));
   const Pose2 place = path.at(25.0).pose;
-  const PathPose seen = path.seen(compose(place, {0.0, -1.5, 0.3}));
+  const PathPose seen = path.frenetOf(compose(place, {0.0, -1.5, 0.3}));
   EXPECT_NEAR(seen.along, 25.0, 0.1);
   EXPECT_NEAR(seen.across, -1.5, 0.05);
   EXPECT_NEAR(seen.lean, 0.3, 0.01);

@@ -8,8 +8,8 @@ namespace forge {
 namespace {
 
 /// `count` predictions with confidence 0, 1 / count, ...; the highest `kept` of them succeed.
-std::vector<Promise> ladder(int count, int kept) {
-  std::vector<Promise> promises;
+std::vector<Prediction> ladder(int count, int kept) {
+  std::vector<Prediction> promises;
   for (int i = 0; i < count; ++i) {
     const double value = i >= count - kept ? 1.0 : 0.0;
     promises.push_back({static_cast<double>(i) / count,
@@ -19,17 +19,17 @@ std::vector<Promise> ladder(int count, int kept) {
 }
 
 TEST(Calibration, DecilesHaveEqualSizesAndAreSorted) {
-  std::vector<Promise> promises = ladder(200, 70);
+  std::vector<Prediction> promises = ladder(200, 70);
   std::reverse(promises.begin(), promises.end());
   const Calibration calibration = calibrate("angle bands", promises);
   ASSERT_EQ(calibration.deciles.size(), 10u);
   for (int decile = 0; decile < 10; ++decile) {
     const CalibrationGroup& group = calibration.deciles[static_cast<std::size_t>(decile)];
     EXPECT_EQ(group.kept.trials, 20);
-    EXPECT_NEAR(group.promised, (20.0 * decile + 9.5) / 200.0, 1e-12);
+    EXPECT_NEAR(group.mean_confidence, (20.0 * decile + 9.5) / 200.0, 1e-12);
     const double expected = decile < 6 ? 0.0 : decile == 6 ? 0.5 : 1.0;
     EXPECT_EQ(group.kept.value, expected);
-    EXPECT_NEAR(group.difference(), expected - group.promised, 1e-12);
+    EXPECT_NEAR(group.difference(), expected - group.mean_confidence, 1e-12);
   }
 }
 
@@ -60,7 +60,8 @@ TEST(Calibration, MarkdownHasPercentAndTheLargestDifference) {
       "angle bands",
       {{0.25, {40, 0.2, Interval{0.1, 0.304}}}, {0.75, {40, 0.875, Interval{0.8, 0.9}}}}};
   EXPECT_EQ(toMarkdown(calibration),
-            "Calibration, angle bands, %\n\n| decile | attacks | promised | kept | difference |\n"
+            "Calibration, angle bands, %\n\n| decile | attacks | mean confidence | happened | "
+            "difference |\n"
             "|---|---|---|---|---|\n"
             "| 1 | 40 | 25.0 | 20.0 [10, 30] | -5.0 |\n"
             "| 2 | 40 | 75.0 | 87.5 [80, 90] | +12.5 |\n"

@@ -20,7 +20,7 @@ CollideClip rearEnd() {
 
 PlannerCase ofClip(ClipAttacker attacker, const CollideClip& clip = rearEnd(),
                    const std::string& method = "search",
-                   ClipAnswers answers = ClipAnswers::kVerified) {
+                   ClipAttacks answers = ClipAttacks::kVerified) {
   return caseOfClip(clip, attacker, std::make_shared<const LaneIndex>(twoLaneRoad()),
                     MethodMaker(method, builtInMethods(), config().attack, {}), config(), answers);
 }
@@ -54,7 +54,7 @@ TEST(ClipCases, MissingAttackersAreCasesWithAllAnswers) {
   const std::string method = "constant_velocity";
   const PlannerCase verified = ofClip(ClipAttacker::kHistory, clip, method);
   EXPECT_EQ(verified.status.code, StatusCode::kNoAttackWithinLimits);
-  const PlannerCase all = ofClip(ClipAttacker::kHistory, clip, method, ClipAnswers::kAll);
+  const PlannerCase all = ofClip(ClipAttacker::kHistory, clip, method, ClipAttacks::kAll);
   ASSERT_EQ(all.status.code, StatusCode::kOk) << all.status.message;
   ASSERT_FALSE(all.scenario.attacker.points.empty());
   EXPECT_NEAR(all.scenario.attacker.points.front().speed, 5.0, 1e-6);
@@ -63,7 +63,7 @@ TEST(ClipCases, MissingAttackersAreCasesWithAllAnswers) {
 
 TEST(ClipCases, AVerifiedAttackIsTheSameWithAllAnswers) {
   const PlannerCase verified = ofClip(ClipAttacker::kReplay);
-  const PlannerCase all = ofClip(ClipAttacker::kReplay, rearEnd(), "search", ClipAnswers::kAll);
+  const PlannerCase all = ofClip(ClipAttacker::kReplay, rearEnd(), "search", ClipAttacks::kAll);
   ASSERT_EQ(verified.status.code, StatusCode::kOk) << verified.status.message;
   ASSERT_EQ(all.scenario.attacker.points.size(), verified.scenario.attacker.points.size());
   EXPECT_EQ(all.scenario.attacker.points.back().pose.x,

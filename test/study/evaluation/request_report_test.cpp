@@ -126,9 +126,9 @@ TEST(RequestReport, TheCalibrationCoversTheHistorySearch) {
   const auto calibration = requestCalibration(rows, searchPlan());
   ASSERT_TRUE(calibration);
   ASSERT_EQ(calibration->deciles.size(), 2u);
-  EXPECT_EQ(calibration->deciles[0].promised, 0.25);
+  EXPECT_EQ(calibration->deciles[0].mean_confidence, 0.25);
   EXPECT_EQ(calibration->deciles[0].kept.value, 0.0);
-  EXPECT_EQ(calibration->deciles[1].promised, 0.75);
+  EXPECT_EQ(calibration->deciles[1].mean_confidence, 0.75);
   EXPECT_EQ(calibration->deciles[1].kept.value, 1.0);
 }
 

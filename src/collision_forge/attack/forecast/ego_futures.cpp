@@ -31,7 +31,7 @@ std::vector<Track> KinematicEgoFutures::sample(const Snapshot& snapshot, const L
   const std::vector<int> shares = shareOut(weights, count, engine);
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (shares[i] == 0) continue;
-    const DrivingSituation situation{ego.past_speeds, wayAhead(paths[i], ego, snapshot)};
+    const DrivingSituation situation{ego.past_speeds, roadAhead(paths[i], ego, snapshot)};
     const SpeedForecast forecast = forecastSpeeds(speeds_.get(), situation, horizon, options_);
     const auto profiles = drawProfiles(forecast, shares[i], engine);
     const auto offsets = drawDifferences(shares[i], options_.offset_spread, engine);

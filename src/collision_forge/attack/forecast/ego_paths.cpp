@@ -26,7 +26,7 @@ constexpr double kBendBrakingCost = 3.3;  // s2/m; cost per m/s2 of braking that
 constexpr double kTurnCost = 0.53;        // 1/rad; cost per radian of turn over the next 60 m
 constexpr double kFreePathCost = 5.0;     // cost of the path that ignores lanes
 constexpr double kTurnRateFading = 2.3;   // s in which the turn rate decays to 1/e off the lanes
-// Limits of the quantities in WayAhead.
+// Limits of the quantities in RoadAhead.
 constexpr double kBendReach = 80.0;        // m ahead in which bends are considered
 constexpr double kBendMargin = 4.0;        // m, shortest distance assumed for braking before a bend
 constexpr double kStraight = 1e-3;         // 1/m; smaller curvatures count as straight
@@ -172,13 +172,13 @@ std::vector<double> curvatures(const std::vector<Pose2>& poses) {
   return values;
 }
 
-WayAhead bendsAhead(const SampledPath& line, const EgoNow& ego) {
+RoadAhead bendsAhead(const SampledPath& line, const EgoNow& ego) {
   const std::vector<Pose2>& poses = line.poses();
   const std::vector<double> curvature = curvatures(poses);
   const auto indexAt = [&](double arc_length) {
     return std::min(static_cast<std::size_t>(arc_length / SampledPath::kSpacing), poses.size() - 1);
   };
-  WayAhead ahead;
+  RoadAhead ahead;
   ahead.turn_rate = std::abs(ego.turn_rate);
   ahead.bend_braking = kMinBendBraking;
   const double squared_speed = ego.past_speeds[0] * ego.past_speeds[0];
@@ -348,14 +348,14 @@ std::optional<Lead> leadOn(const std::vector<Pose2>& poses, const Track& agent, 
 
 }  // namespace
 
-WayAhead wayAhead(const EgoPath& path, const EgoNow& ego, const Snapshot& snapshot) {
+RoadAhead roadAhead(const EgoPath& path, const EgoNow& ego, const Snapshot& snapshot) {
   Lead lead;
   for (const Track& agent : snapshot.agents) {
     if (!isVehicle(agent.agent_class) || !endsAt(agent, snapshot.now)) continue;
     const auto found = leadOn(path.line.poses(), agent, ego, snapshot.ego.size);
     if (found && found->gap < lead.gap) lead = *found;
   }
-  WayAhead ahead = path.ahead;
+  RoadAhead ahead = path.ahead;
   if (lead.gap >= kGapReach) return ahead;
   const double speed = ego.past_speeds[0];
   ahead.headway = std::clamp(wishedGap(speed) / std::max(lead.gap, kMinGap), 0.0, kMaxHeadway);

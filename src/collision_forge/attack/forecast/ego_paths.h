@@ -58,7 +58,7 @@ struct EgoPath {
   SampledPath line;
   double weight = 0.0;    ///< probability that the ego takes the path, 0..1
   bool on_lanes = false;  ///< true: along lanes; false: the path that ignores lanes
-  WayAhead ahead = {};    ///< demands of the road alone, without vehicles; see wayAhead()
+  RoadAhead ahead = {};   ///< demands of the road alone, without vehicles; see roadAhead()
   /// m along the path to its first junction, 0 if the path starts in one; infinity if there is none
   double junction_start = 0.0;
   /// m along the path to the end of that junction; infinity if there is none
@@ -79,7 +79,7 @@ SampledPath freePath(const EgoNow& ego, double turn_rate_difference, double hori
 /// Returns path.ahead with the headway to the nearest vehicle ahead of the ego on the path and the
 /// closing speed to it set. Vehicles without a state at t0, on another heading or more than 60 m
 /// ahead are ignored; without a vehicle ahead both stay 0.
-WayAhead wayAhead(const EgoPath& path, const EgoNow& ego, const Snapshot& snapshot);
+RoadAhead roadAhead(const EgoPath& path, const EgoNow& ego, const Snapshot& snapshot);
 
 /// Returns the path with the smallest mean distance to the positions of `track` (m, map frame), the
 /// first of equals. The reference points into `paths`. Throws std::invalid_argument if `paths` is

@@ -70,7 +70,7 @@ std::vector<ForecastErrors> checkForecasts(const SpeedSituations& recorded,
         (other ? *other : forecaster).forecast(recorded.situation(row), longest);
     for (ForecastErrors& sums : errors) {
       const int intervals = static_cast<int>(std::lround(sums.horizon / kProfileStep));
-      if (recorded.lasts(row) < intervals || forecast.speeds.cols() < intervals) continue;
+      if (recorded.intervalsAfter(row) < intervals || forecast.speeds.cols() < intervals) continue;
       double driven = 0.0;
       for (int i = 0; i < intervals; ++i) driven += recorded.speed(row + i + 1) * kProfileStep;
       add(kProfileStep * forecast.speeds.leftCols(intervals).rowwise().sum(), forecast.weights,

@@ -10,7 +10,7 @@ namespace forge {
 /// s between the speeds of a profile and between past speeds.
 inline constexpr double kProfileStep = 0.5;
 
-/// m; smaller gaps to the vehicle ahead count as this in WayAhead::closing.
+/// m; smaller gaps to the vehicle ahead count as this in RoadAhead::closing.
 inline constexpr double kMinClosingGap = 2.0;
 
 /// Returns the gap (m) that a driver at `speed` (m/s) desires to the vehicle ahead: 2 m plus the
@@ -18,7 +18,7 @@ inline constexpr double kMinClosingGap = 2.0;
 inline double wishedGap(double speed) { return 2.0 + 1.2 * speed; }
 
 /// Demands of the path ahead on the driver, in quantities to which drivers react about linearly.
-struct WayAhead {
+struct RoadAhead {
   double turn_rate = 0.0;  ///< rad/s at t0, absolute
   /// m/s2, deceleration needed to take all bends within 80 m at kComfortableLateralAcceleration,
   /// clamped to -3..6; negative: the driver may accelerate
@@ -36,7 +36,7 @@ struct WayAhead {
 /// last five intervals of kProfileStep, newest first.
 struct DrivingSituation {
   std::array<double, 5> past_speeds = {};
-  WayAhead ahead;
+  RoadAhead ahead;
 };
 
 /// Weighted speed profiles from t0 on.

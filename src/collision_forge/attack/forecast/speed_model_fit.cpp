@@ -36,7 +36,7 @@ class Sample {
   Sample(const SpeedSituations& recorded, std::vector<Eigen::Index> rows)
       : recorded_(recorded), rows_(std::move(rows)) {
     std::stable_sort(rows_.begin(), rows_.end(), [&](Eigen::Index a, Eigen::Index b) {
-      return recorded.lasts(a) > recorded.lasts(b);
+      return recorded.intervalsAfter(a) > recorded.intervalsAfter(b);
     });
   }
 
@@ -46,8 +46,9 @@ class Sample {
 
   /// Returns the number of rows, all at the front, in which `interval` is recorded.
   Eigen::Index lasting(int interval) const {
-    return std::partition_point(rows_.begin(), rows_.end(),
-                                [&](Eigen::Index row) { return recorded_.lasts(row) > interval; }) -
+    return std::partition_point(
+               rows_.begin(), rows_.end(),
+               [&](Eigen::Index row) { return recorded_.intervalsAfter(row) > interval; }) -
            rows_.begin();
   }
 
@@ -97,7 +98,7 @@ Samples samplesOf(const SpeedSituations& recorded, const std::vector<std::string
   std::vector<Eigen::Index> standing;
   for (Eigen::Index row = 0; row < recorded.size(); ++row) {
     const auto scene = static_cast<std::size_t>(recorded.sceneOf(row));
-    if (recorded.lasts(row) == 0 || left_out[scene]) continue;
+    if (recorded.intervalsAfter(row) == 0 || left_out[scene]) continue;
     (recorded.speed(row) < options.standing_speed ? standing : driving).push_back(row);
   }
   Samples samples{Sample(recorded, std::move(driving)), Sample(recorded, std::move(standing)),

@@ -44,7 +44,7 @@ std::vector<SpeedProfileRow> collectSpeedProfiles(const Scene& scene, const Lane
     const EgoNow ego = egoNow(past);
     const std::vector<EgoPath> paths = egoPaths(ego, lanes, kFollowedSeconds);
     const EgoPath& path = followedPath(paths, positionsAfter(scene.ego, now));
-    const WayAhead ahead = wayAhead(path, ego, snapshotAt(scene, now, kPastFrames));
+    const RoadAhead ahead = roadAhead(path, ego, snapshotAt(scene, now, kPastFrames));
     rows.push_back({scene.name, frame, ego.past_speeds[0], ahead});
   }
   return rows;

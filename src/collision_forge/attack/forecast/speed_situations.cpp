@@ -9,7 +9,7 @@ namespace forge {
 namespace {
 
 bool isFinite(const SpeedProfileRow& row) {
-  const WayAhead& ahead = row.ahead;
+  const RoadAhead& ahead = row.ahead;
   return std::isfinite(row.speed + ahead.turn_rate + ahead.bend_braking + ahead.bend_turn +
                        ahead.bend_curvature + ahead.headway + ahead.closing);
 }
@@ -22,7 +22,7 @@ bool follows(const SpeedProfileRow& row, const SpeedProfileRow& before) {
 
 Eigen::ArrayXd featuresOf(const DrivingSituation& situation) {
   const auto& speed = situation.past_speeds;
-  const WayAhead& ahead = situation.ahead;
+  const RoadAhead& ahead = situation.ahead;
   Eigen::ArrayXd features(kSpeedFeatures);
   features << speed[0], (speed[0] - speed[1]) / kProfileStep, (speed[1] - speed[2]) / kProfileStep,
       (speed[2] - speed[4]) / (2 * kProfileStep), ahead.turn_rate, ahead.bend_braking,

@@ -15,7 +15,7 @@ struct SpeedProfileRow {
   std::string scene;   ///< name of the recording
   int frame = 0;       ///< in steps of kProfileStep; rows with consecutive numbers form a profile
   double speed = 0.0;  ///< m/s, mean since the previous frame, negative when reversing
-  WayAhead ahead;
+  RoadAhead ahead;
 };
 
 /// Returns the kSpeedFeatures features of a situation, each of order one, in the order described at
@@ -43,7 +43,7 @@ class SpeedSituations {
   /// Returns the index into scenes() of the scene of a row.
   int sceneOf(Eigen::Index row) const { return scene_of_[static_cast<std::size_t>(row)]; }
   /// Returns the number of intervals of kProfileStep recorded without a gap after the row.
-  int lasts(Eigen::Index row) const { return lasts_[static_cast<std::size_t>(row)]; }
+  int intervalsAfter(Eigen::Index row) const { return lasts_[static_cast<std::size_t>(row)]; }
   /// Returns SpeedProfileRow::speed, m/s.
   double speed(Eigen::Index row) const { return rows_[static_cast<std::size_t>(row)].speed; }
   /// Returns the driver's situation at the row.
@@ -53,7 +53,7 @@ class SpeedSituations {
   /// Returns featuresOf() of every row: one matrix row per row, one column per feature.
   const Eigen::ArrayXXd& features() const { return features_; }
   /// Returns the speed in the interval `interval` after the row (0: the next) minus the row's
-  /// speed, m/s. `interval` must be less than lasts(row).
+  /// speed, m/s. `interval` must be less than intervalsAfter(row).
   double gain(Eigen::Index row, int interval) const {
     return speed(row + interval + 1) - speed(row);
   }

@@ -22,12 +22,12 @@ constexpr double kAcrossFloor = 0.3;  // m
 constexpr double kAcrossRate = 0.1;   // m/s
 
 /// Returns the gap to the vehicle ahead, m; empty if there is none.
-std::optional<double> gapAhead(const WayAhead& ahead, double speed) {
+std::optional<double> gapAhead(const RoadAhead& ahead, double speed) {
   if (ahead.headway < kMinHeadway) return std::nullopt;
   return wishedGap(speed) / ahead.headway;
 }
 
-void fillWay(const EgoPath& path, const WayAhead& ahead, const EgoNow& ego,
+void fillWay(const EgoPath& path, const RoadAhead& ahead, const EgoNow& ego,
              Eigen::Ref<Eigen::RowVectorXf> row) {
   const Pose2 start = relativeTo(path.line.poses().front(), ego.state.pose);
   const double junction_start = std::min(path.junction_start, kMaxJunction);
@@ -51,7 +51,7 @@ void fillWay(const EgoPath& path, const WayAhead& ahead, const EgoNow& ego,
   for (const double value : values) row[column++] = static_cast<float>(value);
   for (const double distance : kWayPoints) {
     const double yaw = path.line.poseAt(start.x + distance, 0.0).yaw;
-    row[column++] = static_cast<float>(held(yaw - path.line.poses().front().yaw, kMaxFeature));
+    row[column++] = static_cast<float>(clampedTo(yaw - path.line.poses().front().yaw, kMaxFeature));
   }
 }
 
@@ -82,18 +82,18 @@ void fillAnchor(const EgoPathSet& ways, std::size_t way, double driven, double p
   const double rest = gap + std::max(lead_speed, 0.0) * tta - driven;
   const double junction = std::min(path.junction_start, kMaxJunction);
   const double values[kAnchorFeatures] = {
-      held((mean_speed - speed) / kSpeedChange, kMaxFeature),
+      clampedTo((mean_speed - speed) / kSpeedChange, kMaxFeature),
       mean_speed / kSpeedScale,
       place,
       driven < 1e-6 ? 1.0 : 0.0,
-      held(2.0 * (mean_speed - speed) / tta / kAccelerationScale, kMaxFeature),
-      held(rest / kJunction, kMaxFeature),
-      held((driven - junction) / kJunction, kMaxFeature),
-      held(std::min(std::abs(driven - junction), 10.0) / 10.0, 1.0),
-      held(bendDemand(path, start, driven, mean_speed, kComfortableLateralAcceleration),
-           kMaxFeature),
-      held(driven / kPlaceScale, 2.0 * kMaxFeature),
-      held(static_cast<double>(features.poses(row, 1)) / kPlaceScale, kMaxFeature),
+      clampedTo(2.0 * (mean_speed - speed) / tta / kAccelerationScale, kMaxFeature),
+      clampedTo(rest / kJunction, kMaxFeature),
+      clampedTo((driven - junction) / kJunction, kMaxFeature),
+      clampedTo(std::min(std::abs(driven - junction), 10.0) / 10.0, 1.0),
+      clampedTo(bendDemand(path, start, driven, mean_speed, kComfortableLateralAcceleration),
+                kMaxFeature),
+      clampedTo(driven / kPlaceScale, 2.0 * kMaxFeature),
+      clampedTo(static_cast<double>(features.poses(row, 1)) / kPlaceScale, kMaxFeature),
       static_cast<double>(features.poses(row, 3))};
   for (int i = 0; i < kAnchorFeatures; ++i) {
     features.anchors(row, i) = static_cast<float>(values[i]);
@@ -145,11 +145,11 @@ AnchorFeatures wayAnchors(const EgoPathSet& ways, double tta,
 void fillFreely(const EgoNow& ego, double tta, Eigen::Index row, AnchorFeatures& features) {
   const auto pose = features.poses.row(row);
   const double distance = std::hypot(pose[0], pose[1]);
-  features.anchors(row, 0) =
-      static_cast<float>(held((distance / tta - ego.past_speeds[0]) / kSpeedChange, kMaxFeature));
+  features.anchors(row, 0) = static_cast<float>(
+      clampedTo((distance / tta - ego.past_speeds[0]) / kSpeedChange, kMaxFeature));
   features.anchors(row, 1) = static_cast<float>(distance / tta / kSpeedScale);
-  features.anchors(row, 2) = static_cast<float>(held(pose[0] / kPlaceScale, kMaxFeature));
-  features.anchors(row, 3) = static_cast<float>(held(pose[1] / kPlaceScale, kMaxFeature));
+  features.anchors(row, 2) = static_cast<float>(clampedTo(pose[0] / kPlaceScale, kMaxFeature));
+  features.anchors(row, 3) = static_cast<float>(clampedTo(pose[1] / kPlaceScale, kMaxFeature));
   features.anchors(row, 4) = pose[2];
   features.anchors(row, 5) = pose[3];
 }
@@ -210,7 +210,7 @@ EgoPathSet egoPathSet(const Snapshot& observed, const LaneIndex& lanes, double h
   for (const EgoPath& path : ways.paths) sum += path.weight;
   for (EgoPath& path : ways.paths) {
     path.weight /= sum;
-    ways.ahead.push_back(wayAhead(path, ways.ego, observed));
+    ways.ahead.push_back(roadAhead(path, ways.ego, observed));
   }
   return ways;
 }

@@ -38,7 +38,7 @@ inline constexpr float kAbsent = -1e4F;  ///< prior of a missing anchor
 struct EgoPathSet {
   EgoNow ego;  ///< state and recent motion at t0
   std::vector<EgoPath> paths;
-  std::vector<WayAhead> ahead;  ///< one per path: wayAhead(), with the vehicle ahead
+  std::vector<RoadAhead> ahead;  ///< one per path: roadAhead(), with the vehicle ahead
 };
 /// Returns the ego's most probable candidate paths, at most `max_ways` (at least one), long enough
 /// for `horizon` s. `observed` comes from observedSnapshot(). Throws std::invalid_argument if the

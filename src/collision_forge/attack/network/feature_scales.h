@@ -12,6 +12,6 @@ inline constexpr double kTurnRateScale = 0.2;      // rad/s
 inline constexpr double kMaxFeature = 4.0;         // largest |scaled feature|
 
 /// Returns `value` clamped to [-limit, limit].
-inline double held(double value, double limit) { return std::clamp(value, -limit, limit); }
+inline double clampedTo(double value, double limit) { return std::clamp(value, -limit, limit); }
 
 }  // namespace forge

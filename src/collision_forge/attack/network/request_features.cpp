@@ -39,25 +39,26 @@ Eigen::VectorXf candidateFeatures(const CandidateNow& candidate, double ego_spee
   const Vector2 way = ego_at_impact.position() - now.position();
   const double needed = way.norm() / tta;
   const double bearing = angleBetween(now.yaw, std::atan2(way.y(), way.x()));
-  const double values[19] = {held(now.x / kCandidatePlace, kMaxFeature),
-                             held(now.y / kCandidatePlace, kMaxFeature),
-                             std::cos(now.yaw),
-                             std::sin(now.yaw),
-                             speed / kSpeedScale,
-                             ego_speed / kSpeedScale,
-                             held(at_impact.x / kCandidatePlace, kMaxFeature),
-                             held(at_impact.y / kCandidatePlace, kMaxFeature),
-                             std::cos(at_impact.yaw),
-                             std::sin(at_impact.yaw),
-                             held(straight.x / 20.0, kMaxFeature),
-                             held(straight.y / 20.0, kMaxFeature),
-                             std::log1p(std::hypot(straight.x, straight.y)) / 3.0,
-                             std::min(needed / kSpeedScale, kMaxFeature),
-                             held((needed - speed) / kSpeedScale, kMaxFeature),
-                             held((needed - speed) / tta / kAccelerationScale, kMaxFeature) / 2.0,
-                             std::cos(bearing),
-                             std::sin(bearing),
-                             tta / kLongestTta};
+  const double values[19] = {
+      clampedTo(now.x / kCandidatePlace, kMaxFeature),
+      clampedTo(now.y / kCandidatePlace, kMaxFeature),
+      std::cos(now.yaw),
+      std::sin(now.yaw),
+      speed / kSpeedScale,
+      ego_speed / kSpeedScale,
+      clampedTo(at_impact.x / kCandidatePlace, kMaxFeature),
+      clampedTo(at_impact.y / kCandidatePlace, kMaxFeature),
+      std::cos(at_impact.yaw),
+      std::sin(at_impact.yaw),
+      clampedTo(straight.x / 20.0, kMaxFeature),
+      clampedTo(straight.y / 20.0, kMaxFeature),
+      std::log1p(std::hypot(straight.x, straight.y)) / 3.0,
+      std::min(needed / kSpeedScale, kMaxFeature),
+      clampedTo((needed - speed) / kSpeedScale, kMaxFeature),
+      clampedTo((needed - speed) / tta / kAccelerationScale, kMaxFeature) / 2.0,
+      std::cos(bearing),
+      std::sin(bearing),
+      tta / kLongestTta};
   Eigen::VectorXf features = Eigen::VectorXf::Zero(kCandidateFeatures);
   for (int i = 0; i < 19; ++i) features[i] = static_cast<float>(values[i]);
   for (int i = 0; i < 5; ++i) {

@@ -121,7 +121,7 @@ Eigen::VectorXf egoFeatures(const EgoNow& ego) {
     features[5 + i] = static_cast<float>((ego.past_speeds[newer] - ego.past_speeds[newer + 1]) /
                                          kProfileStep / kAccelerationScale);
   }
-  features[8] = static_cast<float>(held(ego.turn_rate / kTurnRateScale, kMaxFeature));
+  features[8] = static_cast<float>(clampedTo(ego.turn_rate / kTurnRateScale, kMaxFeature));
   return features;
 }
 

@@ -95,7 +95,7 @@ class AdaptiveAttacker : public AttackerPolicy {
   std::vector<AgentState> seen_ego_;  // from t0 to the last update step
   AttackerPhase phase_ = AttackerPhase::kAttacking;
   /// Draft of the plan; contact and wait are times on the scene clock, s.
-  std::optional<DraftedWay> drafted_;
+  std::optional<DraftedPath> drafted_;
   std::vector<AttackerPlan> plans_;
 };
 

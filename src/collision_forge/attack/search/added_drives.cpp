@@ -58,7 +58,7 @@ bool extrapolate(const AddedMeeting& meeting, double along, double speed, double
 /// Returns the offset from the path's middle that is `gap` m farther from the ego than at the
 /// meeting.
 double besideEgo(const AddedMeeting& meeting, const PathPose& place, double gap) {
-  const double outward = place.across - meeting.way->path.seen(meeting.ego.center).across;
+  const double outward = place.across - meeting.way->path.frenetOf(meeting.ego.center).across;
   return place.across + std::copysign(gap, outward);
 }
 
@@ -73,8 +73,8 @@ Pose2 AddedMeeting::offsetOf(const BoxSize& attacker) const {
   return attackerOffset(ego.size, attacker, side, heading, contact_position, 0.0);
 }
 
-PathPose AddedMeeting::seen(const BoxSize& attacker) const {
-  return way->path.seen(compose(ego.center, offsetOf(attacker)));
+PathPose AddedMeeting::frenetOf(const BoxSize& attacker) const {
+  return way->path.frenetOf(compose(ego.center, offsetOf(attacker)));
 }
 
 double AddedDrive::at(int steps) const {
@@ -167,12 +167,12 @@ std::vector<ApproachManner> AddedDrives::mannersBeside(const AddedMeeting& meeti
   if (asked) parks.clear();
   std::vector<ApproachManner> drives = joined({trainsOf(meeting), cruises});
   if (!meeting.isEgosPath()) return joined({drives, parks});
-  const AddedWay& way = *meeting.way;
+  const AddedPath& way = *meeting.way;
   const bool is_ego_there = !way.ego.empty() && std::abs(way.ego_across) < kOwnLane;
   // Another lane leads into the ego's.
   if (!is_ego_there) return joined({parks, drives});
   // Only a motorcycle fits beside the ego in its lane.
-  for (ApproachManner& manner : drives) manner.rides = true;
+  for (ApproachManner& manner : drives) manner.is_motorcycle_beside = true;
   return joined({parks, drives});
 }
 
@@ -219,7 +219,7 @@ std::vector<double> AddedDrives::speedsOf(const AddedMeeting& meeting) const {
   }
   speeds.insert(speeds.end(), meeting.way->speeds.begin(), meeting.way->speeds.end());
   const double own = past_.ego.states.back().velocity.norm();
-  if (own > AddedWay::kMoving) addSpeed(own, speeds);
+  if (own > AddedPath::kMoving) addSpeed(own, speeds);
   for (const double speed : added_.speeds) addSpeed(speed, speeds);
   return speeds;
 }
@@ -236,7 +236,7 @@ std::vector<ApproachManner> AddedDrives::trainsOf(const AddedMeeting& meeting) c
 /// those that start at the requested gap or headway.
 std::vector<double> AddedDrives::closingsFor(const AddedMeeting& meeting) const {
   std::vector<double> closings;
-  const AddedWay& way = *meeting.way;
+  const AddedPath& way = *meeting.way;
   constexpr std::size_t kSpan = 5;
   const std::optional<Range>& asked =
       input_.request.gap ? input_.request.gap : input_.request.headway;
@@ -244,7 +244,7 @@ std::vector<double> AddedDrives::closingsFor(const AddedMeeting& meeting) const 
     const double speed = std::max(0.0, (way.ego[0] - way.ego[kSpan]) / (kSpan * kStep));
     const AddedKind& car = added_.kinds.front();
     const double lengths = 0.5 * (past_.ego.size.length + car.length);
-    const double along = meeting.seen({car.length, car.width}).along;
+    const double along = meeting.frenetOf({car.length, car.width}).along;
     const double ahead = along > way.path.project(meeting.ego.center.position()) ? 1.0 : -1.0;
     for (double gap : valuesTriedIn(*asked)) {
       if (!input_.request.gap) gap *= speed;
@@ -260,10 +260,10 @@ std::vector<double> AddedDrives::closingsFor(const AddedMeeting& meeting) const 
 bool AddedDrives::plan(const AddedMeeting& meeting, const ApproachManner& manner,
                        const BoxSize& size, AddedDrive& drive,
                        const SpeedVariation& variation) const {
-  const PathPose place = meeting.seen(size);
+  const PathPose place = meeting.frenetOf(size);
   const double along = place.along;
   drive.aside = manner.aside;
-  if (manner.rides) drive.aside = besideEgo(meeting, place, kRidingGap);
+  if (manner.is_motorcycle_beside) drive.aside = besideEgo(meeting, place, kRidingGap);
   drive.back.clear();
   drive.contact = meeting.contact;
   drive.on.assign(static_cast<std::size_t>(std::ceil(meeting.contact / kStep)), 0.0);
@@ -290,9 +290,9 @@ bool AddedDrives::plan(const AddedMeeting& meeting, const ApproachManner& manner
 
 /// Extends the motion backwards at `speed` or what bends allow, until the first frame or the start
 /// of the path.
-void AddedDrives::cruiseBack(const AddedWay& way, double speed, double now,
+void AddedDrives::cruiseBack(const AddedPath& way, double speed, double now,
                              std::vector<double>& back) const {
-  const double change = AddedWay::kBraking * kStep;
+  const double change = AddedPath::kBraking * kStep;
   while (back.size() <= steps_back_ && back.back() >= 0.0) {
     const double wanted = std::min(speed, way.cap(back.back()));
     const double before = std::clamp(wanted, now - change, now + change);
@@ -333,7 +333,7 @@ void AddedDrives::vary(const SpeedVariation& variation, AddedDrive& drive) {
 /// contact.
 bool AddedDrives::train(const AddedMeeting& meeting, double along, const BoxSize& size,
                         double closing, AddedDrive& drive) const {
-  const AddedWay& way = *meeting.way;
+  const AddedPath& way = *meeting.way;
   const std::size_t count = way.ego.size();
   constexpr std::size_t kSpan = 5;
   if (count <= kSpan) return false;
@@ -351,7 +351,7 @@ bool AddedDrives::train(const AddedMeeting& meeting, double along, const BoxSize
   }
   const double first =
       std::max(0.0, (way.ego[count - 1 - kSpan] - way.ego[count - 1]) / (kSpan * kStep));
-  cruiseBack(way, std::max(first, AddedWay::kMoving), first, drive.back);
+  cruiseBack(way, std::max(first, AddedPath::kMoving), first, drive.back);
   return true;
 }
 
@@ -371,7 +371,7 @@ bool AddedDrives::followFlow(const AddedMeeting& meeting, double along, const Ad
   }
   const double first = flow.times.front();
   const double speed = (flow.at(first + 1.0) - flow.at(first)) / 1.0;
-  cruiseBack(*meeting.way, std::max(speed, AddedWay::kMoving), speed, drive.back);
+  cruiseBack(*meeting.way, std::max(speed, AddedPath::kMoving), speed, drive.back);
   return true;
 }
 

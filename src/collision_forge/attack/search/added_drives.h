@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "collision_forge/attack/search/added_ways.h"
+#include "collision_forge/attack/search/added_paths.h"
 #include "collision_forge/attack/search/options.h"
 #include "collision_forge/attack/search/speed_variation.h"
 #include "collision_forge/base/geometry/oriented_box.h"
@@ -13,12 +13,12 @@ namespace forge {
 
 /// A contact of an added vehicle with the ego, which is to be reached.
 struct AddedMeeting {
-  const AddedWay* way = nullptr;  ///< path of the added vehicle; owned by AddedWays
-  OrientedBox ego;                ///< ego box at the contact, global map frame
-  double contact = 0.0;           ///< s after t0
-  Side side = Side::kLeft;        ///< touched side of the ego
-  double heading = 0.0;           ///< rad, attacker's heading relative to the ego's
-  double contact_position = 0.0;  ///< share of half the touched side, see attackerOffset()
+  const AddedPath* way = nullptr;  ///< path of the added vehicle; owned by AddedPaths
+  OrientedBox ego;                 ///< ego box at the contact, global map frame
+  double contact = 0.0;            ///< s after t0
+  Side side = Side::kLeft;         ///< touched side of the ego
+  double heading = 0.0;            ///< rad, attacker's heading relative to the ego's
+  double contact_position = 0.0;   ///< share of half the touched side, see attackerOffset()
   /// m, left offset from the path of the box centre of a car (first of AddedVehicleOptions::kinds)
   /// at the contact
   double across = 0.0;
@@ -29,7 +29,7 @@ struct AddedMeeting {
   /// box.
   Pose2 offsetOf(const BoxSize& attacker) const;
   /// Returns the box centre of an attacker of this size at the contact relative to the path.
-  PathPose seen(const BoxSize& attacker) const;
+  PathPose frenetOf(const BoxSize& attacker) const;
 };
 
 /// Speed profile with which an added vehicle approaches along its path.
@@ -51,14 +51,14 @@ struct ApproachManner {
   bool waits = false;
   double aside = 0.0;  ///< m, left offset of the box centre from the path
   /// true: a motorcycle beside the ego in its lane, whose offset replaces `aside`
-  bool rides = false;
+  bool is_motorcycle_beside = false;
   double departure = 0.0;  ///< kStart: s after t0 until which it stands
 };
 
 /// Longitudinal motion of an added vehicle along its path. Distances along the path are of the box
 /// centre, in m from the path's start.
 struct AddedDrive {
-  static constexpr double kStep = AddedWay::kStep;  ///< s between the entries of `back`
+  static constexpr double kStep = AddedPath::kStep;  ///< s between the entries of `back`
   /// s; a vehicle that stopped before t0 stands at least this long, the time over which its motion
   /// is estimated.
   static constexpr double kWait = 2.0;
@@ -103,7 +103,7 @@ class AddedDrives {
   std::vector<ApproachManner> trainsOf(const AddedMeeting& meeting) const;
   std::vector<double> closingsFor(const AddedMeeting& meeting) const;
 
-  void cruiseBack(const AddedWay& way, double speed, double now, std::vector<double>& back) const;
+  void cruiseBack(const AddedPath& way, double speed, double now, std::vector<double>& back) const;
   bool cruise(const AddedMeeting& meeting, double along, double speed, AddedDrive& drive) const;
   static void vary(const SpeedVariation& variation, AddedDrive& drive);
   bool train(const AddedMeeting& meeting, double along, const BoxSize& size, double closing,

@@ -109,7 +109,7 @@ const char* AddedPast::driveFrom(std::size_t frame, const AddedDrive& drive,
     const double speed = (drive.at(to) - drive.at(from)) / (kStep * (to - from));
     planned_.push_back({drive.poseAt(path, i), std::max(0.0, speed)});
   }
-  const ReferencePath::Place place = path.at(drive.at(-steps));
+  const ReferencePath::PathPoint place = path.at(drive.at(-steps));
   DriveState start;
   start.axle = compose(planned_.front().pose(), {-limits.axle_to_middle, 0.0, 0.0});
   start.speed = std::min(planned_.front().speed, limits.max_speed);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "collision_forge/attack/search/added_drives.h"
-#include "collision_forge/attack/search/added_ways.h"
+#include "collision_forge/attack/search/added_paths.h"
 #include "collision_forge/attack/search/options.h"
 #include "collision_forge/attack/search/recorded_traffic.h"
 #include "collision_forge/attack/search/track_driver.h"

@@ -153,7 +153,7 @@ class VehicleInsertion {
       if (const std::optional<Range>& location = input_.request.impact_location) {
         meeting.contact_position = contactPositionOf(0.5 * (location->min + location->max));
       }
-      meeting.across = meeting.seen(size).across;
+      meeting.across = meeting.frenetOf(size).across;
       if (std::abs(meeting.across) < kMaxDeparture) possible.push_back(meeting);
     }
     // In the ego's own lane, a vehicle can follow or lead, or be parked on either side.
@@ -227,12 +227,13 @@ class VehicleInsertion {
                      std::vector<AddedVehicle>& found) {
     const auto& asked = input_.request.attacker_class;
     const bool asks_for_bicycle = asked == AgentClass::kBicycle;
-    if (manner.rides && asked && *asked != AgentClass::kMotorcycle && !asks_for_bicycle) {
+    if (manner.is_motorcycle_beside && asked && *asked != AgentClass::kMotorcycle &&
+        !asks_for_bicycle) {
       has_way_ = true;
       return "are too wide";
     }
-    const AddedKind kind =
-        drawKind(manner.rides && !asks_for_bicycle ? AgentClass::kMotorcycle : asked);
+    const AddedKind kind = drawKind(
+        manner.is_motorcycle_beside && !asks_for_bicycle ? AgentClass::kMotorcycle : asked);
     const BoxSize size{kind.length, kind.width};
     nameNext(found);
     if (!drives_.plan(meeting, manner, size, drive_, variation_))
@@ -307,7 +308,7 @@ class VehicleInsertion {
   const AttackOptions& options_;
   const AddedVehicleOptions& added_;
   const Snapshot& past_;
-  AddedWays ways_;
+  AddedPaths ways_;
   AddedDrives drives_;
   AddedPast added_past_;
   Random random_;
@@ -336,7 +337,7 @@ Attack realizeBy(const std::vector<AddedVehicle>& vehicles, const AddedVehicleIn
                  const TrajectoryRealizer& realizer, SearchedMotion motion) {
   Snapshot snapshot = input.snapshot;
   std::vector<CollisionPattern> patterns;
-  AttackerWays ways;
+  AttackerPaths ways;
   for (const AddedVehicle& vehicle : vehicles) {
     snapshot.agents.push_back(within(vehicle.track, snapshot));
     patterns.insert(patterns.end(), vehicle.patterns.begin(), vehicle.patterns.end());

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "collision_forge/attack/search/added_ways.h"
+#include "collision_forge/attack/search/added_paths.h"
 #include "collision_forge/attack/search/options.h"
 #include "collision_forge/attack/search/realizer.h"
 #include "collision_forge/attack/search/search_task.h"

@@ -275,7 +275,8 @@ class Search {
   /// Shifts the aims of the best candidates by the error of their contacts.
   void correctContacts() {
     std::vector<Candidate> parents = best();
-    parents.resize(std::min(parents.size(), static_cast<std::size_t>(search_.homed)));
+    parents.resize(
+        std::min(parents.size(), static_cast<std::size_t>(search_.corrected_candidates)));
     for (Candidate& candidate : parents) {
       for (int i = 0; i < search_.corrections && candidate.score.share > 0.0; ++i) {
         const Pose2& wanted = candidate.aim->touching;

@@ -5,10 +5,10 @@
 namespace forge {
 namespace {
 
-/// Returns the number of placesOf() the box for which `is_there` is true.
+/// Returns the number of samplePointsOf() the box for which `is_there` is true.
 template <typename IsThere>
 int countPlaces(const Pose2& pose, const BoxSize& size, const IsThere& is_there) {
-  const auto places = placesOf({pose, size});
+  const auto places = samplePointsOf({pose, size});
   return static_cast<int>(std::count_if(places.begin(), places.end(), is_there));
 }
 

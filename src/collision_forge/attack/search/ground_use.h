@@ -7,8 +7,8 @@
 
 namespace forge {
 
-/// Fast test of the ground under a motion at the nine points placesOf() of the box, for searches.
-/// `points` are box centres in the map frame; there must be at least one. Immutable.
+/// Fast test of the ground under a motion at the nine points samplePointsOf() of the box, for
+/// searches. `points` are box centres in the map frame; there must be at least one. Immutable.
 class GroundUse {
  public:
   /// `lanes` must outlive this object. offRoadShare() tests every `stride`-th point; `stride` must

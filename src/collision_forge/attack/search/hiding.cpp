@@ -85,7 +85,7 @@ bool HidingSearch::isOnRoad(const OrientedBox& box) const {
     return input_.lanes.drivable().contains(point) && !input_.lanes.walkways().contains(point);
   };
   const auto outline = corners(box);
-  const auto inside = placesOf(box);
+  const auto inside = samplePointsOf(box);
   return std::all_of(outline.begin(), outline.end(), isRoad) &&
          std::all_of(inside.begin(), inside.end(), isRoad);
 }

@@ -142,7 +142,7 @@ class ManoeuvreSearch {
   void draftAt(const Contender& contender, const RouteDriver& route, std::size_t ego,
                double contact) {
     const Pose2 pose = sampler_.egoAt(ego, contact);
-    const PathPose seen = route.path().seen(pose);
+    const PathPose seen = route.path().frenetOf(pose);
     const double reach =
         circumradius(input_.snapshot.ego.size) + circumradius(contender.track->size);
     if (std::abs(seen.across) > kRouteReach || seen.along < route.start().along - reach) return;
@@ -193,7 +193,7 @@ class ManoeuvreSearch {
     const Pose2 target = compose(sampler_.egoAt(draft.ego, draft.contact), offset);
     RoutePlan plan;
     plan.arrival = draft.contact;
-    plan.at = candidate.route->path().seen(target);
+    plan.at = candidate.route->path().frenetOf(target);
     plan.departure = draft.departure;
     plan.lead = draft.lead;
     plan.late = draft.late;
@@ -354,7 +354,7 @@ class ManoeuvreSearch {
     }
     found.score = candidate.score;
     found.off_road = candidate.verdict.road.off_road;
-    found.drafted = DraftedWay{candidate.route->path(), candidate.draft, candidate.style};
+    found.drafted = DraftedPath{candidate.route->path(), candidate.draft, candidate.style};
     found.objective = candidate.objective;
     found.effort = effortOf(candidate);
     found.pattern = candidate.aim->pattern;

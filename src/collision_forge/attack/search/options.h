@@ -70,9 +70,10 @@ struct SearchOptions {
   /// the contact.
   double max_lead = 0.6;
   // Budget:
-  int ego_poses = 3;    ///< most futures of the ego that are aimed at, spread along its path
-  int draws = 16;       ///< arrivals drawn per pattern, the pattern's own first
-  int homed = 3;        ///< best candidates whose arrival is shifted by the error of their contact
+  int ego_poses = 3;  ///< most futures of the ego that are aimed at, spread along its path
+  int draws = 16;     ///< arrivals drawn per pattern, the pattern's own first
+  int corrected_candidates =
+      3;                ///< best candidates whose arrival is shifted by the error of their contact
   int corrections = 3;  ///< shifts of the arrival per such candidate
   int kept = 10;        ///< best candidates that are kept and perturbed
   int rounds = 4;       ///< rounds of perturbation

@@ -124,7 +124,7 @@ class ParkingSearch {
   }
 
   bool isOnCrosswalk(const OrientedBox& box) const {
-    const auto places = placesOf(box);
+    const auto places = samplePointsOf(box);
     const auto& features = input_.lanes.map().features;
     return std::any_of(features.begin(), features.end(), [&](const MapFeature& feature) {
       if (feature.kind != FeatureKind::kCrosswalk) return false;

@@ -81,12 +81,12 @@ const Track& mostCentral(const std::vector<Track>& tracks, double time) {
 }  // namespace
 
 Future predictWithEgoSamples(const Snapshot& snapshot, const LaneIndex& lanes,
-                             const EgoFutureSampler& ego_futures, double horizon, double central,
-                             int samples, std::uint64_t seed) {
+                             const EgoFutureSampler& ego_futures, double horizon,
+                             double central_time, int samples, std::uint64_t seed) {
   Future future = predictFuture(snapshot, lanes, horizon);
   future.ego_samples = ego_futures.sample(snapshot, lanes, horizon, samples, seed);
   if (!future.ego_samples.empty()) {
-    future.ego = mostCentral(future.ego_samples, snapshot.now + central);
+    future.ego = mostCentral(future.ego_samples, snapshot.now + central_time);
   }
   return future;
 }

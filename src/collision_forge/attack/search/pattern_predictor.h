@@ -38,12 +38,12 @@ class PatternPredictor {
 };
 
 /// Predicts from t0 to t0 + `horizon` (s): `samples` equally likely futures of the ego
-/// (Future::ego_samples), as Future::ego the one whose position `central` s after t0 is nearest to
-/// their mean, and other agents by predictFuture(). Deterministic in its arguments. Throws as
-/// EgoFutureSampler::sample().
+/// (Future::ego_samples), as Future::ego the one whose position `central_time` s after t0 is
+/// nearest to their mean, and other agents by predictFuture(). Deterministic in its arguments.
+/// Throws as EgoFutureSampler::sample().
 Future predictWithEgoSamples(const Snapshot& snapshot, const LaneIndex& lanes,
-                             const EgoFutureSampler& ego_futures, double horizon, double central,
-                             int samples, std::uint64_t seed);
+                             const EgoFutureSampler& ego_futures, double horizon,
+                             double central_time, int samples, std::uint64_t seed);
 
 /// Predicts without learning: places each candidate attacker at the ego's predicted (in replay
 /// mode: recorded) pose at impact, with the type's nominal heading, on each side of placementsOf().

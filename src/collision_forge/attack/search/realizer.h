@@ -17,7 +17,7 @@ struct RealizationTask {
   bool exact = false;  ///< require the contact at one of the patterns (isExact())
   /// Paths of attackers by id, used instead of the paths along their lanes; for plausible attackers
   /// only.
-  const AttackerWays& ways = kNoWays;
+  const AttackerPaths& ways = kNoPaths;
   /// how plausible attackers are searched; ignored for others
   SearchedMotion motion = SearchedMotion::kByRoutes;
 };

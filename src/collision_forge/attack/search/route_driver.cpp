@@ -38,8 +38,8 @@ struct RouteDriver::Cruise {
 RouteDriver::RouteDriver(ReferencePath path, const DriveState& now, const DriveLimits& limits,
                          const SpeedVariation& variation)
     : path_(std::move(path)), limits_(limits), now_(now), variation_(variation) {
-  start_ = path_.seen(compose(now.axle, {limits.axle_to_middle, 0.0, 0.0}));
-  const std::vector<double> bends = path_.bends();
+  start_ = path_.frenetOf(compose(now.axle, {limits.axle_to_middle, 0.0, 0.0}));
+  const std::vector<double> bends = path_.curvatures();
   for (const DrivingStyle& style : kDrivingStyles) {
     std::vector<float> caps(bends.size());
     const double lateral = std::min(style.lateral, kLimitShare * limits.max_lateral_acceleration);
@@ -199,7 +199,7 @@ void RouteDriver::plan(const RoutePlan& wanted, const RouteCourse& course, doubl
     const double duration = i + 1 < alongs.size() ? step : std::max(1e-6, before);
     const double before_along = i > 0 ? alongs[i - 1] : alongs[i];
     const double speed = i > 0 ? (next - before_along) / (step + duration) : now_.speed;
-    const ReferencePath::Place& place = course.places[i];
+    const ReferencePath::PathPoint& place = course.places[i];
     double offset = kept;
     double rate = 0.0;
     if (time < from) {

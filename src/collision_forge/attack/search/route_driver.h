@@ -70,8 +70,8 @@ struct RouteReach {
 struct RouteCourse {
   /// m along of the box centre, one per step from t0 to before the arrival
   std::vector<double> alongs;
-  std::vector<ReferencePath::Place> places;  ///< points of the route at `alongs`
-  double end = 0.0;                          ///< m along at the arrival
+  std::vector<ReferencePath::PathPoint> places;  ///< points of the route at `alongs`
+  double end = 0.0;                              ///< m along at the arrival
 };
 
 /// Model of a driver on a route: keeps its lateral offset, drives at one chosen speed, slower in

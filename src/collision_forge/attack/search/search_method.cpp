@@ -177,7 +177,7 @@ SearchMethod::Found SearchMethod::search(const Moment& moment,
   std::optional<AddedVehicles> vehicles;
   const auto answerBy = [&](SearchedMotion motion) {
     const Attack existing =
-        has_patterns ? realizer_->realize({prediction.patterns, input, false, kNoWays, motion})
+        has_patterns ? realizer_->realize({prediction.patterns, input, false, kNoPaths, motion})
                      : rejection(prediction.status);
     if (!mayBeAdded(existing, moment, request, options_)) return existing;
     if (!vehicles) {

@@ -51,7 +51,7 @@ struct RouteDraft {
 };
 
 /// A draft with the path along which it is driven.
-struct DraftedWay {
+struct DraftedPath {
   ReferencePath way;  ///< path of the attacker's box centre
   RouteDraft draft;
   std::size_t style = 0;  ///< RouteSpeed::style
@@ -75,14 +75,14 @@ struct FoundAttack {
   /// order. The future in which the ego comes nearest to the aim's box is preferred as first.
   std::vector<const Track*> hits;
   /// set for attacks along routes, else empty; times of the draft in s after t0
-  std::optional<DraftedWay> drafted;
+  std::optional<DraftedPath> drafted;
   bool is_underway = false;  ///< true: the attack continues Underway::planned
 };
 
 /// Paths of some attackers by id, used instead of the paths along their lanes.
-using AttackerWays = std::map<std::string, ReferencePath>;
+using AttackerPaths = std::map<std::string, ReferencePath>;
 
-inline const AttackerWays kNoWays;  ///< Empty: no attacker has a path of its own
+inline const AttackerPaths kNoPaths;  ///< Empty: no attacker has a path of its own
 
 /// Motions that are searched for plausible attackers.
 enum class SearchedMotion {
@@ -116,7 +116,7 @@ struct SearchInput {
   const LaneIndex& lanes;
   /// true: prefers contacts at the pattern; only an exact one (isExact()) ends the search early
   bool exact = false;
-  const AttackerWays& ways = kNoWays;  ///< used instead of the paths along the attackers' lanes
+  const AttackerPaths& ways = kNoPaths;  ///< used instead of the paths along the attackers' lanes
   SearchedMotion motion = SearchedMotion::kByRoutes;  ///< for plausible attackers only
   const Underway* underway = nullptr;  ///< set: search along routes for this one attacker
 

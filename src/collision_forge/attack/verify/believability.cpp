@@ -19,7 +19,7 @@ constexpr double kMostOff = 0.5;     // share of the box that may leave the road
 constexpr double kArcStep = 0.2;     // s
 constexpr double kStep = 0.5;  // m between the points searched for road; the raster's cell size
 
-/// Number of a box's placesOf() on each kind of ground.
+/// Number of a box's samplePointsOf() on each kind of ground.
 struct Ground {
   std::size_t off_road = 0;  // 0 if the map has no drivable area
   std::size_t on_walkway = 0;
@@ -28,7 +28,7 @@ struct Ground {
 Ground groundBelow(const OrientedBox& box, const LaneIndex& lanes) {
   const bool knows_road = !lanes.drivable().empty();
   Ground ground;
-  for (const Vector2& place : placesOf(box)) {
+  for (const Vector2& place : samplePointsOf(box)) {
     if (lanes.drivable().contains(place)) continue;
     ground.off_road += knows_road;
     ground.on_walkway += lanes.walkways().contains(place);

@@ -18,9 +18,9 @@ const LaneIndex& drivenLanes(const CollisionRequest& request, const LaneIndex& l
 
 /// Returns the shares of RoadUse over the points up to and including the first at or after `until`
 /// (s, clock of the points). Poses are box centres in the global map frame; off_road and on_walkway
-/// test the points placesOf() of the box. Shares that need a map layer are 0 if the map lacks it:
-/// drivable areas for off_road and on_island, centrelines for on_lane and wrong_way. All shares are
-/// 0 if `points` is empty. About 1 us per point.
+/// test the points samplePointsOf() of the box. Shares that need a map layer are 0 if the map lacks
+/// it: drivable areas for off_road and on_island, centrelines for on_lane and wrong_way. All shares
+/// are 0 if `points` is empty. About 1 us per point.
 RoadUse roadUse(const std::vector<TrajectoryPoint>& points, const BoxSize& size, double until,
                 const LaneIndex& lanes, const BelievabilityOptions& options);
 

@@ -108,7 +108,7 @@ std::array<Vector2, 4> corners(const OrientedBox& box) {
           middle + forward - left};
 }
 
-std::array<Vector2, kBoxSamples> placesOf(const OrientedBox& box) {
+std::array<Vector2, kBoxSamples> samplePointsOf(const OrientedBox& box) {
   const Vector2 ahead = box.center.heading();
   const Vector2 along = 0.4 * box.size.length * ahead;
   const Vector2 across = 0.4 * box.size.width * leftOf(ahead);

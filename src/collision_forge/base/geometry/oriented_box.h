@@ -24,12 +24,12 @@ struct OrientedBox {
 /// Returns the corners counter-clockwise, front left first, in the frame of `box.center`.
 std::array<Vector2, 4> corners(const OrientedBox& box);
 
-/// Number of the sample points of placesOf().
+/// Number of the sample points of samplePointsOf().
 inline constexpr std::size_t kBoxSamples = 9;
 /// Returns sample points of a box for quick queries about the ground below it: a grid of three by
 /// three, spaced 0.4 of the length and 0.4 of the width around the centre, from the rear right to
 /// the front left, in the frame of `box.center`.
-std::array<Vector2, kBoxSamples> placesOf(const OrientedBox& box);
+std::array<Vector2, kBoxSamples> samplePointsOf(const OrientedBox& box);
 
 /// Returns the box with every side moved inwards by `margin` (m; outwards if negative); sides stay
 /// >= 0.

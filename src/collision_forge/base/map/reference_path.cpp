@@ -13,7 +13,7 @@ namespace {
 constexpr int kSmoothing = 2;  // neighbours on each side in the moving average
 constexpr int kSmoothingRounds = 2;
 constexpr double kTightest = 0.8;  // largest offset of a parallel path, as share of a bend's radius
-constexpr double kMinBend = 1e-3;  // 1/m; lower bound of bends()
+constexpr double kMinBend = 1e-3;  // 1/m; lower bound of curvatures()
 
 /// Returns points of the line from end to end, evenly spaced by about 1 m.
 std::vector<Vector2> spread(const Polyline& line) {
@@ -80,7 +80,7 @@ ReferencePath ReferencePath::beside(double across) const {
   const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(length())));
   std::vector<Vector2> points;
   for (std::size_t i = 0; i <= count; ++i) {
-    const Place place = at(length() * static_cast<double>(i) / static_cast<double>(count));
+    const PathPoint place = at(length() * static_cast<double>(i) / static_cast<double>(count));
     // In a tighter bend the parallel path would run backwards.
     if (place.curvature * across > kTightest) continue;
     points.push_back(compose(place.pose, {0.0, across, 0.0}).position());
@@ -90,7 +90,7 @@ ReferencePath ReferencePath::beside(double across) const {
   return path;
 }
 
-ReferencePath::Place ReferencePath::at(double arc_length) const {
+ReferencePath::PathPoint ReferencePath::at(double arc_length) const {
   const double on_path = std::clamp(arc_length, 0.0, length());
   const double index = on_path / spacing_;
   const std::size_t i = std::min(static_cast<std::size_t>(index), controls_.size() - 4);
@@ -115,8 +115,8 @@ ReferencePath::Place ReferencePath::at(double arc_length) const {
   return {pose, heading, cross / (speed * speed * speed), speed / spacing_};
 }
 
-std::vector<double> ReferencePath::bends() const {
-  std::vector<double> bends(static_cast<std::size_t>(length() / kBendSpacing) + 1);
+std::vector<double> ReferencePath::curvatures() const {
+  std::vector<double> curvatures(static_cast<std::size_t>(length() / kBendSpacing) + 1);
   for (std::size_t i = 0; i < bends.size(); ++i) {
     bends[i] = std::max(kMinBend, std::abs(at(static_cast<double>(i) * kBendSpacing).curvature));
   }
@@ -147,11 +147,11 @@ std::size_t ReferencePath::closestControl(const Vector2& point) const {
 
 double ReferencePath::project(const Vector2& point) const {
   const double arc_length = spacing_ * static_cast<double>(closestControl(point) - 1);
-  const Place place = at(arc_length);
+  const PathPoint place = at(arc_length);
   return arc_length + place.heading.dot(point - place.pose.position());
 }
 
-PathPose ReferencePath::seen(const Pose2& pose) const {
+PathPose ReferencePath::frenetOf(const Pose2& pose) const {
   const double along = project(pose.position());
   const Pose2 local = relativeTo(at(along).pose, pose);
   return {along + local.x, local.y, local.yaw};

@@ -18,7 +18,7 @@ struct PathPose {
 class ReferencePath {
  public:
   /// A point of the path.
-  struct Place {
+  struct PathPoint {
     Pose2 pose;              ///< map frame, yaw along the path
     Vector2 heading;         ///< unit vector along the path, map frame
     double curvature = 0.0;  ///< 1/m, positive to the left
@@ -26,7 +26,7 @@ class ReferencePath {
     double stretch = 1.0;
   };
 
-  static constexpr double kBendSpacing = 1.0;     ///< m between bends()
+  static constexpr double kBendSpacing = 1.0;     ///< m between curvatures()
   static constexpr std::size_t kMinControls = 4;  ///< control points of a cubic with one piece
 
   /// Smooths a centreline (or several joined ones) over a few metres: recorded centrelines have
@@ -49,16 +49,16 @@ class ReferencePath {
   /// Returns the nominal length of the path, m: the range of arc lengths of at().
   double length() const { return spacing_ * static_cast<double>(controls_.size() - 3); }
   /// Returns the point at an arc length (m); beyond either end the path continues straight.
-  Place at(double arc_length) const;
+  PathPoint at(double arc_length) const;
   /// Returns |curvature| (1/m) every kBendSpacing from the start to the end; each at least 1e-3, so
   /// that a speed limit in bends is finite on straights.
-  std::vector<double> bends() const;
+  std::vector<double> curvatures() const;
   /// Returns the arc length (m) of the point of the path closest to `point` (map frame), to first
   /// order from the closest control point; may be beyond either end (negative before the start).
   double project(const Vector2& point) const;
   /// Returns the Frenet coordinates of a pose (map frame) near the path, in the frame of the pose
   /// at project().
-  PathPose seen(const Pose2& pose) const;
+  PathPose frenetOf(const Pose2& pose) const;
 
  private:
   /// Sets spacing_ and controls_ so that the spline follows `line` from end to end.

@@ -80,9 +80,10 @@ Pose2 poseAt(const AttackerTrajectory& trajectory, double time);
 /// Road use of a motion; see roadUse(). Each field but `off_road` is the share, [0, 1], of the
 /// motion's points at which the condition holds. Shares for which the map lacks a layer are 0.
 struct RoadUse {
-  double on_lane = 0.0;     ///< on a lane in its direction, LaneGrid::isOnLane()
-  double wrong_way = 0.0;   ///< on no lane and against all nearby lanes, LaneGrid::isWrongWay()
-  double off_road = 0.0;    ///< mean share of the box's samples (placesOf()) off the drivable area
+  double on_lane = 0.0;    ///< on a lane in its direction, LaneGrid::isOnLane()
+  double wrong_way = 0.0;  ///< on no lane and against all nearby lanes, LaneGrid::isWrongWay()
+  double off_road =
+      0.0;  ///< mean share of the box's samples (samplePointsOf()) off the drivable area
   double on_walkway = 0.0;  ///< a sample of the box is on a walkway and off the drivable area
   double on_island = 0.0;   ///< on ground enclosed by road, for instance a traffic island
 };

@@ -23,7 +23,7 @@ constexpr EnumWord<ClipObstacle> kObstacleTexts[] = {
     {ClipObstacle::kOtherType, "of a type that COLLIDE does not have"},
     {ClipObstacle::kNoCollisionFrame, "without a recorded frame at the collision"},
     {ClipObstacle::kTrajectoryEnds, "with a trajectory that ends before the collision frame"},
-    {ClipObstacle::kNoCar, "by a motorcycle, which readers would take for a car"},
+    {ClipObstacle::kNotCarLike, "by a motorcycle, which readers would take for a car"},
     {ClipObstacle::kUnfitName,
      "with a name of map, scene or attacker that cannot be part of a file name"},
 };
@@ -157,7 +157,7 @@ class ClipBuilder {
     if (!isComplete(ego)) return ClipObstacle::kEgoMissing;
 
     const AttackerTrajectory& trajectory = scenario_.answer.trajectory;
-    if (!isCarLike(trajectory.agent_class)) return ClipObstacle::kNoCar;
+    if (!isCarLike(trajectory.agent_class)) return ClipObstacle::kNotCarLike;
     const Track track = attackerPast(trajectory, scene_.agents);
     CollideTrack attacker{trajectory.attacker_id, {}};
     for (std::size_t frame = 0; frame <= kCollideNowFrame; ++frame) {

@@ -17,8 +17,8 @@ enum class ClipObstacle {
   kAttackerMissing,   ///< the attacker is missing in a frame up to t0
   kNoCollisionFrame,  ///< the collision frame is not after t0, or the recording ends before it
   kTrajectoryEnds,    ///< the attacker's trajectory ends before the collision frame
-  kNoCar,  ///< the attacker is not car-like, such as a motorcycle: readers give every track a car's
-           ///< box
+  kNotCarLike,  ///< the attacker is not car-like, such as a motorcycle: readers give every track a
+                ///< car's box
   kOtherType,  ///< the type is none of COLLIDE's five, or the ego turns in ltap
   kUnfitName,  ///< the name of map, scene or attacker is empty or contains '_' or '/'
 };

@@ -10,8 +10,8 @@ constexpr double kRounding = 1e-6;  // m
 
 /// Returns the path along the lane of the last pose, starting beside it; straight ahead if no lane
 /// is near and where the lanes end.
-std::vector<Vector2> wayAhead(const Pose2& last, const LaneIndex& lanes,
-                              const RouteOptions& options) {
+std::vector<Vector2> roadAhead(const Pose2& last, const LaneIndex& lanes,
+                               const RouteOptions& options) {
   const auto matches = lanes.lanesNear(last, options.end_lane_distance, options.end_lane_heading);
   if (matches.empty()) return {last.position() + options.length_ahead * last.heading()};
   const LaneMatch& nearest = matches.front();
@@ -38,7 +38,7 @@ std::vector<Vector2> routeOf(const Track& recorded, const LaneIndex& lanes,
     }
   }
   const Pose2& last = recorded.states.back().pose;
-  const std::vector<Vector2> way = wayAhead(last, lanes, options);
+  const std::vector<Vector2> way = roadAhead(last, lanes, options);
   const auto joined = std::find_if(way.begin(), way.end(), [&](const Vector2& point) {
     return (point - last.position()).dot(last.heading()) >= options.join_distance;
   });

@@ -65,8 +65,8 @@ RequestCases::RequestCases(SceneSource& scenes, const MethodMaker& method,
                            const AnswerOptions& options, const RequestDraw& draw)
     : scenes_(scenes),
       options_(options),
-      answerer_(scenes, method, withoutThreshold(options.crash), options.ego_vehicle,
-                options.adaptive),
+      solver_(scenes, method, withoutThreshold(options.crash), options.ego_vehicle,
+              options.adaptive),
       method_(method.name()) {
   std::vector<SceneRequest> all;
   std::map<std::string, double> starts;
@@ -104,7 +104,7 @@ std::string RequestCases::fingerprint() const {
 }
 
 Scenario RequestCases::scenario(std::size_t index) const {
-  return answerer_.answer(requests_[index]);
+  return solver_.answer(requests_[index]);
 }
 
 PlannerCase RequestCases::at(std::size_t index) const { return caseOf(scenario(index), index); }

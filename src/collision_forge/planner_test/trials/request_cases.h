@@ -58,8 +58,8 @@ class RequestCases : public PlannerCases {
  private:
   SceneSource& scenes_;
   const AnswerOptions& options_;
-  RequestSolver answerer_;  ///< solves the requests
-  std::string method_;      ///< name of the attack method
+  RequestSolver solver_;  ///< solves the requests
+  std::string method_;    ///< name of the attack method
   std::vector<SceneRequest> requests_;
   std::vector<std::string> names_;
   std::vector<std::string> unreadable_;

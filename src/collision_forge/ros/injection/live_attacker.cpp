@@ -25,7 +25,7 @@ bool isSame(const AttackerTrajectory& one, const AttackerTrajectory& other) {
 
 }  // namespace
 
-void LiveAttacker::setOut(const collision_forge::Attack& attack) {
+void LiveAttacker::start(const collision_forge::Attack& attack) {
   const std::lock_guard<std::mutex> lock(mutex_);
   driven_.reset();
   publish(attack);
@@ -36,7 +36,7 @@ void LiveAttacker::publish(const collision_forge::Attack& attack) {
   publish_(attack);
 }
 
-bool LiveAttacker::forget() {
+bool LiveAttacker::end() {
   const std::lock_guard<std::mutex> lock(mutex_);
   const bool was_there = now_.has_value();
   forgetLocked();
@@ -49,8 +49,8 @@ void LiveAttacker::forgetLocked() {
   publish_({});
 }
 
-collision_forge::Attack LiveAttacker::setOut(collision_forge::Attack attack, AttackerTask task,
-                                             const AttackerSetup& setup) {
+collision_forge::Attack LiveAttacker::start(collision_forge::Attack attack, AttackerTask task,
+                                            const AttackerSetup& setup) {
   const AdaptiveAttacker start(task, setup);
   setPlans(start.plans(), attack);
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -60,7 +60,7 @@ collision_forge::Attack LiveAttacker::setOut(collision_forge::Attack attack, Att
   return attack;
 }
 
-void LiveAttacker::see(const Frame& frame, double clock) {
+void LiveAttacker::addFrame(const Frame& frame, double clock) {
   const std::lock_guard<std::mutex> lock(mutex_);
   came_ = clock;
   is_watched_ = false;
@@ -70,7 +70,7 @@ void LiveAttacker::see(const Frame& frame, double clock) {
   show(frame);
 }
 
-void LiveAttacker::watch(double clock) {
+void LiveAttacker::checkForLostFrames(double clock) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!std::exchange(is_watched_, true) || frames_.empty()) return;
   if (!driven_ || !driven_->policy || driven_->policy->phase() == AttackerPhase::kDrivingOn) return;

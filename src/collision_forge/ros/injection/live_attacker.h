@@ -14,7 +14,7 @@ namespace forge {
 /// Publishes attacks, and runs the adaptive attacker of the newest attack on each frame of the
 /// scene. Publishes the attack again when its trajectory changes or the attacker makes a decision.
 /// A frame at or before the attack's t0 that is older than its predecessor means that the replay
-/// restarted: the attack is dropped (forget()), or, with `keeps_attack`, started again.
+/// restarted: the attack is dropped (end()), or, with `keeps_attack`, started again.
 /// Thread-safe; `publish` is called with a lock held and must not call back.
 class LiveAttacker {
  public:
@@ -26,27 +26,27 @@ class LiveAttacker {
       : publish_(std::move(publish)), keeps_attack_(keeps_attack), kept_for_(kept_for) {}
 
   /// Publishes an attack with a fixed trajectory; ends the adaptive one, if any.
-  void setOut(const collision_forge::Attack& attack);
+  void start(const collision_forge::Attack& attack);
 
   /// Creates the adaptive attacker of `task`, publishes `attack`, which is the message of its first
   /// plan, and then passes the kept frames after the task's t0 to the attacker, as see() does.
   /// Returns the attack as first published: with the plans of the attacker (setPlans()).
-  collision_forge::Attack setOut(collision_forge::Attack attack, AttackerTask task,
-                                 const AttackerSetup& setup);
+  collision_forge::Attack start(collision_forge::Attack attack, AttackerTask task,
+                                const AttackerSetup& setup);
 
   /// Publishes an empty attack (isNone()), which also ends an attack of another source, such as a
   /// played bag. Returns true if this object had an attack, fixed or adaptive.
-  bool forget();
+  bool end();
 
   /// Keeps a new frame, received at `clock` (s, ROS time), and passes it to the adaptive attacker.
   /// If the replay steps back, but not to the attack's t0 or before it, the attacker stops
   /// replanning, with a warning in the log.
-  void see(const Frame& frame, double clock);
+  void addFrame(const Frame& frame, double clock);
 
   /// Call periodically; `clock`: s, ROS time. If no frame arrived since the last call and for
   /// AdaptiveOptions::lost_after seconds of the clock, the adaptive attacker gets an update step
   /// without observations.
-  void watch(double clock);
+  void checkForLostFrames(double clock);
 
  private:
   /// An adaptive attack.
@@ -70,9 +70,9 @@ class LiveAttacker {
   bool keeps_attack_;
   double kept_for_;
   std::optional<double> now_;  // s, t0 of the current attack
-  std::deque<Frame> frames_;   // of the last `kept_for_` s, oldest first, for setOut()
+  std::deque<Frame> frames_;   // of the last `kept_for_` s, oldest first, for start()
   double came_ = 0.0;          // s, clock at which the newest frame was received
-  bool is_watched_ = false;    // watch() was called since the newest frame
+  bool is_watched_ = false;    // checkForLostFrames() was called since the newest frame
   std::optional<Driven> driven_;
 };
 

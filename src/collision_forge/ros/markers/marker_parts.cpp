@@ -86,8 +86,8 @@ void addAttackWords(const collision_forge::Attack& attack, const WordsPlace& pla
   markers.addText("ids", id, id_middle, scale * kIdLetterHeight, kTextHeight, colors::kText);
 }
 
-void addWay(const std::string& name, const std::vector<TrajectoryPoint>& points, double end,
-            const BoxSize& size, const colors::MarkerColor& color, MarkerList& markers) {
+void addPath(const std::string& name, const std::vector<TrajectoryPoint>& points, double end,
+             const BoxSize& size, const colors::MarkerColor& color, MarkerList& markers) {
   std::vector<Vector2> path;
   std::vector<Vector2> outlines;
   double next_ghost = 0.0;  // s from the first point

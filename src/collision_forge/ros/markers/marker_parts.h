@@ -74,8 +74,8 @@ void addAttackWords(const collision_forge::Attack& attack, const WordsPlace& pla
 /// Adds a vehicle's path along `points` up to `end` (s, clock of the points) with a ghost of `size`
 /// every 0.5 s from the first point on, in the namespaces NAME_path, NAME_ghosts and
 /// NAME_ghost_outlines.
-void addWay(const std::string& name, const std::vector<TrajectoryPoint>& points, double end,
-            const BoxSize& size, const colors::MarkerColor& color, MarkerList& markers);
+void addPath(const std::string& name, const std::vector<TrajectoryPoint>& points, double end,
+             const BoxSize& size, const colors::MarkerColor& color, MarkerList& markers);
 
 /// Adds the boxes of both vehicles at contact ("contact_boxes"), below the boxes of moving
 /// vehicles, and a disc ("contact") at touchPoint(), which is returned. `ego` has the ego's colour.

@@ -168,7 +168,7 @@ void addAttack(const collision_forge::Attack& attack, const ros::Time& now, Mark
   const double end = report.contact ? report.contact_time.toSec() : kInfinity;
   std::vector<TrajectoryPoint> points = pointsOf(trajectory);
   if (attack.adaptive) points = addDriven(points, now.toSec(), end, markers);
-  addWay("attacker", points, end, sizeOf(trajectory.size), colors::kAttacker, markers);
+  addPath("attacker", points, end, sizeOf(trajectory.size), colors::kAttacker, markers);
   if (!trajectory.past.empty()) addPast(trajectory, markers);
   addPatternBox(pattern_ego, "pattern_ego", kPatternHeight, colors::kPatternEgo, markers);
   addPatternBox(pattern_attacker, "pattern_attacker", kPatternHeight, colors::kPatternAttacker,

@@ -142,12 +142,12 @@ visualization_msgs::MarkerArray plannerMarkers(const PlannerTrial& trial,
                                                const CrashScenario& scenario) {
   const double end = trial.outcome.driven.back().time;
   MarkerList markers(headerAt(scenario.snapshot.now));
-  addWay("recorded_ego", pointsOf(scenario.recorded.ego), end, scenario.ego.size,
-         colors::kRecordedEgo, markers);
-  addWay("attacker", scenario.attacker.points, end, scenario.attacker.size, colors::kAttacker,
-         markers);
+  addPath("recorded_ego", pointsOf(scenario.recorded.ego), end, scenario.ego.size,
+          colors::kRecordedEgo, markers);
+  addPath("attacker", scenario.attacker.points, end, scenario.attacker.size, colors::kAttacker,
+          markers);
   addProposals(trial.proposals, markers);
-  addWay("ego", trial.outcome.driven, end, scenario.ego.size, colors::kEgo, markers);
+  addPath("ego", trial.outcome.driven, end, scenario.ego.size, colors::kEgo, markers);
   return markers.take();
 }
 

@@ -604,7 +604,7 @@ collision_forge::CollisionPattern toMessage(const CollisionPattern& pattern, dou
   return message;
 }
 
-ReferencePath fromMessage(const collision_forge::AttackerWay& message) {
+ReferencePath fromMessage(const collision_forge::AttackerPath& message) {
   std::vector<Vector2> controls;
   for (const auto& point : message.points) controls.emplace_back(point.x, point.y);
   try {
@@ -614,8 +614,8 @@ ReferencePath fromMessage(const collision_forge::AttackerWay& message) {
   }
 }
 
-collision_forge::AttackerWay toMessage(const ReferencePath& way, const std::string& attacker_id) {
-  collision_forge::AttackerWay message;
+collision_forge::AttackerPath toMessage(const ReferencePath& way, const std::string& attacker_id) {
+  collision_forge::AttackerPath message;
   message.attacker_id = attacker_id;
   message.spacing = way.spacing();
   for (const Vector2& control : way.controls()) {

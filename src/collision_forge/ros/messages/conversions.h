@@ -3,8 +3,8 @@
 #include <collision_forge/AgentArray.h>
 #include <collision_forge/AgentTrack.h>
 #include <collision_forge/Attack.h>
+#include <collision_forge/AttackerPath.h>
 #include <collision_forge/AttackerTrajectory.h>
-#include <collision_forge/AttackerWay.h>
 #include <collision_forge/CarefulDrive.h>
 #include <collision_forge/CollisionPattern.h>
 #include <collision_forge/CollisionReport.h>
@@ -136,8 +136,8 @@ collision_forge::CollisionPattern toMessage(const CollisionPattern& pattern, dou
 
 /// Returns the path along which an attacker drives. Throws MessageError for a path that the
 /// constructor of ReferencePath rejects.
-ReferencePath fromMessage(const collision_forge::AttackerWay& message);
-collision_forge::AttackerWay toMessage(const ReferencePath& way, const std::string& attacker_id);
+ReferencePath fromMessage(const collision_forge::AttackerPath& message);
+collision_forge::AttackerPath toMessage(const ReferencePath& way, const std::string& attacker_id);
 
 /// Returns true for the empty attack, which is published when an attack has ended.
 inline bool isNone(const collision_forge::Attack& attack) {

@@ -188,7 +188,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     showEgoPath(moment, first ? &first->future.ego : nullptr, answer.trajectory);
     requests_.publish(
         attackRequest(request, shown.attack, configuration_, std::max(1U, message.alternative)));
-    setOut(moment, request, answer, shown.attack);
+    start(moment, request, answer, shown.attack);
     response.attack = std::move(shown.attack);
     response.alternatives = std::move(shown.alternatives);
     response.summary = summaryOf(response.attack);
@@ -220,13 +220,13 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
   }
 
   /// Publishes the attack.
-  void setOut(const Moment& moment, const CollisionRequest& request, const Attack& answer,
-              collision_forge::Attack& attack) {
+  void start(const Moment& moment, const CollisionRequest& request, const Attack& answer,
+             collision_forge::Attack& attack) {
     if (request.mode != Mode::kAdaptive) {
-      live_->setOut(attack);
+      live_->start(attack);
       return;
     }
-    attack = live_->setOut(
+    attack = live_->start(
         attack,
         {moment.snapshot,
          moment.lanes,

@@ -36,7 +36,7 @@ class TrajectoryRealizerNodelet : public QueuedNodelet {
       patterns.push_back(fromMessage(pattern));
       checkPattern(patterns.back(), config_.input_limits, "patterns");
     }
-    AttackerWays ways;
+    AttackerPaths ways;
     for (const auto& way : message.ways) ways.emplace(way.attacker_id, fromMessage(way));
     const Attack realization =
         realize({patterns,

@@ -107,7 +107,7 @@ GeneratePanel::GeneratePanel(QWidget* parent)
   const auto forget_row = [this] { row_.reset(); };
   connect(form_, &RequestForm::changed, this, forget_row);
   connect(player_, &PlayerButtons::moved, this, forget_row);
-  connect(player_, &PlayerButtons::failed, this, [this](const QString& text) { say(text); });
+  connect(player_, &PlayerButtons::failed, this, [this](const QString& text) { showStatus(text); });
   auto* timer = new QTimer(this);
   connect(timer, &QTimer::timeout, this, &GeneratePanel::showCrash);
   timer->start(kCountdownPeriod);
@@ -132,7 +132,7 @@ void GeneratePanel::createWidgets() {
   table_->setToolTip("Select a row to request it");
   table_->setMinimumHeight(kTableLines * table_->fontMetrics().lineSpacing());
   status_ = label("status", kStatusLines);
-  say("Set the request, then press Generate.");
+  showStatus("Set the request, then press Generate.");
   crash_ = label("crash", kCrashLines);
   QFont large = crash_->font();
   large.setPointSizeF(1.2 * large.pointSizeF());
@@ -193,15 +193,15 @@ void GeneratePanel::generate() {
   listPossibleCollisions(request, {request.tta});
 }
 
-void GeneratePanel::say(const QString& text, const QString& whole) {
+void GeneratePanel::showStatus(const QString& text, const QString& whole) {
   status_->setText(text);
   status_->setToolTip(whole);
 }
 
 void GeneratePanel::ask(GenerateCollision::Request request) {
   generate_->setEnabled(false);
-  say("Generating ...");
-  asked_ = request;
+  showStatus("Generating ...");
+  generate_request_ = request;
   generating_.start(names::kGenerateCollision, request);
 }
 
@@ -234,11 +234,11 @@ void GeneratePanel::showAnswer(const ServiceCall<GenerateCollision>::Answer& ans
   const QString problem = problemOf(answer, names::kGenerateCollision);
   QString found = "An attack was found.";
   if (answer && !answer->not_understood.empty()) found += notUnderstoodText(answer->not_understood);
-  say(problem.isEmpty() ? found : problem);
+  showStatus(problem.isEmpty() ? found : problem);
   if (!problem.isEmpty() || answer->alternatives.empty()) return;
-  const auto attacks = attacksIn(*answer, asked_.tta);
-  say(QString("%1 attacks; the first is injected.").arg(attacks.size()));
-  setTable(attacks, asked_, answer->attack.header.stamp);
+  const auto attacks = attacksIn(*answer, generate_request_.tta);
+  showStatus(QString("%1 attacks; the first is injected.").arg(attacks.size()));
+  setTable(attacks, generate_request_, answer->attack.header.stamp);
 }
 
 void GeneratePanel::list() {
@@ -256,11 +256,11 @@ void GeneratePanel::listPossibleCollisions(GenerateCollision::Request each,
                                            const std::vector<double>& ttas) {
   player_->pause();
   for (QPushButton* button : {list_, generate_}) button->setEnabled(false);
-  say("Listing possible collisions ...");
+  showStatus("Listing possible collisions ...");
   each.collision_type.clear();
   each.tta = 0.0;
   each.alternatives = 1;
-  each_ = each;
+  list_request_ = each;
   ListCollisions::Request request;
   request.ttas = ttas;
   request.request = requestIn(each);
@@ -271,13 +271,13 @@ void GeneratePanel::listPossibleCollisions(GenerateCollision::Request each,
 void GeneratePanel::showPossible(const ServiceCall<ListCollisions>::Answer& answer) {
   for (QPushButton* button : {list_, generate_}) button->setEnabled(true);
   const QString problem = problemOf(answer, names::kListCollisions);
-  say(problem);
+  showStatus(problem);
   if (!problem.isEmpty()) return;
-  setTable(answer->collisions, each_, answer->now);
+  setTable(answer->collisions, list_request_, answer->now);
   if (answer->collisions.empty()) {
-    return say(firstLine(answer->message), QString::fromStdString(answer->message));
+    return showStatus(firstLine(answer->message), QString::fromStdString(answer->message));
   }
-  say("Select a collision, then press Generate.");
+  showStatus("Select a collision, then press Generate.");
   if (requests_most_confident_) requestMostConfident();
 }
 
@@ -297,7 +297,7 @@ void GeneratePanel::requestMostConfident() {
 void GeneratePanel::testPlanner() {
   player_->pause();
   test_->setEnabled(false);
-  say("Testing " + planner_->currentText() + " ...");
+  showStatus("Testing " + planner_->currentText() + " ...");
   TestPlanner::Request request;
   request.planner = planner_->currentText().toStdString();
   request.attacker_policy = attack_->adaptive ? "adaptive" : "fixed";
@@ -307,7 +307,7 @@ void GeneratePanel::testPlanner() {
 void GeneratePanel::showOutcome(const ServiceCall<TestPlanner>::Answer& answer) {
   test_->setEnabled(true);
   const QString problem = problemOf(answer, names::kTestPlanner);
-  say(problem.isEmpty() ? outcomeText(answer->outcome) : problem);
+  showStatus(problem.isEmpty() ? outcomeText(answer->outcome) : problem);
 }
 
 void GeneratePanel::showAttack(const collision_forge::AttackConstPtr& attack) {

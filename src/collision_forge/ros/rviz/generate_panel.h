@@ -44,7 +44,7 @@ class GeneratePanel : public rviz::Panel {
   QWidget* createTexts();
   void subscribe();
   /// Shows the status of the newest call. `text`: rich text; `whole`: tooltip.
-  void say(const QString& text, const QString& whole = {});
+  void showStatus(const QString& text, const QString& whole = {});
 
   // Calls of services, started by the buttons.
   /// Requests the selected row, or else what the form says.
@@ -97,8 +97,8 @@ class GeneratePanel : public rviz::Panel {
   collision_forge::GenerateCollision::Request listed_;
   std::optional<collision_forge::PossibleCollision> row_;  ///< selected row
   bool requests_most_confident_ = false;  ///< the running list_collisions serves generate()
-  collision_forge::GenerateCollision::Request asked_;  ///< newest generate_collision
-  collision_forge::GenerateCollision::Request each_;   ///< newest list_collisions
+  collision_forge::GenerateCollision::Request generate_request_;  ///< newest generate_collision
+  collision_forge::GenerateCollision::Request list_request_;      ///< newest list_collisions
 
   ros::NodeHandle node_;
   std::vector<ros::Subscriber> subscribers_;

@@ -57,7 +57,7 @@ void check(const SpeedSituations& recorded, const SpeedForecaster& model) {
 /// model.
 void roundValues(SpeedProfileRow& row) {
   constexpr double kThousandths = 1e3;
-  WayAhead& ahead = row.ahead;
+  RoadAhead& ahead = row.ahead;
   for (double* const value : {&row.speed, &ahead.turn_rate, &ahead.bend_braking, &ahead.bend_turn,
                               &ahead.bend_curvature, &ahead.headway, &ahead.closing}) {
     *value = std::round(*value * kThousandths) / kThousandths + 0.0;

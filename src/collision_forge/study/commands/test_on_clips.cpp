@@ -30,10 +30,10 @@ int testOnClips(const Arguments& arguments) {
   if (arguments.limit > 0 && arguments.limit < paths.size()) paths.resize(arguments.limit);
   const auto cases =
       openClipCases(paths, arguments.logs.path, arguments.attacker, arguments.method,
-                    arguments.unverified ? ClipAnswers::kAll : ClipAnswers::kVerified, config);
+                    arguments.unverified ? ClipAttacks::kAll : ClipAttacks::kVerified, config);
   const std::vector<PlannerTestResult> results = test.run(*cases, fingerprints);
   test.writePage({}, {});  // the HTML report does not read COLLIDE clips
-  return test.judged(results, kExitOk);
+  return test.applyCriteria(results, kExitOk);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ TuningCases openClips(const Arguments& arguments, const StudyConfig& config) {
   const ClipHalves halves = halvesByScene(listCollideClips(arguments.collide, arguments.split));
   const auto open = [&](const std::vector<std::string>& paths, const std::string& method) {
     return openClipCases(paths, arguments.logs.path, ClipAttacker::kHistory, method,
-                         ClipAnswers::kAll, config);
+                         ClipAttacks::kAll, config);
   };
   ResumableFile::Options fingerprints = studyFingerprints(arguments.config);
   addWeightsOf(arguments.train_method, config, fingerprints);

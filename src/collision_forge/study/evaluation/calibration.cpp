@@ -22,9 +22,10 @@ double Calibration::largestDifference() const {
   return largest;
 }
 
-Calibration calibrate(const std::string& column, std::vector<Promise> promises) {
-  std::stable_sort(promises.begin(), promises.end(),
-                   [](const Promise& a, const Promise& b) { return a.confidence < b.confidence; });
+Calibration calibrate(const std::string& column, std::vector<Prediction> promises) {
+  std::stable_sort(promises.begin(), promises.end(), [](const Prediction& a, const Prediction& b) {
+    return a.confidence < b.confidence;
+  });
   Calibration calibration{column, {}};
   for (std::size_t decile = 0; decile < kDeciles; ++decile) {
     const std::size_t begin = decile * promises.size() / kDeciles;
@@ -43,13 +44,14 @@ Calibration calibrate(const std::string& column, std::vector<Promise> promises) 
 
 std::string toMarkdown(const Calibration& calibration) {
   std::string text = "Calibration, " + calibration.column +
-                     ", %\n\n| decile | attacks | promised | kept | " +
+                     ", %\n\n| decile | attacks | mean confidence | happened | " +
                      "difference |\n|---|---|---|---|---|\n";
   int number = 0;
   for (const CalibrationGroup& decile : calibration.deciles) {
-    text +=
-        formatted("| %d | %d | %.1f | ", ++number, decile.kept.trials, kPercent * decile.promised) +
-        toText(decile.kept, kPercent) + formatted(" | %+.1f |\n", kPercent * decile.difference());
+    text += formatted("| %d | %d | %.1f | ", ++number, decile.kept.trials,
+                      kPercent * decile.mean_confidence) +
+            toText(decile.kept, kPercent) +
+            formatted(" | %+.1f |\n", kPercent * decile.difference());
   }
   return text + formatted("\nLargest difference: %.1f points\n",
                           kPercent * calibration.largestDifference());

@@ -9,17 +9,19 @@
 namespace forge {
 
 /// The predicted confidence of an attack with the outcome that it predicts.
-struct Promise {
+struct Prediction {
   double confidence = 0.0;  ///< predicted success rate, 0..1
   Trial kept;               ///< outcome: value 1 if the attack succeeded, 0 if not
 };
 
 /// One tenth of the predictions, of neighbouring confidences.
 struct CalibrationGroup {
-  double promised = 0.0;  ///< mean confidence, 0..1
-  Rate kept;              ///< success rate of these predictions, with interval
+  double mean_confidence = 0.0;  ///< mean confidence, 0..1
+  Rate kept;                     ///< success rate of these predictions, with interval
 
-  double difference() const { return kept.value - promised; }  ///< success rate minus confidence
+  double difference() const {
+    return kept.value - mean_confidence;
+  }  ///< success rate minus confidence
 };
 
 /// The calibration of confidences against the success rate in one column of the protocol.
@@ -34,7 +36,7 @@ struct Calibration {
 /// Returns the calibration of the predictions: sorts them by confidence (stable) and splits them
 /// into ten groups of nearly equal size. With fewer than ten predictions, empty groups are omitted.
 /// `column` is Calibration::column.
-Calibration calibrate(const std::string& column, std::vector<Promise> promises);
+Calibration calibrate(const std::string& column, std::vector<Prediction> promises);
 
 /// Returns a Markdown table: title, one row per decile in percent, and the largest difference.
 std::string toMarkdown(const Calibration& calibration);

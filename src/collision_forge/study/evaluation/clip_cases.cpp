@@ -39,10 +39,10 @@ CollisionPattern patternOf(const PlannerCase& one, const PredictionOptions& pred
 
 /// Returns the attack of the method on a clip.
 Attack answerTo(const CollideClip& clip, const PlannerCase& one, const MethodMaker& method,
-                const StudyOptions& study, ClipAnswers answers) {
+                const StudyOptions& study, ClipAttacks answers) {
   const CrashScenario& scenario = one.scenario;
   const std::unique_ptr<const AttackMethod> made = method.makeWithoutScene(one.scene);
-  if (answers == ClipAnswers::kAll) {
+  if (answers == ClipAttacks::kAll) {
     const ClipQuestion question(clip, scenario.lanes, one.request.mode, study);
     return question.answer(method, *made, one.request.seed);
   }
@@ -59,7 +59,7 @@ constexpr EnumWord<ClipAttacker> kAttackerWords[] = {
 class ClipCases : public PlannerCases {
  public:
   ClipCases(std::vector<std::string> paths, const std::string& dataroot, ClipAttacker attacker,
-            const std::string& method, ClipAnswers answers, const StudyOptions& study)
+            const std::string& method, ClipAttacks answers, const StudyOptions& study)
       : paths_(std::move(paths)),
         attacker_(attacker),
         answers_(answers),
@@ -73,7 +73,7 @@ class ClipCases : public PlannerCases {
 
   std::string fingerprint() const override {
     return "clips, attacker " + std::string(wordOf(kAttackerWords, attacker_)) + " by " +
-           method_.name() + (answers_ == ClipAnswers::kAll ? ", unverified" : "") + ", " +
+           method_.name() + (answers_ == ClipAttacks::kAll ? ", unverified" : "") + ", " +
            fingerprintOfFiles(paths_);
   }
 
@@ -88,7 +88,7 @@ class ClipCases : public PlannerCases {
   std::vector<std::string> paths_;
   std::vector<std::string> names_;
   ClipAttacker attacker_;
-  ClipAnswers answers_;
+  ClipAttacks answers_;
   const StudyOptions& study_;
   mutable CityMaps maps_;
   MethodMaker method_;
@@ -98,7 +98,7 @@ class ClipCases : public PlannerCases {
 
 PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
                        std::shared_ptr<const LaneIndex> lanes, const MethodMaker& method,
-                       const StudyOptions& study, ClipAnswers answers) {
+                       const StudyOptions& study, ClipAttacks answers) {
   const BoxSize& box = study.evaluation.collide.box;
   const Scene scene = toScene(clip, study.evaluation.collide, lanes->sharedMap());
   PlannerCase one;
@@ -132,7 +132,7 @@ PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
 
 std::unique_ptr<PlannerCases> openClipCases(const std::vector<std::string>& paths,
                                             const std::string& dataroot, ClipAttacker attacker,
-                                            const std::string& method, ClipAnswers answers,
+                                            const std::string& method, ClipAttacks answers,
                                             const StudyOptions& study) {
   return std::make_unique<ClipCases>(paths, dataroot, attacker, method, answers, study);
 }

@@ -22,7 +22,7 @@ enum class ClipAttacker {
 };
 
 /// The attacks of a method that become test cases.
-enum class ClipAnswers {
+enum class ClipAttacks {
   kVerified,  ///< only attacks that are verified with the configured conditions; the rest is
               ///< rejected
   kAll        ///< all attacks, hit or miss, as in the evaluation on clips (ClipQuestion)
@@ -34,7 +34,7 @@ enum class ClipAnswers {
 /// `answers` are not used for kRecorded. Methods use models trained without the clip's scene.
 PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
                        std::shared_ptr<const LaneIndex> lanes, const MethodMaker& method,
-                       const StudyOptions& study, ClipAnswers answers = ClipAnswers::kVerified);
+                       const StudyOptions& study, ClipAttacks answers = ClipAttacks::kVerified);
 
 /// Opens the COLLIDE clips at `paths` as test cases, in this order, named by their files (without
 /// folder and ending). `dataroot`: nuScenes root with the maps. `method`: name of the attack
@@ -43,7 +43,7 @@ PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
 /// CollideError for a malformed clip.
 std::unique_ptr<PlannerCases> openClipCases(const std::vector<std::string>& paths,
                                             const std::string& dataroot, ClipAttacker attacker,
-                                            const std::string& method, ClipAnswers answers,
+                                            const std::string& method, ClipAttacks answers,
                                             const StudyOptions& study);
 
 }  // namespace forge

@@ -135,7 +135,7 @@ std::vector<RateTable> requestTables(const std::vector<ResultRow>& rows,
 std::optional<Calibration> requestCalibration(const std::vector<ResultRow>& rows,
                                               const EvaluationPlan& plan) {
   if (!isHistorySearch(plan)) return std::nullopt;
-  std::vector<Promise> promises;
+  std::vector<Prediction> promises;
   for (const ResultRow& row : rows) {
     if (row.method != plan.method || !row.confidence) continue;
     const double kept = row.meets[headline()] ? 1.0 : 0.0;

@@ -178,7 +178,7 @@ class PublishedNetwork : public TrafficModel {
     const Tensor best = scores.argmax(1);
     const Tensor row = torch::arange(clips, best.options());
     const Tensor place = seen.anchors.inRows(seen.anchors.place, clips, 0.0).index({row, best});
-    return {scores.amax(1) > kAbsentLogit, place + patterns_->shifts(place, seen.all)};
+    return {scores.amax(1) > kAbsentLogit, place + patterns_->anchorOffsets(place, seen.all)};
   }
 
   /// Returns the losses of anchor scores and of the offsets of positive anchors.
@@ -191,7 +191,7 @@ class PublishedNetwork : public TrafficModel {
         seen.scores, positive.to(torch::kFloat), {},
         torch::tensor(options_.positive_weight, seen.scores.options()), torch::Reduction::Sum);
     const Tensor which = positive.nonzero().squeeze(1);
-    const Tensor predicted = patterns_->shifts(
+    const Tensor predicted = patterns_->anchorOffsets(
         anchors.place.index({which}), seen.all.index_select(0, anchors.clip.index({which})));
     const Tensor shifted = (predicted - missing.index({which})).abs().sum();
     return (options_.anchors_loss * scored + options_.anchor_offset_loss * shifted) / ego.size(0);

@@ -231,7 +231,7 @@ Tensor PublishedPatterns::scores(const PublishedAnchors& anchors, const Tensor& 
   return score_2(score_1->forward(grid, shared)).squeeze(2).index({anchors.piece, anchors.point});
 }
 
-Tensor PublishedPatterns::shifts(const Tensor& places, const Tensor& seen) {
+Tensor PublishedPatterns::anchorOffsets(const Tensor& places, const Tensor& seen) {
   const Tensor all = torch::cat({seen, places / traffic.lanes.reach}, 1);
   return shift_2(dropout(shift_1->forward(all)));
 }

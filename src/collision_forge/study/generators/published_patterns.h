@@ -83,7 +83,7 @@ struct PublishedPatterns : torch::nn::Module {
                        const torch::Tensor& seen);
   /// Returns the predicted offsets [N, 2] (m) from anchors to the ego at the crash. `places`:
   /// positions of the anchors [N, 2], m; `seen`: F_final of each anchor's clip [N, width].
-  torch::Tensor shifts(const torch::Tensor& places, const torch::Tensor& seen);
+  torch::Tensor anchorOffsets(const torch::Tensor& places, const torch::Tensor& seen);
   // The following predict from `seen`, F_final [B, width].
   /// Returns the ego's yaw [B] at the crash, rad, in the frame of the ego at t0.
   torch::Tensor egoYawOf(const torch::Tensor& seen);

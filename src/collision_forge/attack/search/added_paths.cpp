@@ -1,4 +1,4 @@
-#include "collision_forge/attack/search/added_ways.h"
+#include "collision_forge/attack/search/added_paths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,19 +35,19 @@ bool meetsRay(const Eigen::AlignedBox2d& box, const Vector2& from, const Vector2
   return first <= last;
 }
 
-/// Returns false only if no position of the track is within AddedWay::kInLane of the path or of its
-/// straight continuations.
+/// Returns false only if no position of the track is within AddedPath::kInLane of the path or of
+/// its straight continuations.
 bool comesNear(const Track& track, const ReferencePath& path) {
   constexpr double kRounding = 1e-3;  // m
   Eigen::AlignedBox2d box;
   for (const AgentState& state : track.states) box.extend(state.pose.position());
-  const Vector2 margin = Vector2::Constant(AddedWay::kInLane + kRounding);
+  const Vector2 margin = Vector2::Constant(AddedPath::kInLane + kRounding);
   box.extend(Vector2(box.min() - margin));
   box.extend(Vector2(box.max() + margin));
   Eigen::AlignedBox2d hull;  // of the spline
   for (const Vector2& control : path.controls()) hull.extend(control);
-  const ReferencePath::Place begin = path.at(0.0);
-  const ReferencePath::Place end = path.at(path.length());
+  const ReferencePath::PathPoint begin = path.at(0.0);
+  const ReferencePath::PathPoint end = path.at(path.length());
   return box.intersects(hull) || meetsRay(box, begin.pose.position(), -begin.heading) ||
          meetsRay(box, end.pose.position(), end.heading);
 }
@@ -69,7 +69,7 @@ std::optional<double> AddedFlow::passing(double along) const {
   return times[i - 1] + ratio * (times[i] - times[i - 1]);
 }
 
-double AddedWay::cap(double along) const {
+double AddedPath::cap(double along) const {
   const double place =
       std::clamp(along / ReferencePath::kBendSpacing, 0.0, static_cast<double>(caps.size() - 1));
   return caps[static_cast<std::size_t>(place)];
@@ -83,17 +83,17 @@ void addSpeed(double speed, std::vector<double>& speeds) {
 
 std::size_t stepsBack(const Snapshot& past) {
   const double known = past.now - past.ego.states.front().time;
-  return static_cast<std::size_t>(std::ceil(known / AddedWay::kStep - 1e-6));
+  return static_cast<std::size_t>(std::ceil(known / AddedPath::kStep - 1e-6));
 }
 
-AddedWays::AddedWays(const AddedVehicleInput& input, const AddedVehicleOptions& options)
+AddedPaths::AddedPaths(const AddedVehicleInput& input, const AddedVehicleOptions& options)
     : input_(input),
       options_(options),
       past_(input.known()),
       steps_back_(stepsBack(past_)),
       ways_to_(input.driven()) {}
 
-const std::vector<std::unique_ptr<AddedWay>>& AddedWays::to(const FittingLane& fitting) {
+const std::vector<std::unique_ptr<AddedPath>>& AddedPaths::to(const FittingLane& fitting) {
   const auto [entry, is_new] = ways_.try_emplace(fitting.lane);
   if (is_new) {
     double fastest = *std::max_element(options_.speeds.begin(), options_.speeds.end());
@@ -102,7 +102,7 @@ const std::vector<std::unique_ptr<AddedWay>>& AddedWays::to(const FittingLane& f
       fastest = std::max(fastest, agent.states.back().velocity.norm());
     }
     const double back =
-        fastest * (AddedWay::kStep * static_cast<double>(steps_back_) + input_.request.tta);
+        fastest * (AddedPath::kStep * static_cast<double>(steps_back_) + input_.request.tta);
     for (const Polyline& line : ways_to_.to(fitting.lane, fitting.arc_length, back, kWayAhead,
                                             static_cast<std::size_t>(kBranches))) {
       entry->second.push_back(wayOf(line));
@@ -111,8 +111,8 @@ const std::vector<std::unique_ptr<AddedWay>>& AddedWays::to(const FittingLane& f
   return entry->second;
 }
 
-std::unique_ptr<AddedWay> AddedWays::wayOf(const Polyline& line) const {
-  auto way = std::make_unique<AddedWay>(line);
+std::unique_ptr<AddedPath> AddedPaths::wayOf(const Polyline& line) const {
+  auto way = std::make_unique<AddedPath>(line);
   addCaps(*way);
   followEgo(*way);
   addSpeeds(*way);
@@ -120,20 +120,21 @@ std::unique_ptr<AddedWay> AddedWays::wayOf(const Polyline& line) const {
   return way;
 }
 
-void AddedWays::addCaps(AddedWay& way) const {
+void AddedPaths::addCaps(AddedPath& way) const {
   constexpr double kSpacing = ReferencePath::kBendSpacing;
   std::vector<double>& caps = way.caps;
-  for (const double bend : way.path.bends()) caps.push_back(std::sqrt(AddedWay::kLateral / bend));
+  for (const double bend : way.path.curvatures())
+    caps.push_back(std::sqrt(AddedPath::kLateral / bend));
   const auto hold = [&](double& cap, double next) {
-    cap = std::min(cap, std::sqrt(next * next + 2.0 * AddedWay::kBraking * kSpacing));
+    cap = std::min(cap, std::sqrt(next * next + 2.0 * AddedPath::kBraking * kSpacing));
   };
   for (std::size_t i = caps.size() - 1; i-- > 0;) hold(caps[i], caps[i + 1]);
   for (std::size_t i = 1; i < caps.size(); ++i) hold(caps[i], caps[i - 1]);
 }
 
-void AddedWays::followEgo(AddedWay& way) const {
+void AddedPaths::followEgo(AddedPath& way) const {
   for (std::size_t i = 0; i <= steps_back_; ++i) {
-    const double time = past_.now - AddedWay::kStep * static_cast<double>(i);
+    const double time = past_.now - AddedPath::kStep * static_cast<double>(i);
     const auto state = stateAt(past_.ego, std::max(time, past_.ego.states.front().time));
     if (!state) return;
     const double along = way.path.project(state->pose.position());
@@ -144,26 +145,26 @@ void AddedWays::followEgo(AddedWay& way) const {
   }
 }
 
-void AddedWays::addSpeeds(AddedWay& way) const {
+void AddedPaths::addSpeeds(AddedPath& way) const {
   const double range = options_.sensing_range;
   for (const Track& agent : input_.snapshot.agents) {
     const AgentState& state = agent.states.back();
     const double speed = state.velocity.norm();
-    if (way.speeds.size() >= kOwnSpeeds || speed < AddedWay::kMoving ||
+    if (way.speeds.size() >= kOwnSpeeds || speed < AddedPath::kMoving ||
         !isMotorVehicle(agent.agent_class) ||
         (state.pose.position() - past_.ego.states.back().pose.position()).norm() > range) {
       continue;
     }
     const Pose2 place = way.path.at(way.path.project(state.pose.position())).pose;
     const Pose2 apart = relativeTo(place, state.pose);
-    if (apart.position().norm() < AddedWay::kInLane && std::abs(apart.yaw) < kHeadsAlong) {
+    if (apart.position().norm() < AddedPath::kInLane && std::abs(apart.yaw) < kHeadsAlong) {
       addSpeed(speed, way.speeds);
     }
   }
 }
 
 /// Adds the longest motion of each vehicle along the path, before and after t0.
-void AddedWays::addFlows(AddedWay& way) const {
+void AddedPaths::addFlows(AddedPath& way) const {
   for (const Track& agent : past_.agents) {
     if (way.flows.size() >= kFlows) return;
     if (!isMotorVehicle(agent.agent_class)) continue;
@@ -183,13 +184,13 @@ void AddedWays::addFlows(AddedWay& way) const {
 }
 
 /// Appends the track's positions along the path; returns false where it leaves the path.
-bool AddedWays::follow(const Track& track, const AddedWay& way, AddedFlow& flow) const {
+bool AddedPaths::follow(const Track& track, const AddedPath& way, AddedFlow& flow) const {
   for (const AgentState& state : track.states) {
     const double time = state.time - past_.now;
     if (!flow.times.empty() && time <= flow.times.back()) continue;
     const double along = way.path.project(state.pose.position());
     const Pose2 apart = relativeTo(way.path.at(along).pose, state.pose);
-    if (apart.position().norm() > AddedWay::kInLane || std::abs(apart.yaw) > kHeadsAlong) {
+    if (apart.position().norm() > AddedPath::kInLane || std::abs(apart.yaw) > kHeadsAlong) {
       if (flow.times.size() > 2) return false;
       flow = {};
       continue;

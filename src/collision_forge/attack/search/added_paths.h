@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "collision_forge/attack/search/lane_ways.h"
+#include "collision_forge/attack/search/lane_paths.h"
 #include "collision_forge/attack/search/options.h"
 #include "collision_forge/attack/verify/believability.h"
 #include "collision_forge/base/map/lane_queries.h"
@@ -48,7 +48,7 @@ struct AddedFlow {
 };
 
 /// A path along lanes to a place beside the ego, with the recorded traffic on it.
-struct AddedWay {
+struct AddedPath {
   static constexpr double kStep = 0.1;  ///< s between the entries of `ego`
   /// m; a vehicle nearer to the path's middle is in its lane
   static constexpr double kInLane = 2.0;
@@ -58,8 +58,8 @@ struct AddedWay {
   /// m/s2, deceleration before and acceleration after bends; 90 % of recorded cars stay below.
   static constexpr double kBraking = 1.4;
 
-  /// `line`: m, map frame, in driving direction. AddedWays sets the other fields.
-  explicit AddedWay(const Polyline& line) : path(line) {}
+  /// `line`: m, map frame, in driving direction. AddedPaths sets the other fields.
+  explicit AddedPath(const Polyline& line) : path(line) {}
 
   /// Returns the speed (m/s) that bends allow at `along` (m from the start); constant beyond both
   /// ends.
@@ -79,37 +79,37 @@ struct AddedWay {
 /// Appends `speed` (m/s) to `speeds` unless an entry differs by less than 1 m/s.
 void addSpeed(double speed, std::vector<double>& speeds);
 
-/// Returns the number of steps of AddedWay::kStep from t0 back to the first frame of `past`,
+/// Returns the number of steps of AddedPath::kStep from t0 back to the first frame of `past`,
 /// rounded up. Its ego must have states.
 std::size_t stepsBack(const Snapshot& past);
 
 /// Builds the paths along which vehicles are added.
-class AddedWays {
+class AddedPaths {
  public:
   /// `input` and `options` must outlive this object.
-  AddedWays(const AddedVehicleInput& input, const AddedVehicleOptions& options);
+  AddedPaths(const AddedVehicleInput& input, const AddedVehicleOptions& options);
 
   /// Returns at most four paths to a place on a lane of AddedVehicleInput::driven()
-  /// (LaneWays::to()), straightest first, long enough for the fastest speed tried to be on them at
+  /// (LanePaths::to()), straightest first, long enough for the fastest speed tried to be on them at
   /// the first frame. Built at the first call for a lane and kept: later calls for the same lane
   /// return the same paths, even for another place. The paths live as long as this object. Throws
   /// std::invalid_argument for a lane without a centreline.
-  const std::vector<std::unique_ptr<AddedWay>>& to(const FittingLane& fitting);
+  const std::vector<std::unique_ptr<AddedPath>>& to(const FittingLane& fitting);
 
  private:
-  std::unique_ptr<AddedWay> wayOf(const Polyline& line) const;
-  void addCaps(AddedWay& way) const;
-  void followEgo(AddedWay& way) const;
-  void addSpeeds(AddedWay& way) const;
-  void addFlows(AddedWay& way) const;
-  bool follow(const Track& track, const AddedWay& way, AddedFlow& flow) const;
+  std::unique_ptr<AddedPath> wayOf(const Polyline& line) const;
+  void addCaps(AddedPath& way) const;
+  void followEgo(AddedPath& way) const;
+  void addSpeeds(AddedPath& way) const;
+  void addFlows(AddedPath& way) const;
+  bool follow(const Track& track, const AddedPath& way, AddedFlow& flow) const;
 
   const AddedVehicleInput& input_;
   const AddedVehicleOptions& options_;
   const Snapshot& past_;
   std::size_t steps_back_;
-  LaneWays ways_to_;
-  std::map<std::size_t, std::vector<std::unique_ptr<AddedWay>>> ways_;  // by lane
+  LanePaths ways_to_;
+  std::map<std::size_t, std::vector<std::unique_ptr<AddedPath>>> ways_;  // by lane
 };
 
 }  // namespace forge

@@ -1,4 +1,4 @@
-#include "collision_forge/attack/search/lane_ways.h"
+#include "collision_forge/attack/search/lane_paths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ double turnAlong(const Polyline& line) {
 
 }  // namespace
 
-LaneWays::LaneWays(const LaneIndex& lanes)
+LanePaths::LanePaths(const LaneIndex& lanes)
     : lanes_(lanes), predecessors_(lanes.map().lanes.size()) {
   for (std::size_t lane = 0; lane < predecessors_.size(); ++lane) {
     if (!lanes.centerline(lane)) continue;
@@ -43,7 +43,7 @@ LaneWays::LaneWays(const LaneIndex& lanes)
 }
 
 /// Returns the predecessors of a lane, straightest first.
-std::vector<std::size_t> LaneWays::before(std::size_t lane) const {
+std::vector<std::size_t> LanePaths::before(std::size_t lane) const {
   std::vector<std::size_t> found = predecessors_[lane];
   std::stable_sort(found.begin(), found.end(), [&](std::size_t a, std::size_t b) {
     return turnAlong(*lanes_.centerline(a)) < turnAlong(*lanes_.centerline(b));
@@ -51,8 +51,8 @@ std::vector<std::size_t> LaneWays::before(std::size_t lane) const {
   return found;
 }
 
-std::vector<Polyline> LaneWays::to(std::size_t lane, double arc_length, double back, double ahead,
-                                   std::size_t most) const {
+std::vector<Polyline> LanePaths::to(std::size_t lane, double arc_length, double back, double ahead,
+                                    std::size_t most) const {
   const std::vector<Vector2> on = lanes_.pathAhead(lane, arc_length, ahead).points();
   std::vector<Chain> chains = {{{lane}, std::min(arc_length, lanes_.centerline(lane)->length())}};
   for (std::size_t i = 0; i < chains.size(); ++i) {

@@ -8,9 +8,9 @@
 namespace forge {
 
 /// Finds paths along lanes that lead to a place. `lanes` must outlive this object. Immutable.
-class LaneWays {
+class LanePaths {
  public:
-  explicit LaneWays(const LaneIndex& lanes);
+  explicit LanePaths(const LaneIndex& lanes);
 
   /// Returns paths (map frame) along centrelines to the place at `arc_length` (m from its start) of
   /// `lane` (index into LaneMap::lanes), starting `back` m before it or where the lanes begin, and

@@ -1,4 +1,4 @@
-#include "collision_forge/attack/search/lane_ways.h"
+#include "collision_forge/attack/search/lane_paths.h"
 
 #include <gtest/gtest.h>
 
@@ -19,9 +19,9 @@ LaneIndex forkBackwards() {
   return LaneIndex(map);
 }
 
-TEST(LaneWays, FollowTheStraightestPredecessorsFirst) {
+TEST(LanePaths, FollowTheStraightestPredecessorsFirst) {
   const LaneIndex lanes = forkBackwards();
-  const std::vector<Polyline> ways = LaneWays(lanes).to(3, 30.0, 120.0, 20.0, 4);
+  const std::vector<Polyline> ways = LanePaths(lanes).to(3, 30.0, 120.0, 20.0, 4);
   ASSERT_EQ(ways.size(), 2u);
   EXPECT_NEAR(ways[0].length(), 140.0, 1e-6);
   EXPECT_NEAR(ways[0].points().front().x(), -90.0, 1e-6);
@@ -30,10 +30,10 @@ TEST(LaneWays, FollowTheStraightestPredecessorsFirst) {
   EXPECT_NEAR(ways[1].points().back().x(), 50.0, 1e-6);
 }
 
-TEST(LaneWays, AreAtMostTheRequestedNumber) {
+TEST(LanePaths, AreAtMostTheRequestedNumber) {
   const LaneIndex lanes = forkBackwards();
-  EXPECT_EQ(LaneWays(lanes).to(3, 30.0, 120.0, 20.0, 1).size(), 1u);
-  EXPECT_EQ(LaneWays(lanes).to(3, 30.0, 20.0, 20.0, 4).size(), 1u) << "the fork is farther back";
+  EXPECT_EQ(LanePaths(lanes).to(3, 30.0, 120.0, 20.0, 1).size(), 1u);
+  EXPECT_EQ(LanePaths(lanes).to(3, 30.0, 20.0, 20.0, 4).size(), 1u) << "the fork is farther back";
 }
 
 }  // namespace
