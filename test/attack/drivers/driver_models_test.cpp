@@ -11,17 +11,6 @@ namespace {
 
 constexpr double kKmh = 1.0 / 3.6;  // m/s
 
-TEST(R157Distance, IsTheOneOfTheRegulation) {
-  EXPECT_NEAR(r157Distance(0.0), 2.0, 1e-3);
-  EXPECT_NEAR(r157Distance(2.0), 2.0, 1e-3);
-  EXPECT_NEAR(r157Distance(2.5), 2.660, 1e-3);
-  const double by_speed[][2] = {{10, 3.056},  {13, 4.081},  {20, 6.667}, {40, 15.556},
-                                {58, 25.456}, {60, 26.667}, {90, 47.5}};  // km/h, m
-  for (const auto& [speed, distance] : by_speed) {
-    EXPECT_NEAR(r157Distance(speed * kKmh), distance, 1e-3) << speed;
-  }
-}
-
 TEST(FuzzyMetrics, AgreeWithPublishedValues) {
   const double cases[][5] = {{20, 60, 40, 1, 0},
                              {30, 60, 40, .914, 0},

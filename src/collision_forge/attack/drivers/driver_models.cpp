@@ -32,13 +32,6 @@ std::optional<DriverModel> driverModelFromString(const std::string& name) {
   return valueOf(kModelNames, name);
 }
 
-double r157Distance(double speed) {
-  // Time gap: 1.0 s up to 2 m/s, 1.1 s at 10 km/h, from there on 0.01 s more per km/h.
-  const double time_gap =
-      speed < 10.0 / 3.6 ? 1.0 + (std::max(speed, 2.0) - 2.0) / 7.8 : 1.0 + speed * 3.6 / 100.0;
-  return std::max(speed * time_gap, 2.0);
-}
-
 double proactiveFuzzy(double gap, double ego_speed, double leader_speed,
                       const DriverOptions& options) {
   const double travelled = ego_speed * options.fsm_delay;

@@ -83,9 +83,6 @@ struct Approach {
   bool is_conflict = false;
 };
 
-/// Returns the least following distance (m) at `speed` (m/s): UN R157 5.2.3.3; at least 2 m.
-double r157Distance(double speed);
-
 /// Returns the proactive fuzzy safety metric of FSM, 0 (safe) to 1 (unsafe), from the gap (m)
 /// between ego and vehicle ahead and the speeds of both (m/s): whether the ego could still brake if
 /// the vehicle ahead brakes with `fsm_leader`.

@@ -116,11 +116,11 @@ ReferencePath::PathPoint ReferencePath::at(double arc_length) const {
 }
 
 std::vector<double> ReferencePath::curvatures() const {
-  std::vector<double> curvatures(static_cast<std::size_t>(length() / kBendSpacing) + 1);
-  for (std::size_t i = 0; i < bends.size(); ++i) {
-    bends[i] = std::max(kMinBend, std::abs(at(static_cast<double>(i) * kBendSpacing).curvature));
+  std::vector<double> found(static_cast<std::size_t>(length() / kBendSpacing) + 1);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    found[i] = std::max(kMinBend, std::abs(at(static_cast<double>(i) * kBendSpacing).curvature));
   }
-  return bends;
+  return found;
 }
 
 /// Returns the index of the first of the closest controls, without the ends. Passes over controls
