@@ -27,7 +27,7 @@ class LiveAttackerTest : public testing::Test {
   }
 
   /// Frames after `from` seconds from kNow up to `until`; before kNow the ego stands.
-  void addFrame(const SpeedOf& speed, double from, double until) {
+  void addFrames(const SpeedOf& speed, double from, double until) {
     const Track ego = egoAt(speed);
     for (int i = static_cast<int>(std::lround(10.0 * from)) + 1; 0.1 * i <= until + 1e-9; ++i) {
       Frame frame = frameOf(ego, kNow + 0.1 * std::max(i, 0));
@@ -41,7 +41,7 @@ class LiveAttackerTest : public testing::Test {
 
   collision_forge::AttackerTrajectory drivenBy(const SpeedOf& speed, double until) const {
     AdaptiveAttacker attacker = chase_.attacker();
-    checkForLostFrames(attacker, egoAt(speed), until);
+    watch(attacker, egoAt(speed), until);
     return toMessage(attacker.trajectory());
   }
 
@@ -57,11 +57,11 @@ class ForgetfulLiveAttackerTest : public LiveAttackerTest {
 
 TEST_F(ForgetfulLiveAttackerTest, ARestartedReplayDropsTheAttack) {
   start();
-  see(braking, 0.0, 3.0);
+  addFrames(braking, 0.0, 3.0);
   seeTheStart();
   EXPECT_EQ(published_.back(), collision_forge::Attack());
   const std::size_t before = published_.size();
-  see(braking, -0.5, 5.5);
+  addFrames(braking, -0.5, 5.5);
   EXPECT_EQ(published_.size(), before);
 }
 
@@ -71,7 +71,7 @@ TEST_F(LiveAttackerTest, IsRemovedOnceOnRequest) {
   EXPECT_EQ(published_.back(), collision_forge::Attack());
   EXPECT_FALSE(live_.end());
   const std::size_t before = published_.size();
-  see(braking, 0.0, 3.0);
+  addFrames(braking, 0.0, 3.0);
   EXPECT_EQ(published_.size(), before);
 }
 
@@ -89,7 +89,7 @@ TEST_F(LiveAttackerTest, StartsWithThePublishedAttack) {
 
 TEST_F(LiveAttackerTest, PublishesEveryDecisionWithTheNewPrediction) {
   start();
-  see(braking, 0.0, 5.5);
+  addFrames(braking, 0.0, 5.5);
   ASSERT_GT(published_.size(), 2u);
   for (std::size_t i = 1; i < published_.size(); ++i) {
     const collision_forge::Attack& attack = published_[i];
@@ -112,31 +112,31 @@ TEST_F(LiveAttackerTest, PublishesEveryDecisionWithTheNewPrediction) {
 }
 
 TEST_F(LiveAttackerTest, ReplaysTheFramesReceivedDuringTheRequest) {
-  see(braking, -0.5, 1.5);
+  addFrames(braking, -0.5, 1.5);
   const collision_forge::Attack first = start();
   EXPECT_EQ(published_.front(), first);
   EXPECT_EQ(published_.back().trajectory, drivenBy(braking, 1.5));
   EXPECT_GT(published_.back().plans, 1u);
-  see(braking, 1.5, 5.5);
+  addFrames(braking, 1.5, 5.5);
   EXPECT_EQ(published_.back().trajectory, drivenBy(braking, 5.5));
 }
 
 TEST_F(LiveAttackerTest, StartsAgainWithARestartedReplay) {
   const collision_forge::Attack first = start();
-  see(braking, 0.0, 3.0);
+  addFrames(braking, 0.0, 3.0);
   ASSERT_GT(published_.back().plans, 1u);
   seeTheStart();
   EXPECT_EQ(published_.back(), first);
   const std::size_t before = published_.size();
-  see(steady, -0.5, 0.0);
+  addFrames(steady, -0.5, 0.0);
   EXPECT_EQ(published_.size(), before);
-  see(braking, 0.0, 5.5);
+  addFrames(braking, 0.0, 5.5);
   EXPECT_EQ(published_.back().trajectory, drivenBy(braking, 5.5));
 }
 
 TEST_F(LiveAttackerTest, AbortsIfNoFrameArrives) {
   start();
-  see(braking, 0.0, 1.0);
+  addFrames(braking, 0.0, 1.0);
   const std::size_t before = published_.size();
   live_.checkForLostFrames(kClock + 1.5);
   live_.checkForLostFrames(kClock + 2.0);
@@ -153,10 +153,10 @@ TEST_F(LiveAttackerTest, AbortsIfNoFrameArrives) {
 
 TEST_F(LiveAttackerTest, AFastClockAloneDoesNotAbortTheAttack) {
   start();
-  see(braking, 0.0, 1.0);
+  addFrames(braking, 0.0, 1.0);
   const std::size_t before = published_.size();
   live_.checkForLostFrames(kClock + 9.0);
-  see(braking, 1.0, 1.1);
+  addFrames(braking, 1.0, 1.1);
   live_.checkForLostFrames(kClock + 9.0);
   for (std::size_t i = before; i < published_.size(); ++i) {
     EXPECT_EQ(published_[i].phase, "attacking");
@@ -165,13 +165,13 @@ TEST_F(LiveAttackerTest, AFastClockAloneDoesNotAbortTheAttack) {
 
 TEST_F(LiveAttackerTest, AFixedAttackReplacesAnAdaptiveOne) {
   start();
-  see(braking, 0.0, 0.5);
+  addFrames(braking, 0.0, 0.5);
   collision_forge::Attack fixed;
   fixed.method = "fixed";
   live_.start(fixed);
   EXPECT_EQ(published_.back(), fixed);
   const std::size_t before = published_.size();
-  see(braking, 0.5, 3.0);
+  addFrames(braking, 0.5, 3.0);
   seeTheStart();
   live_.checkForLostFrames(kClock + 20.0);
   live_.checkForLostFrames(kClock + 30.0);

@@ -72,7 +72,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
                                        &CollisionGeneratorNodelet::receive, this);
     watch_ = node.createWallTimer(ros::WallDuration(kWatchInterval),
                                   [this](const ros::WallTimerEvent& /*event*/) {
-                                    attempt([this] { live_->watch(ros::Time::now().toSec()); });
+                                    attempt([this] { live_->checkForLostFrames(ros::Time::now().toSec()); });
                                   });
     services_.emplace_back(node, names::kGenerateCollision, &CollisionGeneratorNodelet::generate,
                            this);
@@ -110,7 +110,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
     // A scene may arrive before the /clock message of the same time: separate connections.
     scenes_->add(boost::make_shared<collision_forge::SceneSnapshot>(message->snapshot),
                  std::max(clock, message->header.stamp.toSec()));
-    attempt([&] { live_->see(newestFrame(fromMessage(message->snapshot)), clock); });
+    attempt([&] { live_->addFrame(newestFrame(fromMessage(message->snapshot)), clock); });
   }
 
   template <typename Look>
@@ -291,7 +291,7 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
   /// Returns true if this node had published an attack.
   bool forget() {
     if (has_patterns_) showPatterns({}, 0.0);
-    return live_->forget();
+    return live_->end();
   }
 
   Config config_;
