@@ -72,6 +72,18 @@ TEST(GeneratorMethod, ContinuesAfterTheRequestedTime) {
               1e-9);
 }
 
+TEST(GeneratorMethod, RejectsTypesThatCollideLacks) {
+  const GeneratorMethod method = methodOf(std::make_shared<StraightGenerator>());
+  CollisionRequest request = requestFor();
+  for (const CollisionType type : kAllCollisionTypes) {
+    if (isPublished(type)) continue;
+    request.type = type;
+    const Attack answer = method.answer(closingIn(), request);
+    EXPECT_EQ(answer.status.code, StatusCode::kInvalidInput);
+    EXPECT_NE(answer.status.message.find(toString(type)), std::string::npos);
+  }
+}
+
 TEST(GeneratorMethod, NonFiniteValuesAreAnError) {
   const GeneratorMethod method = methodOf(std::make_shared<StraightGenerator>(NAN));
   EXPECT_THROW(method.answer(closingIn(), requestFor()), std::runtime_error);

@@ -70,9 +70,9 @@ PatternPrediction NetworkPatternPredictor::predict(const Snapshot& snapshot, con
                                                    const CollisionRequest& request,
                                                    const Future* recorded) const {
   PatternPrediction prediction = kinematic_.predict(snapshot, lanes, request, recorded);
-  const bool is_learned = std::find(std::begin(kCollisionTypes), std::end(kCollisionTypes),
-                                    request.type) != std::end(kCollisionTypes);
-  if (!models_.network || !is_learned || prediction.patterns.empty()) return prediction;
+  if (!models_.network || !isPublished(request.type) || prediction.patterns.empty()) {
+    return prediction;
+  }
   const PredictedScene scene(*models_.network, snapshot, lanes, request.tta);
   const Pose2 ego = egoAtImpact(scene, request, recorded, snapshot.now, models_.known_type);
   const std::vector<const Track*> attackers = attackersOf(prediction.patterns, snapshot);

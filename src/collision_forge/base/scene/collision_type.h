@@ -27,6 +27,14 @@ inline constexpr CollisionType kCollisionTypes[] = {
     CollisionType::kLaneChange, CollisionType::kOppositeDirection, CollisionType::kRearEnd,
     CollisionType::kJunctionCrossing, CollisionType::kLtap};
 
+/// Returns true for the types of kCollisionTypes.
+constexpr bool isPublished(CollisionType type) {
+  for (const CollisionType published : kCollisionTypes) {
+    if (type == published) return true;
+  }
+  return false;
+}
+
 /// All types of a contact: the five and the three others, without kAny.
 inline constexpr CollisionType kAllCollisionTypes[] = {CollisionType::kLaneChange,
                                                        CollisionType::kOppositeDirection,

@@ -109,9 +109,7 @@ std::vector<TrialGroup> groupTrials(const std::vector<Trial>& trials) {
   for (const CollisionType type : kAllCollisionTypes) {
     std::vector<Trial> own =
         selected(trials, [=](const Trial& trial) { return trial.type == type; });
-    const bool is_published = std::find(std::begin(kCollisionTypes), std::end(kCollisionTypes),
-                                        type) != std::end(kCollisionTypes);
-    if (is_published || !own.empty()) groups.push_back({shortName(type), std::move(own)});
+    if (isPublished(type) || !own.empty()) groups.push_back({shortName(type), std::move(own)});
   }
   double after = 0.0;
   for (const TtaBucket& bucket : kTtaBuckets) {

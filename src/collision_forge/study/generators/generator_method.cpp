@@ -116,6 +116,12 @@ GeneratorMethod::GeneratorMethod(std::shared_ptr<const TrafficGenerator> generat
     : generator_(std::move(generator)), options_(options) {}
 
 Attack GeneratorMethod::answer(const Moment& moment, const CollisionRequest& request) const {
+  if (!isPublished(request.type)) {
+    return rejection(
+        {StatusCode::kInvalidInput,
+         std::string("collision_type = \"") + toString(request.type) +
+             "\" is unknown to learned generators: they know the five types of COLLIDE"});
+  }
   const Snapshot& snapshot = moment.snapshot;
   const TrafficOptions& traffic = generator_->traffic();
   const Pose2 ego = estimateMotion(snapshot.ego).pose;
