@@ -69,6 +69,9 @@ TEST(ScenarioMotion, AgentsInThePathAtContactWereElsewhereWhenPassed) {
   EXPECT_NEAR(passed.front().at_key_time.box.center.y, 0.0, 1e-9);
   // The attacker's rear, 2.5 m behind its centre, leaves the truck's front at x = -3: 0.6 s before.
   EXPECT_NEAR(passed.front().then.box.center.y, 6.0, 1.0 + 1e-6);
+  EXPECT_FALSE(passed.front().then.is_support);
+  view.supports = {truck.id};
+  EXPECT_TRUE(ScenarioMotion(view).passedAgents().front().then.is_support);
 }
 
 TEST(ScenarioMotion, KeyTimeOfAnAvoidedHitIsTheHit) {

@@ -143,7 +143,9 @@ std::vector<ScenarioMotion::Passed> ScenarioMotion::passedAgents() const {
     const auto time = at_key_time ? lastPassing(*at_key_time) : std::nullopt;
     const auto then = time ? boxOf(track, *time) : std::nullopt;
     if (then) {
-      passed.push_back({{track.agent_class, *then}, {track.agent_class, *at_key_time}});
+      const bool is_support = isSupport(track.id);
+      passed.push_back(
+          {{track.agent_class, *then, is_support}, {track.agent_class, *at_key_time, is_support}});
     }
   }
   return passed;

@@ -158,13 +158,16 @@ void ScenePainter::paintRecorded(Canvas& canvas, const Viewport& viewport, doubl
   }
 }
 
+const Color& ScenePainter::colorOf(const AgentBox& agent) const {
+  return agent.is_support ? options_.support_color : options_.agent_color;
+}
+
 void ScenePainter::paintPassed(Canvas& canvas, const Viewport& viewport) const {
   const double width = 0.08 * mark_size_;
   for (const ScenarioMotion::Passed& other : motion_.passedAgents()) {
-    paintGhost(canvas, viewport, other.then.box, options_.agent_color, options_.ghost_opacity,
-               width);
-    canvas.stroke(centers(viewport, {other.then.box, other.at_key_time.box}),
-                  {options_.agent_color, 2 * width});
+    const Color& color = colorOf(other.then);
+    paintGhost(canvas, viewport, other.then.box, color, options_.ghost_opacity, width);
+    canvas.stroke(centers(viewport, {other.then.box, other.at_key_time.box}), {color, 2 * width});
   }
 }
 
@@ -184,8 +187,7 @@ void ScenePainter::paintRest(Canvas& canvas, const Viewport& viewport) const {
 void ScenePainter::paintVehicles(Canvas& canvas, const Viewport& viewport, double time) const {
   const double width = 0.09 * mark_size_;
   for (const AgentBox& agent : motion_.otherAgentsAt(time)) {
-    paintAgent(canvas, viewport, agent,
-               agent.is_support ? options_.support_color : options_.agent_color, width);
+    paintAgent(canvas, viewport, agent, colorOf(agent), width);
   }
   const auto ego = motion_.egoAt(time);
   const auto attacker = motion_.attackerAt(time);

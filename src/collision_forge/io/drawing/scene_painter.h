@@ -53,6 +53,8 @@ class ScenePainter {
   void paintTrails(Canvas& canvas, const Viewport& viewport) const;
   void paintGhosts(Canvas& canvas, const Viewport& viewport, double from) const;
   void paintRecorded(Canvas& canvas, const Viewport& viewport, double time) const;
+  /// Returns the colour of an agent or of a support vehicle.
+  const Color& colorOf(const AgentBox& agent) const;
   void paintPassed(Canvas& canvas, const Viewport& viewport) const;
   void paintRest(Canvas& canvas, const Viewport& viewport) const;
   void paintVehicles(Canvas& canvas, const Viewport& viewport, double time) const;
