@@ -85,6 +85,14 @@ TEST(ListRequests, SkipASlowEgo) {
   EXPECT_EQ(nowsOf(tenSeconds(), options).size(), 3u);
 }
 
+TEST(ListRequests, AreNoneWithoutAnEgo) {
+  Scene scene = tenSeconds();
+  scene.ego.states.clear();
+  RequestListOptions options = everyTwoSeconds();
+  options.min_ego_speed = 0.0;
+  EXPECT_TRUE(nowsOf(scene, options).empty());
+}
+
 TEST(ListRequests, CountInstantsWithoutARequestByReason) {
   RequestListOptions options = everyTwoSeconds();
   RequestTally tally;

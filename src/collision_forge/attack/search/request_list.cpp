@@ -56,6 +56,7 @@ std::vector<SceneRequest> listRequests(const Scene& scene, const RequestListOpti
   std::vector<SceneRequest> requests;
   RequestTally unused;
   RequestTally& counts = tally ? *tally : unused;
+  if (scene.ego.states.empty()) return requests;
   for (const double now : framesEvery(list.stride, scene.frame_times)) {
     ++counts.instants;
     const Snapshot snapshot = snapshotAt(scene, now, options.history_frames);

@@ -92,7 +92,7 @@ class PlanDriver {
     for (double time = start;;) {
       const EvasiveDemand& demand = time - start < plan.duration ? plan.first : plan.second;
       const double step = std::min(options_.step, end - time);
-      const ReferencePath::Place place = path_.at(car.arc_length);
+      const ReferencePath::PathPoint place = path_.at(car.arc_length);
       const double acceleration = accelerationOf(demand, car, step);
       const double curvature =
           curvatureOf(car, place, own_offset + demand.offset, acceleration, step);
@@ -112,7 +112,7 @@ class PlanDriver {
   }
 
   /// Steers towards the offset without overshoot, as far as grip and steering permit.
-  double curvatureOf(const Car& car, const ReferencePath::Place& place, double offset,
+  double curvatureOf(const Car& car, const ReferencePath::PathPoint& place, double offset,
                      double acceleration, double step) const {
     const double distance =
         std::max(options_.min_return_distance, car.speed * options_.return_time);
@@ -125,7 +125,7 @@ class PlanDriver {
     return std::clamp(wanted, -bound, bound);
   }
 
-  static void advance(Car& car, const ReferencePath::Place& place, double acceleration,
+  static void advance(Car& car, const ReferencePath::PathPoint& place, double acceleration,
                       double curvature, double step) {
     const double driven = (car.speed + 0.5 * acceleration * step) * step;
     const double turned = curvature * driven;
