@@ -24,15 +24,17 @@ class AttackSource {
   virtual std::size_t numberOf(std::size_t index) const = 0;
   /// Returns the file (and line) of the attack, for messages.
   virtual std::string where(std::size_t index) const = 0;
-  /// Returns a summary of the whole source, as "12 scenarios" or "1 bag".
+  /// Returns a summary of the whole source, as "12 scenarios" (all lines of the file, also without
+  /// an attack) or "1 bag".
   virtual std::string described() const = 0;
   /// Returns the fingerprint of each input (logs and scenario file, or each bag), keyed by a name
   /// for messages. A resumed run is rejected if one has changed. Throws std::runtime_error for an
   /// unreadable bag.
   virtual std::map<std::string, std::string> fingerprints() const = 0;
-  /// Returns the record of one attack, which starts `history` s before t0; its number is
-  /// numberOf(). Reads the scene or the bag anew if it is not cached. Throws std::runtime_error
-  /// (BagError, InputError, ...) if the attack or its scene cannot be read or is invalid.
+  /// Returns the record of one attack (crashRecord()), which starts `history` s before t0, or where
+  /// the ego's track begins if that is later; its number is numberOf(). Reads the scene or the bag
+  /// anew if it is not cached. Throws std::runtime_error (BagError, InputError, ...) if the attack
+  /// or its scene cannot be read or is invalid.
   virtual CrashRecord record(std::size_t index, double history) = 0;
 };
 

@@ -9,9 +9,10 @@
 
 namespace forge {
 
-/// Exit codes of every command. kExitNoAttack: no collision as requested. In this case forge inject
-/// still writes the bag if an attack exists that misses the recorded ego or hits it differently.
-/// kExitFailed: a planner fails a criterion of the user.
+/// Exit codes of every command. kExitOk: success; kExitError: any other failure; kExitUsage:
+/// invalid command line; kExitNoAttack: no collision as requested (forge inject still writes the
+/// bag if an attack exists that misses the recorded ego or hits it differently); kExitFailed: a
+/// planner fails a criterion of the user (--fail-if).
 enum ExitCode { kExitOk = 0, kExitError = 1, kExitUsage = 2, kExitNoAttack = 3, kExitFailed = 4 };
 
 /// Prints "not read: PROBLEM" on stderr for each scene that could not be read. `problems`:
@@ -31,6 +32,7 @@ class CommandLine {
   /// Adds a command and returns its CLI11 app, to which the caller adds options; these are parsed
   /// before `run` is called. `name`: one or more words, as "completion bash"; missing parent
   /// commands are created. `heading` and `text` are its section and its line in forge --help.
+  /// The returned reference is valid as long as this object.
   CLI::App& add(const std::string& heading, const std::string& name, const std::string& text,
                 Run run);
 
@@ -46,8 +48,8 @@ class CommandLine {
   /// stderr and returns kExitError. parse() must have returned nullopt.
   int run() const;
 
-  /// Returns the full name of the selected command, as "forge study measure latency"; "forge" if
-  /// none is selected.
+  /// Returns the full name of the command that the last parse() selected, as "forge study measure
+  /// latency"; "forge" if none is selected.
   std::string name() const;
   /// Returns the CLI11 app of the program, whose subcommands are the commands.
   const CLI::App& app() const { return app_; }
@@ -72,7 +74,8 @@ void addCommands(CommandLine& line);
 /// which CLI11 also stores as subcommands, in the order in which they were added.
 std::vector<const CLI::App*> partsOf(const CLI::App& command);
 
-/// Returns all options of `command`, including the options of its option groups.
+/// Returns all options of `command` (--help too): its own in the order in which they were added,
+/// then the options of its option groups; without the options of its subcommands.
 std::vector<const CLI::Option*> optionsOf(const CLI::App& command);
 
 /// Returns a bash script that completes commands, options and their enumerated values for the

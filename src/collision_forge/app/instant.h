@@ -12,8 +12,8 @@ namespace forge {
 /// recording: before the first or after the last frame. The scene must have a frame.
 double frameTimeOf(const Scene& scene, double now);
 
-/// Reads the bag at path `bag` and indexes its lanes; prints warnings on stderr. Throws BagError
-/// and InputError as readBag().
+/// Reads the bag at path `bag` (readBag()) and indexes its lanes; prints warnings on stderr. Throws
+/// BagError and InputError as readBag().
 IndexedScene readRecording(const std::string& bag, const Config& config);
 
 }  // namespace forge

@@ -31,9 +31,9 @@ namespace forge {
 /// `words` and suggests the nearest one.
 CLI::Validator oneOf(const std::vector<std::string>& words);
 
-/// Adds the option `name` ("--mode"), which accepts one of the words of `choices` (lower case;
-/// case-insensitive on the command line) and stores the value paired with it. The current content
-/// of `value` is the default; the help shows its word, if it has one.
+/// Adds the option `name` ("--mode"), which accepts one of the words of `choices` (pairs of a word
+/// in lower case and its value; case-insensitive on the command line) and stores the value paired
+/// with it. The current content of `value` is the default; the help shows its word, if it has one.
 template <typename Value>
 CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value,
                        const std::vector<std::pair<std::string, Value>>& choices,
@@ -56,9 +56,10 @@ CLI::Option* addChoice(CLI::App& app, const std::string& name, Value& value,
 /// Request fields that the command line overrides; they are fields of CollisionRequest
 /// (`believable` and `limits`: of its crash definition). Empty fields leave the request unchanged.
 struct RequestControls {
-  std::string attacker;            ///< agent id, or an AttackerChoice as "any", "existing", "new"
-  std::optional<bool> believable;  ///< attacker must drive plausibly until it attacks
-  std::optional<LimitSet> limits;  ///< vehicle limits of the attacker
+  /// Agent id, full or short, or an AttackerChoice ("any", "existing", "new"), which clears the id.
+  std::string attacker;
+  std::optional<bool> believable;            ///< attacker must drive plausibly until it attacks
+  std::optional<LimitSet> limits;            ///< vehicle limits of the attacker
   std::optional<AgentClass> attacker_class;  ///< class that the attacker must have
   std::optional<Manoeuvre> manoeuvre;        ///< manoeuvre that the attacker must drive
   std::optional<Side> ego_side;              ///< side of the ego's box that is hit
@@ -87,34 +88,37 @@ void addAlternatives(CLI::App& app, RequestControls& controls);
 /// --source (older name: --dataroot), --version and --ego-obstacle. Returns the option --source,
 /// which is optional; a command that needs it calls required() on it. `text` begins its help.
 CLI::Option* addSource(CLI::App& app, LogSource& logs, const std::string& text = "recorded scenes");
-/// --scene, the names of one or several scenes; empty: all.
+/// --scene, the names of one or several scenes, unchecked; `scenes` stays empty without the option,
+/// which means all.
 CLI::Option* addScenes(CLI::App& app, std::vector<std::string>& scenes);
 
 /// Returns the configuration that is installed with the package, or nullopt if ROS does not find
 /// the package (its environment is not sourced) and in a build without ROS.
 std::optional<ConfigFolder> installedConfig();
-/// --config, a folder whose files and keys override installedConfig(). Without an installed
+/// --config, a folder whose files and keys override installedConfig(), to which `config` is set at
+/// once. Without an installed
 /// configuration the option is required and names a complete folder.
 void addConfig(CLI::App& app, ConfigFolder& config);
 /// --out, the output file or folder; required.
 void addOut(CLI::App& app, std::string& out, const std::string& text);
-/// --jobs, number of threads, 1 to 256.
+/// --jobs, number of threads, 1 to 256; optional.
 void addJobs(CLI::App& app, int& jobs, const std::string& text);
-/// --seed, a random seed.
+/// --seed, a random seed from 0; optional.
 CLI::Option* addSeed(CLI::App& app, std::uint64_t& seed, const std::string& text);
 /// CLI11 validator: returns "" for the name of a collision type or "any", else the error message.
 std::string checkType(const std::string& name);
 /// Returns the types that `names` mean, each once, in order of first use; "any" means all types.
 /// The names must have passed checkType(). Returns none for no names.
 std::vector<CollisionType> typesNamed(const std::vector<std::string>& names);
-/// --attacker-policy, "fixed", "adaptive" or both; `fallback`: words of the help on the default.
+/// --attacker-policy, "fixed", "adaptive" or both, separated by commas, stored in the order given;
+/// `policies` is unchanged without the option. `fallback`: words of the help on the default.
 void addPolicies(CLI::App& app, std::vector<std::string>& policies, const std::string& fallback);
 /// --mode; the current content of `mode` is the default. Commands that make collisions default to
 /// replay, commands that measure methods to history. `may_adapt`: adaptive is allowed, too.
 void addMode(CLI::App& app, Mode& mode, bool may_adapt);
 /// Scenarios of a catalogue, selected on the command line.
 struct CatalogueChoice {
-  std::string name;                    ///< of the catalogue, or "all"; empty: no catalogue selected
+  std::string name;                    ///< catalogue, or "all"; empty: no catalogue selected
   std::vector<std::string> scenarios;  ///< names of entries, as in namedEntries(); empty: all
 
   /// Returns the selected entries of the configuration. `name` must not be empty. Throws as
@@ -122,8 +126,8 @@ struct CatalogueChoice {
   std::vector<CatalogueEntry> entries(const ConfigFolder& folder) const;
 };
 
-/// --catalogue and --name. The command line may not have both --catalogue and `types`, the option
-/// for collision types.
+/// --catalogue and --name (only with --catalogue), unchecked until entries(). The command line may
+/// not have both --catalogue and `types`, the option for collision types.
 void addCatalogue(CLI::App& app, CLI::Option* types, CatalogueChoice& choice);
 /// --method, the name of an attack method; empty: the built-in default. When all options are
 /// parsed, checkMethod() checks it with `config`, which --config may have set.
@@ -159,7 +163,8 @@ struct BackgroundChoice {
   /// Returns the names, as "replay,idm".
   std::string text() const;
 };
-/// --background: at most `most` of replay, idm and model:FILE (sets `model`), separated by commas.
+/// --background: at most `most` of replay, idm and model:FILE (sets `model`), separated by commas,
+/// each once, stored in the order given; another value is rejected while parsing.
 void addBackground(CLI::App& app, BackgroundChoice& choice, std::size_t most);
 /// Stores the model's file in config.planners.traffic_model, or "" if the configuration excludes
 /// its licence, and loads it once, so that an unusable file throws PlannerFileError before the work
@@ -171,10 +176,11 @@ void addBackgroundFingerprints(ResumableFile::Options& options, const Background
 /// Returns the fingerprints of all inputs of a run over logs: configuration, models, logs. A run is
 /// resumed only if they are unchanged.
 ResumableFile::Options inputsOf(const Config& config, const LogSource& logs);
-/// Adds the fingerprint of the weights of `method` to `options` if it is a learned baseline.
+/// Adds the fingerprint of the weights of `method` (name; "": the default) to `options` if it is a
+/// learned baseline; else does nothing.
 void addWeightsOf(const std::string& method, const Config& config, ResumableFile::Options& options);
 
-/// Returns a callback that shows the progress of reading nuScenes tables on stderr.
+/// Returns a callback that shows on stderr which share of the nuScenes tables was read.
 NuScenesProgress showReading();
 
 /// Prints each warning on stderr as "warning: SUBJECT: WARNING".

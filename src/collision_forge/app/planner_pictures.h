@@ -12,12 +12,15 @@
 /// with its motions (KeptDrives::rowOf()).
 namespace forge {
 
-/// Returns the view of a collision in a planner test: ego and attacker as driven up to the contact,
-/// then their post-crash motion. `row.outcome` must have a contact with the attacker.
+/// Returns the view of a collision in a planner test: ego, attacker and other agents as driven up
+/// to the contact (other agents that did not react: as recorded), then the post-crash motion of ego
+/// and attacker. `row.outcome` must have a contact with the attacker. `config`: severity options,
+/// and the time that the view lasts after the standstill.
 ScenarioView viewOfCollision(const PlannerCase& one, const PlannerRow& row, const Config& config);
 
 /// Returns the view of the evasive manoeuvre that would have avoided the collision, with the
-/// attacker's reaction to it. `row.evasion_drive` must be set.
+/// attacker's reaction to it; the ego drives as in the test until the manoeuvre begins. The contact
+/// of `row.outcome` and `row.evasion_drive` must be set.
 ScenarioView viewOfEvasiveManoeuvre(const PlannerCase& one, const PlannerRow& row);
 
 /// Writes PATH.png and PATH.gif. Throws as drawScenarioPng().

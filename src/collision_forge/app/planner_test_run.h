@@ -25,12 +25,15 @@ struct PlannerTestArguments {
   OwnPlanners own_planners;                       ///< files and commands of the user's planners
   std::vector<std::string> policies = {"fixed"};  ///< attacker policies: "fixed", "adaptive"
   BackgroundChoice background;                    ///< motion of other agents
-  std::size_t worst = 3;            ///< drawn hits per row (rowKeys()), hardest impact first
+  /// Number of drawn hits per row (rowKeys()): the most severe fair ones, at most one per scene
+  /// (worstCases()); 0: none.
+  std::size_t worst = 3;
   std::string out;                  ///< output folder
   std::string report;               ///< folder of the HTML report; empty: none
   std::vector<Criterion> criteria;  ///< --fail-if: the planners fail if one of these holds
   std::string junit;                ///< path of the JUnit XML file; empty: none
-  bool steps = false;               ///< writes OUT/steps/N.csv: measures of every step of case N
+  /// Writes OUT/steps/N.csv: measures of every step of case N, from 1 (stepsCsv()).
+  bool steps = false;
   ConfigFolder config;
   int jobs = defaultJobs();  ///< threads
 };
@@ -59,16 +62,18 @@ class PlannerTestRun {
   const std::string& resultsPath() const { return results_path_; }
 
   /// Tests the planners on all cases; resumes an interrupted run. `fingerprints`: inputs of the
-  /// results besides configuration, logs, cases and planners. Writes tables and pictures to OUT,
-  /// prints the summary and returns one result per case, in order, without motions. If no case
-  /// could be tested, writes no tables and throws std::runtime_error, or returns the results if
-  /// `may_be_untested`. Also throws as testCases().
+  /// results besides configuration, logs, cases and planners. Writes results.jsonl, results.csv,
+  /// table.csv, table.md and pictures (worst/) to OUT, prints the summary and returns one result
+  /// per case, in order, without motions. If no case could be tested, writes only results.jsonl and
+  /// throws std::runtime_error, or with `may_be_untested` returns the results. Also throws as
+  /// testCases().
   std::vector<PlannerTestResult> run(const PlannerCases& cases,
                                      const ResumableFile::Options& fingerprints = {},
                                      bool may_be_untested = false) const;
 
-  /// Applies the criteria of the arguments to the results: prints the verdicts, writes the JUnit
-  /// file if one was asked for. Returns kExitFailed if a criterion holds for any row, else `code`.
+  /// Applies the criteria of the arguments to the results of run(): prints the verdicts, writes the
+  /// JUnit file if one was asked for. Returns kExitFailed if a criterion holds for any row
+  /// (rowName()), else `code`, the exit code without criteria.
   int applyCriteria(const std::vector<PlannerTestResult>& results, int code) const;
 
   /// Writes the HTML report of results.jsonl and of the files `attacks` (scenario files over

@@ -41,8 +41,10 @@ struct TuningCases {
 
 /// Tunes a planner on the cases that `open` returns; resumes an interrupted run. Tests every
 /// variant of the grid on the training cases, then the default and the best one on the test cases.
-/// Writes planners.yaml with the best values, variants.csv, tables and the results of the cases to
-/// `arguments.out`, the HTML report to `arguments.report`. Returns kExitOk.
+/// Writes to `arguments.out`: planners.yaml with the best values; variants.csv, a row per variant;
+/// table.md and table.csv, which compare the default and the best variant; train.jsonl and
+/// test.jsonl, the results of the cases. Writes the HTML report to `arguments.report` unless that
+/// is empty. Returns kExitOk.
 ///
 /// `open` is called once, with the loaded configuration, after the folders are locked. Throws
 /// ConfigError, PlannerFileError, the exceptions of lockFolders(), testCases() and `open`, and

@@ -10,10 +10,12 @@
 namespace forge {
 
 /// Writes FOLDER/index.html (writeReportPage()) and prints its number of table rows on stdout.
+/// `inputs`: the files to show; `config`: settings and colours, catalogues and limits.
 /// Throws as writeReportPage().
 void writeReport(const ReportInputs& inputs, const std::string& folder, const Config& config);
 
-/// Adds --report, the folder of the HTML report; `folder` stays empty if it is not given.
+/// Adds --report, the folder of the HTML report, and returns this option; `folder` keeps its value
+/// if the option is not given.
 CLI::Option* addReportOption(CLI::App& app, std::string& folder);
 
 }  // namespace forge

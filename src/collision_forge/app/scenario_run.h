@@ -23,9 +23,10 @@ struct ScenarioRun {
 
 /// Solves the requests, writes the scenario file and passes each scenario (also rejected requests,
 /// and scenarios of an earlier run) to `take`, in order, in the calling thread; resumes an
-/// interrupted run. `logs`: the source of `scenes`, for the fingerprints. Throws as carryOut(), and
-/// std::runtime_error for a request that cannot be processed (naming `list` and its line) and for a
-/// scenario in the file that belongs to another request.
+/// interrupted run. `logs`: the source of `scenes`, for the fingerprints; `config` gives the
+/// options that a request does not set itself. Throws as carryOut(), and std::runtime_error for a
+/// request that cannot be processed (naming `list` and its line) and for a scenario in the file
+/// that belongs to another request.
 void writeScenarios(const ScenarioRun& asked, const LogSource& logs, SceneSource& scenes,
                     const Config& config, const std::function<void(const Scenario&)>& take);
 

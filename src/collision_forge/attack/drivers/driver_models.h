@@ -66,9 +66,10 @@ struct DriverOptions {
 /// Observation of one other agent by a driver, along and across the ego's path. Boxes are projected
 /// on the path; "ego" is the vehicle that the driver drives.
 struct Approach {
-  double gap = 0.0;            ///< m between the boxes along the path, < 0 side by side
-  double lengths = 0.0;        ///< m, sum of the lengths of both boxes along the path
-  bool is_ahead = true;        ///< true: the centre of its box is ahead of the ego's
+  double gap = 0.0;      ///< m between the boxes along the path, < 0 side by side
+  double lengths = 0.0;  ///< m, sum of the lengths of both boxes along the path
+  /// true: the centre of its box is ahead of the ego's box centre along the path
+  bool is_ahead = true;
   double lateral_gap = 0.0;    ///< m between the boxes across the path, <= 0 if it is in the way
   double lateral_speed = 0.0;  ///< m/s towards the path, < 0 away from it
   /// m by which it is nearer to the path than at its farthest so far: stands for its distance from
@@ -83,15 +84,16 @@ struct Approach {
   bool is_conflict = false;
 };
 
-/// Returns the proactive fuzzy safety metric of FSM, 0 (safe) to 1 (unsafe), from the gap (m)
-/// between ego and vehicle ahead and the speeds of both (m/s): whether the ego could still brake if
-/// the vehicle ahead brakes with `fsm_leader`.
+/// Returns the proactive fuzzy safety metric (PFS) of FSM, 0 (safe) to 1 (unsafe), linear between
+/// the gaps at which comfortable and hardest braking suffice, from the gap (m) between ego and
+/// vehicle ahead and the speeds of both (m/s): whether the ego could still brake if the vehicle
+/// ahead brakes with `fsm_leader`.
 double proactiveFuzzy(double gap, double ego_speed, double leader_speed,
                       const DriverOptions& options);
 
 /// Returns the critical fuzzy safety metric of FSM, 0 (safe) to 1 (unsafe), for a vehicle ahead
-/// that keeps its speed. `gap` in m, speeds in m/s, `acceleration` of the ego in m/s2; 0 if the ego
-/// is not faster.
+/// that keeps its speed. `gap` in m, speeds in m/s, `acceleration` of the ego in m/s2, negative:
+/// braking, counted as at least -fsm_comfortable; 0 if the ego is not faster.
 double criticalFuzzy(double gap, double ego_speed, double leader_speed, double acceleration,
                      const DriverOptions& options);
 

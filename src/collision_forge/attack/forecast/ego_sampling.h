@@ -36,21 +36,25 @@ class EvenDraws {
 };
 
 /// Returns `count` stratified samples of a zero-mean Laplace distribution with mean absolute value
-/// `mean_difference` (its unit is the unit of the samples), in random order.
+/// `mean_difference` (its unit is the unit of the samples), in random order; none if `count` is 0.
 std::vector<double> drawDifferences(int count, double mean_difference, std::mt19937_64& engine);
 
 /// Distributes `count` samples over choices: returns the number of samples per choice, in the order
-/// of `weights`, whose sum is `count`. `weights` must not be empty and must sum to 1.
+/// of `weights`, whose sum is `count`. Each number is `count` times the weight, rounded up or down
+/// at random. `weights` must not be empty and must sum to 1.
 std::vector<int> shareOut(const std::vector<double>& weights, int count, std::mt19937_64& engine);
 
-/// Returns the speed forecast of `speeds` for the next `horizon` s; its columns may cover less. If
-/// `speeds` is null or its forecast has no columns, the acceleration at t0 (with a spread, see
-/// EgoFutureOptions) decays instead. Throws as SpeedForecaster::forecast().
+/// Returns the forecast of `speeds` for the next `horizon` s, rounded up to whole kProfileStep; its
+/// columns may cover less. If `speeds` is null or its forecast has no columns, returns 64 equally
+/// weighted profiles over the whole horizon in which the mean acceleration over the last 1 s, with
+/// the spread of EgoFutureOptions, decays; speeds stay at or above 0. Throws as
+/// SpeedForecaster::forecast().
 SpeedForecast forecastSpeeds(const SpeedForecaster* speeds, const DrivingSituation& situation,
                              double horizon, const EgoFutureOptions& options);
 
 /// Returns the indices of `count` rows of the forecast, drawn by weight and stratified by the
-/// distance driven in 4 s, shortest first; a row may appear several times.
+/// distance driven in 4 s (or in all columns, if they cover less), shortest first; a row may appear
+/// several times. The forecast must have a row.
 std::vector<Eigen::Index> drawProfiles(const SpeedForecast& forecast, int count,
                                        std::mt19937_64& engine);
 
@@ -59,11 +63,12 @@ std::vector<Eigen::Index> drawProfiles(const SpeedForecast& forecast, int count,
 class DrivenDistance {
  public:
   /// `past_speed`: mean speed over the interval before t0, m/s; a negative one counts as 0.
-  /// `speeds`: one per interval from t0 on, m/s, >= 0.
+  /// `speeds`: mean speed of each interval from t0 on, m/s, >= 0; if empty, `past_speed` continues.
+  /// Between the intervals' ends a monotone cubic (Hermite) interpolates.
   DrivenDistance(double past_speed, const Eigen::RowVectorXd& speeds);
 
-  /// Returns the distance (m) at `time` s after t0, not negative. Beyond the last interval its
-  /// speed continues.
+  /// Returns the distance (m) at `time` s after t0; `time` must not be negative. Beyond the last
+  /// interval its speed continues.
   double at(double time) const;
 
  private:
@@ -79,6 +84,8 @@ class DrivenDistance {
 /// positive). `path` must outlive this object.
 class ReturnToPath {
  public:
+  /// Keeps a reference to `path`. The offset falls to about 1/e in the distance that the ego drives
+  /// in 1.1 s, at least 5 m; the heading at t0 must be within 90 degrees of the path's start.
   ReturnToPath(const SampledPath& path, const EgoNow& ego, double offset_difference);
 
   /// Returns the box centre (map frame) after `driven` m along the path from the ego's place at t0.
@@ -95,17 +102,19 @@ class ReturnToPath {
 };
 
 /// Returns the ego's track (box centres) along `way` for `horizon` s, one state per `step` (s), the
-/// first at t0: `now.state`. The track has the id, class and size of `ego`. Velocities are derived
-/// from the poses.
+/// first at t0: `now.state`, the last at the first multiple of `step` at or after `horizon`. The
+/// track has the id, class and size of `ego`. Velocities are derived from the poses.
 Track drive(const Track& ego, const EgoNow& now, const DrivenDistance& distance,
             const ReturnToPath& way, double horizon, double step);
 
-/// Returns true if the ego drives backwards faster than kStandstillSpeed at t0.
+/// Returns true if the ego's mean speed over the last kProfileStep is backwards and above
+/// kStandstillSpeed.
 bool isReversing(const EgoNow& ego);
 
-/// Returns `count` equally likely tracks of a reversing ego: half of them continue to reverse with
-/// the acceleration at t0 (with a spread), which decays, half of them brake to a standstill within
-/// kReverseStop at evenly spread times. The turn rate at t0 (with a spread) decays. States are
+/// Returns `count` equally likely tracks of a reversing ego: about half of them continue to reverse
+/// with the acceleration at t0, which decays, the others brake to a standstill at times spread
+/// evenly over kReverseStop. The turn rate at t0 decays. `options` holds the spreads of both.
+/// Sorted by the distance driven in 4 s, shortest first; `ego` gives id, class and size. States are
 /// kPredictionStep apart from t0 to at least `horizon` s later.
 std::vector<Track> reversingFutures(const Track& ego, const EgoNow& now, double horizon, int count,
                                     const EgoFutureOptions& options, std::mt19937_64& engine);

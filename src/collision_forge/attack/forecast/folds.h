@@ -9,19 +9,17 @@
 
 namespace forge {
 
-/// Cross-validation models of one kind, each fitted without some scenes.
-template <class Model>
 /// Cross-validation models of one kind, each fitted without some scenes. Immutable after
 /// construction, so safe to share among threads.
+template <class Model>
 class Folds {
  public:
+  /// Has no models.
   Folds() = default;
-  /// Makes one Model from each entry of `weights`. Throws std::invalid_argument if two entries
-  /// leave out the same scene.
-  template <class Weights>
   /// Makes one Model from each entry of `weights`, which needs a list `left_out_scenes` of scene
   /// names. Throws std::invalid_argument if two entries leave out the same scene, and as the
   /// constructor of Model.
+  template <class Weights>
   explicit Folds(std::vector<Weights> weights) {
     for (Weights& entry : weights) {
       for (const std::string& scene : entry.left_out_scenes) {
@@ -47,7 +45,7 @@ class Folds {
 };
 
 /// Returns the model to use on a test scene: model->withoutScene(scene), or `model` if that is
-/// null. Copies no weights.
+/// null; null if `model` is. Copies no weights.
 template <class Model>
 std::shared_ptr<const Model> withoutScene(const std::shared_ptr<const Model>& model,
                                           const std::string& scene) {

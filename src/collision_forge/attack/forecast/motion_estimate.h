@@ -17,7 +17,8 @@ struct Motion {
 };
 
 /// Returns the index into `states` of the oldest of the newest `frames` states after the last gap
-/// longer than kMaxGap (1.1 s). `states` must not be empty.
+/// longer than kMaxGap (1.1 s); of all states after that gap if there are fewer than `frames`.
+/// `states` must not be empty.
 std::size_t unbrokenStart(const std::vector<AgentState>& states, int frames);
 
 /// Estimates the motion at the newest state by least squares over the `frames` newest states after

@@ -14,7 +14,7 @@ class Random {
  public:
   explicit Random(std::uint64_t seed) : generator_(seed) {}
 
-  /// Returns a uniform number in [low, high).
+  /// Returns a uniform number in [low, high); `low` if both are equal.
   double uniform(double low, double high) {
     return low + static_cast<double>(generator_() >> 11) * 0x1p-53 * (high - low);
   }

@@ -19,14 +19,15 @@ struct ForecastErrors {
   std::size_t cases = 0;  ///< number of forecasts in the means
   double error = 0.0;     ///< m, mean |weighted mean of the forecast - recorded distance|
   double ranked = 0.0;    ///< m, mean continuous ranked probability score
-  /// mean share 0..1 of cases within each of kForecastIntervals
+  /// mean share 0..1 of cases within each of kForecastIntervals; a recorded distance within 0.1 m
+  /// of profiles counts by the part of their probability that lies in the interval
   std::array<double, 3> covered = {};
 };
 
 /// Forecasts every row of `recorded` with a speed in [min_speed, max_speed) (m/s) with the model
 /// fitted without its scene, or `forecaster` itself if there is none; returns one entry per horizon
-/// (s, multiples of kProfileStep), in the order of `horizons`. A row is no case of a horizon if its
-/// recording or its forecast is shorter. Throws as SpeedForecaster::forecast().
+/// (s, rounded to multiples of kProfileStep), in the order of `horizons`. A row is no case of a
+/// horizon if its recording or its forecast is shorter. Throws as SpeedForecaster::forecast().
 std::vector<ForecastErrors> checkForecasts(const SpeedSituations& recorded,
                                            const SpeedForecaster& forecaster, double min_speed,
                                            double max_speed, const std::vector<double>& horizons);

@@ -19,16 +19,17 @@ inline double wishedGap(double speed) { return 2.0 + 1.2 * speed; }
 
 /// Demands of the path ahead on the driver, in quantities to which drivers react about linearly.
 struct RoadAhead {
-  double turn_rate = 0.0;  ///< rad/s at t0, absolute
+  double turn_rate = 0.0;  ///< rad/s, |turn rate| of the ego over the last kProfileStep
   /// m/s2, deceleration needed to take all bends within 80 m at kComfortableLateralAcceleration,
   /// clamped to -3..6; negative: the driver may accelerate
   double bend_braking = 0.0;
-  double bend_turn = 0.0;  ///< rad, |heading change| from the start of the path to 60 m along it
+  double bend_turn = 0.0;  ///< rad, |heading at 60 m along the path minus heading at its start|
   double bend_curvature = 0.0;  ///< 1/m, largest |curvature| 10 to 20 m along the path, at most 0.1
-  /// wishedGap() at the ego's speed over the actual gap between the boxes of ego and vehicle ahead,
-  /// at most 2; 0 without a vehicle ahead
+  /// wishedGap() at the ego's speed over the gap (m, at least 1.5, along the path) between the
+  /// boxes of ego and vehicle ahead, 0 to 2; 0 without a vehicle ahead
   double headway = 0.0;
-  /// 1/s, closing speed over that gap, clamped to -1..1; 0 without a vehicle ahead
+  /// 1/s, closing speed (positive: the gap shrinks) over that gap, at least kMinClosingGap; clamped
+  /// to -1..1; 0 without a vehicle ahead
   double closing = 0.0;
 };
 

@@ -29,9 +29,12 @@ struct SpeedModelWeights {
   Eigen::MatrixXd gains;  ///< basis * gains: expected speed minus speed at t0, m/s, per interval
   /// basis * log_spreads: log of the mean |error| (m/s), per interval
   Eigen::MatrixXd log_spreads;
-  WeightedProfiles residuals;   ///< errors of the expected speeds, in multiples of the spread
-  double standing_speed = 0.0;  ///< m/s; a slower ego stands
-  /// row: profile of an ego that stands at t0, m/s above its speed at t0
+  /// errors of the expected speeds, in multiples of exp(basis * log_spreads)
+  WeightedProfiles residuals;
+  /// m/s; an ego whose mean speed over the last kProfileStep is lower stands
+  double standing_speed = 0.0;
+  /// row: profile of an ego that stands at t0, m/s above its speed at t0, column: interval; no rows
+  /// if too few were recorded
   Eigen::MatrixXd standing;
   /// [1, scaled features] * standing_shares: weight of each `standing` profile, negative values
   /// count as zero (1e-6). Without columns a standing ego is forecast like a moving one.

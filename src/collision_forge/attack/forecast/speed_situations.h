@@ -46,14 +46,15 @@ class SpeedSituations {
   int intervalsAfter(Eigen::Index row) const { return lasts_[static_cast<std::size_t>(row)]; }
   /// Returns SpeedProfileRow::speed, m/s.
   double speed(Eigen::Index row) const { return rows_[static_cast<std::size_t>(row)].speed; }
-  /// Returns the driver's situation at the row.
+  /// Returns the driver's situation at the row. Past speeds are the speeds of the rows before;
+  /// before a gap or the scene's first row, the oldest of them is repeated.
   const DrivingSituation& situation(Eigen::Index row) const {
     return situations_[static_cast<std::size_t>(row)];
   }
   /// Returns featuresOf() of every row: one matrix row per row, one column per feature.
   const Eigen::ArrayXXd& features() const { return features_; }
   /// Returns the speed in the interval `interval` after the row (0: the next) minus the row's
-  /// speed, m/s. `interval` must be less than intervalsAfter(row).
+  /// speed, m/s. `interval` must be less than intervalsAfter(row), which is not checked.
   double gain(Eigen::Index row, int interval) const {
     return speed(row + interval + 1) - speed(row);
   }

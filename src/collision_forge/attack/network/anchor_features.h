@@ -12,13 +12,15 @@
 
 namespace forge {
 
-/// Number of features of a path, shared by the anchors on it.
+/// Number of features of a path, shared by the anchors on it: log probability, RoadAhead, offset of
+/// the ego, junction, speed, turns at six distances. A lane (kTargetPoints) has the first alone: 1
+/// for a connector.
 inline constexpr int kGroupFeatures = 21;
 inline constexpr int kAnchorFeatures = 12;  ///< number of features of one anchor
 
 /// Candidate positions (anchors) of the ego's box centre at one time, as network input. A group is
-/// a candidate path or lane; its anchors are contiguous, `group_size` per group. Rows without an
-/// anchor are 0.
+/// a candidate path (in the order of EgoPathSet) or lane (nearest first); its anchors are
+/// contiguous, `group_size` per group. Rows without an anchor are 0.
 struct AnchorFeatures {
   int group_size = 0;  ///< number of anchors per group, missing ones included
   RowMatrix groups;    ///< [groups, kGroupFeatures], scaled to order one
@@ -34,7 +36,8 @@ struct AnchorFeatures {
 };
 inline constexpr float kAbsent = -1e4F;  ///< prior of a missing anchor
 
-/// The ego's candidate paths, most probable first, with weights that sum to 1.
+/// The ego's candidate paths, most probable first, with weights that sum to 1 (rescaled after the
+/// choice).
 struct EgoPathSet {
   EgoNow ego;  ///< state and recent motion at t0
   std::vector<EgoPath> paths;
@@ -47,9 +50,11 @@ EgoPathSet egoPathSet(const Snapshot& observed, const LaneIndex& lanes, double h
                       int max_ways);
 
 /// Returns the anchors of the ego `tta` s after t0 for options.head: on paths, the first one of
-/// each group stands and the others lie around the place reached at constant speed; on lanes; or a
-/// single one straight ahead. `lanes` is used by the head kTargetPoints only. Throws
-/// std::invalid_argument if `tta` is not positive and finite.
+/// each group stands and the others lie `along_scale` apart around the place reached at constant
+/// speed, absent where that is behind the ego; every target_spacing or more on lanes, or one
+/// straight ahead if no lane is in reach; or a single one straight ahead at constant speed. `lanes`
+/// is used by the head kTargetPoints only. Throws std::invalid_argument if `tta` is not positive
+/// and finite.
 AnchorFeatures anchorFeatures(const EgoPathSet& ways, const LaneIndex& lanes, double tta,
                               const PatternFeatureOptions& options);
 

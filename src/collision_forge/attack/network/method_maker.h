@@ -14,7 +14,8 @@ namespace forge {
 class MethodMaker {
  public:
   /// An empty `name` selects defaultMethod(). Throws std::invalid_argument if `methods` has no such
-  /// name or the method lacks a required input, such as a network.
+  /// name or the method lacks a required input, such as a network: makes the method once to check.
+  /// Keeps no reference to `methods`.
   MethodMaker(const std::string& name, const MethodRegistry& methods, const AttackOptions& options,
               PredictionModels models);
 

@@ -5,10 +5,12 @@
 
 namespace forge {
 
-/// Samples ego futures from the network: path probabilities and the distribution of driven distance
-/// at each time are the network's. Speed changes over time are the SpeedForecaster's: each of its
-/// profiles is rescaled to the distance at the same quantile of the network's distribution. Without
-/// a network with anchors on paths, and for a reversing ego, samples as KinematicEgoFutures.
+/// Samples ego futures from the network: path probabilities (at 4 s after t0, or at the end of a
+/// shorter horizon) and the distribution of driven distance at up to nine times, 0.5 to 9 s, are
+/// the network's. Speed changes over time are the SpeedForecaster's: each of its profiles is
+/// rescaled to the distance at the same quantile of the network's distribution; between the times
+/// the change of distance is interpolated, after the last it grows with time. Without a network
+/// with anchors on paths, and for a reversing ego, samples as KinematicEgoFutures.
 class NetworkEgoFutures : public EgoFutureSampler {
  public:
   /// `models` may lack the network or the SpeedForecaster.

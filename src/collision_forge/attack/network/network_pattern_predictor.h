@@ -8,9 +8,9 @@ namespace forge {
 
 /// Ranks the candidate attackers by the network, most probable first. The first pattern of each
 /// candidate has the network's relative pose, at the median predicted ego pose at impact (in replay
-/// mode: the recorded one), and replaces the kinematic pattern nearest to it. Candidates, further
-/// patterns and the assumed future come from KinematicPatternPredictor, which alone answers
-/// requests of types other than kCollisionTypes.
+/// mode: the recorded one, if the recording reaches the impact), and replaces the kinematic pattern
+/// nearest to it. Candidates, further patterns and the assumed future come from
+/// KinematicPatternPredictor, which alone answers requests of types other than kCollisionTypes.
 class NetworkPatternPredictor : public PatternPredictor {
  public:
   /// Without a network it predicts as KinematicPatternPredictor. The ego pose is predicted without

@@ -26,7 +26,8 @@ struct EgoComponent {
 
 /// The network's prediction for one candidate attacker.
 struct CandidatePrediction {
-  double score = 0.0;  ///< log probability that it is the attacker, plus a constant
+  double score = 0.0;  ///< log probability that it is the attacker, plus a constant that is equal
+                       ///< for all candidates of a call
   Pose2 offset;        ///< attacker's box centre and yaw in the ego box's frame at impact
 };
 
@@ -52,16 +53,17 @@ class PatternNetwork {
   /// Returns the encoding of a scene, PatternNetworkOptions::scene numbers. Throws
   /// std::invalid_argument if a feature matrix has the wrong size or a number is not finite.
   Eigen::VectorXf encode(const SceneFeatures& features) const;
-  /// Returns the encoding of a scene and a request, the input of ego() and candidates(). `scene`
-  /// comes from encode(), `request` from requestFeatures(); sizes are not checked.
+  /// Returns the encoding of a scene and a request, the input of ego() and candidates(), again
+  /// PatternNetworkOptions::scene numbers. `scene` comes from encode(), `request` from
+  /// requestFeatures(); sizes are not checked.
   Eigen::VectorXf withRequest(const Eigen::VectorXf& scene, const Eigen::VectorXf& request) const;
-  /// Returns the ego's pose distribution: one component per present anchor, in the anchors' order.
-  /// Throws std::runtime_error for outputs beyond the range of a trained network,
-  /// std::invalid_argument if a feature is not finite.
+  /// Returns the ego's pose distribution: one component per present anchor, in the anchors' order;
+  /// at least one must be present. Throws std::runtime_error for outputs beyond the range of a
+  /// trained network, std::invalid_argument if a feature is not finite.
   std::vector<EgoComponent> ego(const Eigen::VectorXf& with_request,
                                 const AnchorFeatures& anchors) const;
   /// Returns one prediction per row of `features` ([candidates, kCandidateFeatures], each from
-  /// candidateFeatures()), in their order. Throws std::runtime_error as ego().
+  /// candidateFeatures()), in their order; none for no row. Throws std::runtime_error as ego().
   std::vector<CandidatePrediction> candidates(const Eigen::VectorXf& with_request,
                                               const RowMatrix& features) const;
 
@@ -71,7 +73,8 @@ class PatternNetwork {
 };
 
 /// Returns the geometric median of the positions (minimum expected distance), with the mean heading
-/// near it, in the components' frame. `components` must not be empty.
+/// of the components near it (weight halved at 2 m), in the components' frame. `components` must
+/// not be empty.
 Pose2 medianPose(const std::vector<EgoComponent>& components);
 
 /// Returns the log probability density (1/m2) at `position` (m, in the components' frame), at least

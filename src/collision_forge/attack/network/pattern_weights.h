@@ -34,7 +34,8 @@ struct LayerShape {
   int inputs = 0;
   int outputs = 0;
 };
-/// Returns the shapes of all layers of a network with these widths, by the layer's name.
+/// Returns the shapes of all layers of a network with these widths, by the layer's name, for
+/// instance "agent_first".
 std::map<std::string, LayerShape> layerShapes(const PatternNetworkOptions& options);
 
 /// Throws std::invalid_argument, naming the layer, if a layer is missing, unknown, of the wrong

@@ -10,8 +10,9 @@ namespace forge {
 /// A snapshot encoded once by the network and queried for many times after t0. Immutable.
 class PredictedScene {
  public:
-  /// Candidate paths cover `horizon` s. `network` and `lanes` must outlive this object; `snapshot`
-  /// is copied. Throws as sceneFeatures().
+  /// Candidate paths cover `horizon` s; later times are predicted on their straight extensions.
+  /// `network` and `lanes` must outlive this object; `snapshot` is copied. Throws as
+  /// sceneFeatures().
   PredictedScene(const PatternNetwork& network, const Snapshot& snapshot, const LaneIndex& lanes,
                  double horizon);
 

@@ -31,7 +31,8 @@ struct SceneEncoding {
 };
 
 /// Encodes the `frames` newest frames of the snapshot (times of ego states; the oldest columns stay
-/// empty if there are fewer) and the lanes around the ego, at most options.max_lanes. Throws
+/// empty if there are fewer) and the lanes around the ego, at most options.max_lanes, a point every
+/// options.lane_point_spacing from the lane's start to at most its end. Throws
 /// std::invalid_argument if the snapshot has no ego state at its time.
 SceneEncoding encodeScene(const Snapshot& snapshot, const LaneIndex& lanes, int frames,
                           const EncodingOptions& options);

@@ -11,13 +11,16 @@
 
 namespace forge {
 
-/// Numbers per agent and frame: x, y, cos yaw, sin yaw, vx, vy, time since t0, is ego (1 or 0).
+/// Numbers per agent and frame: x, y, cos yaw, sin yaw, vx, vy, time since t0 (negative; frames
+/// count as 0.5 s apart), is ego (1 or 0).
 inline constexpr int kAgentVector = 8;
-/// Numbers per lane point: x, y, cos yaw, sin yaw, is_connector, is_intersection, position along
-/// the lane; then the lane's links: numbers of successors and predecessors, turns of the leftmost
-/// and the rightmost successor, whether a successor is in an intersection.
+/// Numbers per lane point: x, y, cos yaw, sin yaw, is_connector, is_intersection, index of the
+/// point over lane_points; then the lane's links: numbers of successors and predecessors, turns
+/// (rad, left positive, from the lane's end to the successor's end) of the leftmost and the
+/// rightmost successor, whether a successor is in an intersection.
 inline constexpr int kLaneVector = 12;
-/// Numbers of the ego: five past speeds (EgoNow), three accelerations between them, turn rate.
+/// Numbers of the ego: five past speeds (EgoNow), the three newest accelerations between them
+/// (newest first), turn rate.
 inline constexpr int kEgoFeatures = 9;
 
 /// Returns the snapshot without information from later frames: velocities are backward differences
@@ -29,7 +32,8 @@ Snapshot observedSnapshot(const Snapshot& snapshot, const std::set<std::string>&
 /// t0, scaled to order one. Missing entries have mask 0 and value 0, others mask 1.
 struct SceneFeatures {
   /// [(1 + max_agents) * history_frames, kAgentVector]: the ego's frames, then the frames of each
-  /// agent, nearest agent first; oldest frame first
+  /// agent, nearest agent first; oldest frame first. Frames of other agents before the newest
+  /// agent_frames are missing.
   RowMatrix agents;
   Eigen::VectorXf agent_mask;  ///< [rows of agents]
   /// [max_lanes * lane_points, kLaneVector]: the points of each lane from its start, nearest lane
@@ -39,9 +43,10 @@ struct SceneFeatures {
   Eigen::VectorXf ego;        ///< [kEgoFeatures]
 };
 
-/// Encodes the ego, the agents present at t0 nearest to it and the nearest lanes. `observed` must
-/// come from observedSnapshot(). Throws std::invalid_argument, naming the agent, for a number that
-/// is not finite, and if the snapshot has no ego state at its time.
+/// Encodes the ego, the agents present at t0 nearest to it and the nearest lanes, each at most as
+/// many as `options` allows. `observed` must come from observedSnapshot(). Throws
+/// std::invalid_argument, naming the agent, for a number that is not finite, and if the snapshot
+/// has no ego state at its time.
 SceneFeatures sceneFeatures(const Snapshot& observed, const LaneIndex& lanes,
                             const PatternFeatureOptions& options);
 

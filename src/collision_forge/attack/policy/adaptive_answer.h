@@ -12,7 +12,7 @@ namespace forge {
 struct AdaptiveDrive {
   Attack attack;                    ///< trajectory as driven, with its report; or the rejection
   std::vector<AttackerPlan> plans;  ///< AttackerPolicy::plans()
-  /// wall-clock time of each call of AttackerPolicy::observe(), ms
+  /// wall-clock time of each call of AttackerPolicy::observe(), ms; one per frame after t0
   std::vector<double> milliseconds;
 };
 
@@ -21,13 +21,14 @@ struct AdaptiveDrive {
 /// verified against the recording (verify()) but may not meet the request: see rejectMisses(). If
 /// the method finds no attack, returns its rejection. `moment` must be an instant of `recording`
 /// and hold its recorded future. `ego`: size of the ego's box. `request` needs its crash
-/// definition.
+/// definition; for kAny, the drive keeps the type of the attack that the method found.
 AdaptiveDrive requestAdaptively(const AttackMethod& method, const Moment& moment,
                                 const Scene& recording, const EgoVehicle& ego,
                                 const CollisionRequest& request, const AttackerSetup& setup);
 
 /// As requestAdaptively(), from the first attack `first`, which must have the status kOk, verified
-/// or not; its confidence is kept. `request.type` must not be kAny.
+/// or not; its pattern and confidence are kept. With a contact, the report has careful_drivers.
+/// `request.type` must not be kAny.
 AdaptiveDrive driveAdaptively(Attack first, const Moment& moment, const Scene& recording,
                               const EgoVehicle& ego, const CollisionRequest& request,
                               const AttackerSetup& setup);

@@ -15,9 +15,9 @@ namespace forge {
 
 /// Input of an adaptive attacker at t0.
 struct AttackerTask {
-  Snapshot snapshot;  ///< frames up to t0; its `now` is t0
-  std::shared_ptr<const LaneIndex> lanes;
-  EgoVehicle ego;            ///< size of the ego's box
+  Snapshot snapshot;                       ///< frames up to t0; its `now` is t0
+  std::shared_ptr<const LaneIndex> lanes;  ///< index of the map; must not be null
+  EgoVehicle ego;                          ///< size of the ego's box
   CollisionRequest request;  ///< with the crash definition filled in; its type must not be kAny
   CollisionPattern pattern;  ///< pattern from which `plan` was made
   AttackerTrajectory plan;   ///< first plan, from t0; at least two points
@@ -59,6 +59,8 @@ class AdaptiveAttacker : public AttackerPolicy {
   /// requested contact if that is later; points are SearchOptions::step apart.
   const AttackerTrajectory& trajectory() const override { return task_.plan; }
   AttackerPhase phase() const override { return phase_; }
+  /// See AttackerPolicy. Update steps that keep the plan, or continue as normal traffic, add no
+  /// plan.
   const std::vector<AttackerPlan>& plans() const override { return plans_; }
 
   /// Returns the ego's observed states since t0 followed by its likeliest prediction, and the other

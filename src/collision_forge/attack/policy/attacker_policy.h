@@ -25,9 +25,11 @@ std::optional<AttackerPhase> attackerPhaseFromString(const std::string& name);
 struct AttackerPlan {
   double seen = 0.0;  ///< s, scene clock: frame on which the decision is based
   double from = 0.0;  ///< s, scene clock: start of the planned motion
+  /// phase after the decision
   AttackerPhase phase = AttackerPhase::kAttacking;
-  std::string reason;                   ///< for people, for instance "too late to replan"
-  std::vector<TrajectoryPoint> points;  ///< from `from` on; empty: the previous plan continues
+  std::string reason;  ///< for people, for instance "too late to replan"
+  /// from `from` to the end; empty: the previous plan continues
+  std::vector<TrajectoryPoint> points;
 };
 
 /// Returns the initial plan: all points of `trajectory`, which must have points; `seen` and `from`

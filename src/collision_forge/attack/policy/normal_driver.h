@@ -14,7 +14,8 @@ namespace forge {
 
 /// Returns the time (s, scene clock) of the first point at which a box of `size` centred there
 /// overlaps one of `others` at that time; empty if there is none. Tests the points only, not the
-/// motion between them. The points' times must ascend.
+/// motion between them; a track without a state at a point's time does not count there. The points'
+/// times must ascend.
 std::optional<double> firstTouch(const std::vector<TrajectoryPoint>& points, const BoxSize& size,
                                  const std::vector<const Track*>& others);
 
@@ -32,12 +33,13 @@ struct DriveOnInput {
 };
 
 /// Returns a motion (box centres) of input.steps points that continues as normal traffic, within
-/// the limits of the vehicle's class, first point at `time`: back to the middle of the nearest
-/// lane, or straight on without a lane. Tries shares of the present speed in order, from all of it
-/// to 0, each with every style of kDrivingStyles, first with the box enlarged by a clearance, then
-/// without, and returns the first motion without contact in the predicted future. If there is none,
-/// returns the motion with the latest contact, and among equals the one with the strongest braking.
-/// Agents that overlap the vehicle at `time` are ignored.
+/// the limits of the vehicle's class, first point at `time`: back to the middle of the nearest lane
+/// (within kMaxDeparture and kOnLaneHeading) within 3 s, or straight on without a lane. Tries
+/// shares of the present speed in order, from all of it (calmest style alone) to 0, each with every
+/// style of kDrivingStyles, first with the box enlarged by 0.2 m on all sides, then without, and
+/// returns the first motion without contact in the predicted future. If there is none, returns the
+/// motion with the latest contact, and among equals the one with the strongest braking. Agents that
+/// overlap the vehicle at `time` are ignored.
 std::vector<TrajectoryPoint> driveOn(const DriveOnInput& input, const AttackOptions& attack);
 
 }  // namespace forge

@@ -10,9 +10,9 @@ namespace forge {
 /// NaN if it was not recorded then.
 Frame frameAt(const Scene& scene, double time);
 
-/// Calls policy.observe() with each frame of the recording after `now` (s, scene clock) and before
-/// the end of the policy's trajectory; the ego drives as recorded and does not react. Returns the
-/// wall-clock time of each call in milliseconds, in order.
+/// Calls policy.observe() with each frame (Scene::frame_times) of the recording after `now` (s,
+/// scene clock) and before the end of the policy's trajectory; the ego drives as recorded and does
+/// not react. Returns the wall-clock time of each call in milliseconds, in order.
 std::vector<double> driveOverRecording(AttackerPolicy& policy, const Scene& scene, double now);
 
 }  // namespace forge

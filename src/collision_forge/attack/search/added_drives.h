@@ -17,7 +17,7 @@ struct AddedMeeting {
   OrientedBox ego;                 ///< ego box at the contact, global map frame
   double contact = 0.0;            ///< s after t0
   Side side = Side::kLeft;         ///< touched side of the ego
-  double heading = 0.0;            ///< rad, attacker's heading relative to the ego's
+  double heading = 0.0;            ///< rad, attacker's heading minus the ego's, (-pi, pi]
   double contact_position = 0.0;   ///< share of half the touched side, see attackerOffset()
   /// m, left offset from the path of the box centre of a car (first of AddedVehicleOptions::kinds)
   /// at the contact
@@ -32,12 +32,13 @@ struct AddedMeeting {
   PathPose frenetOf(const BoxSize& attacker) const;
 };
 
-/// Speed profile with which an added vehicle approaches along its path.
+/// Speed profile with which an added vehicle approaches along its path. Accelerations in m/s2 are
+/// along the path.
 struct ApproachManner {
   /// Motion of the vehicle before and after t0.
   enum Kind {
     kCruise,  ///< constant speed, lower in bends
-    kTrain,   ///< as the ego drove until t0, then constant acceleration
+    kTrain,   ///< as the ego drove until t0, a fixed distance apart, then constant acceleration
     kFollow,  ///< as a recorded vehicle on the path, shifted in time
     kStart,   ///< stands at t0 and up to `departure`, then constant acceleration
     kStand,   ///< stands in its lane before and after t0
@@ -45,12 +46,14 @@ struct ApproachManner {
   };
   Kind kind = kCruise;
   /// By kind: kCruise: speed, m/s; kTrain: acceleration after t0, m/s2; kStart: acceleration after
-  /// `departure`, m/s2; kFollow: index of the flow; kPark: m before the meeting; kStand: unused.
+  /// `departure`, m/s2; kFollow: index into AddedPath::flows; kPark: m along the path before the
+  /// meeting at which it stands; kStand: unused.
   double value = 0.0;
   /// kStart: true: drove up and stopped before t0; false: has stood since the first frame
   bool waits = false;
   double aside = 0.0;  ///< m, left offset of the box centre from the path
-  /// true: a motorcycle beside the ego in its lane, whose offset replaces `aside`
+  /// true: a motorcycle (or requested bicycle) 0.5 m beside the ego in its lane, whose offset
+  /// replaces `aside`
   bool is_motorcycle_beside = false;
   double departure = 0.0;  ///< kStart: s after t0 until which it stands
 };
@@ -70,10 +73,11 @@ struct AddedDrive {
 
   /// Returns the interval of `on`, s.
   double step() const { return contact / static_cast<double>(on.size()); }
-  /// Returns m along the path at `steps` times kStep after t0 (negative: before); constant beyond
-  /// both ends.
+  /// Returns m along the path at `steps` times kStep after t0 (negative: before), linear between
+  /// entries; constant before the oldest entry of `back` and after the contact.
   double at(int steps) const;
-  /// Returns the box centre (map frame) at that time, with the heading of `path`.
+  /// Returns the box centre (map frame) at that time, `aside` left of `path`, with the heading of
+  /// `path`.
   Pose2 poseAt(const ReferencePath& path, int steps) const;
 };
 
@@ -83,13 +87,15 @@ class AddedDrives {
   /// `input` and `options` must outlive this object.
   AddedDrives(const AddedVehicleInput& input, const AttackOptions& options);
 
-  /// Returns the manners to try for the request's type, manoeuvre and ranges, in this order.
+  /// Returns the manners to try for the request's type, manoeuvre and ranges, to be tried in their
+  /// order; may be empty.
   std::vector<ApproachManner> mannersFor(const AddedMeeting& meeting) const;
 
-  /// Plans the motion of a vehicle of `size` that reaches the meeting at its contact time (a parked
-  /// vehicle stands a little before it and farther out), back to the recording's first frame or the
-  /// start of the path. `variation` applies to kCruise. Returns false if the manner is impossible;
-  /// `drive` is then unspecified. Does not check traffic or limits: see AddedPast.
+  /// Plans the motion of a vehicle of `size` that reaches the meeting at its contact time (a
+  /// vehicle of kPark stands at t0 `value` m before it and farther out and is not moved), back to
+  /// the recording's first frame or the start of the path. `variation` applies to kCruise alone.
+  /// Overwrites all fields of `drive`. Returns false if the manner is impossible; `drive` is then
+  /// unspecified. Does not check traffic or limits: see AddedPast.
   bool plan(const AddedMeeting& meeting, const ApproachManner& manner, const BoxSize& size,
             AddedDrive& drive, const SpeedVariation& variation = {}) const;
 

@@ -21,11 +21,13 @@ class AddedPast {
   AddedPast(const AddedVehicleInput& input, const AttackOptions& options);
 
   /// Drives the motion on `path` up to t0 within the limits of the class and size of `track`, which
-  /// has no states, and appends its states at the recorded frames (box centres, global map frame)
-  /// to it. Requires that the vehicle exists since the first frame or appears outside the ego's
-  /// view (live: is outside it at t0), touches no agent, and stays clear until shortly before the
-  /// contact. Returns null on success, else the reason, a string literal worded to follow a count
-  /// ("no vehicle can be added: 3 REASON"). After a failure `track` is unspecified.
+  /// has no states, and appends its states at the recorded frames (box centres, global map frame,
+  /// derived velocities) to it, from its first frame on. Requires that the vehicle exists since the
+  /// first frame or appears outside the ego's view (live: is outside it at t0), keeps 0.3 m from
+  /// all agents until t0, stays on its lane and on the road (unless parked, then outside junctions
+  /// and not against the traffic), and touches no agent until 0.3 s before the contact. Returns
+  /// null on success, else the reason, a string literal worded to follow a count ("no vehicle can
+  /// be added: 3 REASON"). After a failure `track` is unspecified.
   const char* drive(const AddedDrive& drive, const ReferencePath& path, Track& track);
 
  private:

@@ -43,7 +43,8 @@ struct AddedFlow {
   /// Returns m along the path at `time` (s after t0), linear between entries, constant beyond the
   /// ends.
   double at(double time) const;
-  /// Returns the time (s after t0) at which the vehicle passes `along` (m); empty if it does not.
+  /// Returns the time (s after t0) at which the vehicle passes `along` (m), the last one if it
+  /// stands there; empty if `along` is before the first or not before the last entry of `alongs`.
   std::optional<double> passing(double along) const;
 };
 
@@ -61,8 +62,8 @@ struct AddedPath {
   /// `line`: m, map frame, in driving direction. AddedPaths sets the other fields.
   explicit AddedPath(const Polyline& line) : path(line) {}
 
-  /// Returns the speed (m/s) that bends allow at `along` (m from the start); constant beyond both
-  /// ends.
+  /// Returns the speed (m/s) that bends allow at `along` (m from the start), the entry of `caps` at
+  /// or before it; constant beyond both ends. `caps` must be set.
   double cap(double along) const;
 
   ReferencePath path;
@@ -91,9 +92,10 @@ class AddedPaths {
 
   /// Returns at most four paths to a place on a lane of AddedVehicleInput::driven()
   /// (LanePaths::to()), straightest first, long enough for the fastest speed tried to be on them at
-  /// the first frame. Built at the first call for a lane and kept: later calls for the same lane
-  /// return the same paths, even for another place. The paths live as long as this object. Throws
-  /// std::invalid_argument for a lane without a centreline.
+  /// the first frame (or from where the lanes begin), and to 40 m beyond the place. Built at the
+  /// first call for a lane and kept: later calls for the same lane return the same paths, even for
+  /// another place. The paths live as long as this object. Throws std::invalid_argument for a lane
+  /// without a centreline.
   const std::vector<std::unique_ptr<AddedPath>>& to(const FittingLane& fitting);
 
  private:

@@ -15,15 +15,16 @@ bool areDistinct(const Attack& a, const Attack& b, const Snapshot& snapshot);
 /// other (areDistinct()), highest confidence first; empty if there are none. Requests them from
 /// `method` with one additional constraint at a time: each manoeuvre of the type, each other
 /// recorded vehicle (nearest first), an added vehicle of each class; stops when there are enough.
-/// Each is verified like any other attack. Distinct added vehicles get distinct ids. `first` needs
-/// a trajectory and its report's manoeuvre. Throws as AttackMethod::answer().
+/// Fields that the request sets itself are not varied. Each is verified like any other attack.
+/// Distinct added vehicles get distinct ids. `first` needs a trajectory and its report's manoeuvre.
+/// Throws as AttackMethod::answer().
 std::vector<Attack> findAlternatives(const Attack& first, const AttackMethod& method,
                                      const Moment& moment, const CollisionRequest& request,
                                      const PredictionOptions& options);
 
-/// Returns attack `number` of a result as a result of its own, without alternatives: 1 is the first
-/// attack, 2 the first alternative. Returns kNoAttackWithinLimits if there are fewer, and a result
-/// without an attack unchanged.
+/// Returns attack `number` (from 1) of a result as a result of its own, without alternatives: 1 is
+/// the first attack, 2 the first alternative. Returns a rejection kNoAttackWithinLimits for 0 or if
+/// there are fewer, and a result without an attack unchanged.
 Attack attackOf(Attack answer, std::size_t number);
 
 }  // namespace forge

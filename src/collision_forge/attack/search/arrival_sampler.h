@@ -13,14 +13,17 @@ namespace forge {
 struct AimedArrival {
   std::size_t ego = 0;   ///< index of the future in SearchInput::egos
   double contact = 0.0;  ///< s after t0
-  double lead = 0.0;     ///< s driven straight before the contact
+  double lead = 0.0;     ///< s driven straight at arrival.speed before the contact; the arrival is
+                         ///< this long before it
   Pose2 offset;          ///< attacker's box centre in the ego box's frame at the contact
   /// time and pose are derived from the other fields; speed and accelerations are free
   Arrival arrival;
 };
 
-/// Returns the indices into `egos` of at most `most` futures, stratified by the ego's forward
-/// distance from `now` (its box centre at t0) at `time` (s, scene clock), shortest distance first.
+/// Returns the indices into `egos` of at most `most` futures, the middle one of each of `most`
+/// equal groups by the ego's forward distance from `now` (its box centre at t0) at `time` (s, scene
+/// clock; the last state if a track ends before), shortest distance first; all if there are not
+/// more than `most`.
 std::vector<std::size_t> spreadFutures(const std::vector<const Track*>& egos, const Pose2& now,
                                        double time, int most);
 
@@ -37,21 +40,22 @@ class ArrivalSampler {
   /// leads to.
   AimedArrival own(const Contender& contender, const Aim& aim, bool steady) const;
 
-  /// Samples an arrival anywhere along the ego's side that the pattern touches, at any time and
-  /// heading that the request allows. Speed: around the one that a constant acceleration leads to;
-  /// if not `steady`, half of the draws take any speed.
+  /// Samples an arrival anywhere along the ego's side that the pattern touches (up to
+  /// kMaxContactPosition), uniformly at any time and heading that the request allows. Speed: around
+  /// the one that a constant acceleration leads to; if not `steady`, half of the draws take any
+  /// speed.
   AimedArrival wide(const Contender& contender, const Aim& aim, bool steady);
 
   /// Perturbs an arrival at random within the allowed contacts; `scale` 1 is about the error of a
-  /// pattern.
+  /// pattern (1 m along, 0.6 m across, 0.2 s).
   void move(AimedArrival& aimed, double scale);
 
   /// Adds `by` to the attacker's pose in the ego box's frame (m, rad) and derives the arrival
   /// again.
   void shift(AimedArrival& aimed, const Pose2& by) const;
 
-  /// Returns true if some speed within the limits brings the attacker within a few metres of the
-  /// ego at the requested or the latest contact time, in any of egos().
+  /// Returns true if some speed within the limits brings the attacker within 6 m of the ego (box
+  /// centres) at the requested or the latest contact time, in any of egos().
   bool canReach(const Contender& contender) const;
 
   /// Returns the ego's box centre in future `ego` (index into SearchInput::egos) at `seconds` after
@@ -61,10 +65,11 @@ class ArrivalSampler {
   /// Returns the indices of the futures that are targeted, see spreadFutures();
   /// SearchOptions::ego_poses at most.
   const std::vector<std::size_t>& egos() const { return egos_; }
-  /// Returns the first allowed contact, s after t0: within the time tolerance less
-  /// SearchOptions::time_margin, at least 0.3.
+  /// Returns the first allowed contact, s after t0: tta - (time tolerance -
+  /// SearchOptions::time_margin), at least 0.3.
   double earliest() const { return earliest_; }
-  /// Returns the last allowed contact, s after t0.
+  /// Returns the last allowed contact, s after t0: tta + (time tolerance -
+  /// SearchOptions::time_margin), at least earliest().
   double latest() const { return latest_; }
 
  private:

@@ -29,10 +29,12 @@ class AttackMethod {
 Attack attempt(const AttackMethod& method, const Moment& moment, const CollisionRequest& request);
 
 /// Returns one verified attack for a request, ignoring request.alternatives. Rejects without
-/// calling the method if checkRequest() does, with kRoadDoesNotAllow if a plausible attack is
-/// requested on a map without lanes, and with kNoRecording in replay mode without a recorded
-/// future. An attack that violates the request becomes kNoAttackWithinLimits or kNotBelievable. The
-/// request may shorten its attacker's id (withFullId()). Throws as AttackMethod::answer().
+/// calling the method with the status of checkRequest() if that is not kOk, with kRoadDoesNotAllow
+/// if a plausible attack is requested on a map without lanes, and with kNoRecording in replay mode
+/// without a recorded future. An attack that violates the request becomes kNoAttackWithinLimits or
+/// kNotBelievable. The method's own rejection is returned as it is. The request may shorten its
+/// attacker's id (withFullId()). `options`: limits of tta and of candidates. Throws as
+/// AttackMethod::answer().
 Attack generateOne(const AttackMethod& method, const Moment& moment,
                    const CollisionRequest& request, const PredictionOptions& options);
 

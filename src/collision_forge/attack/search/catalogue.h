@@ -10,7 +10,8 @@ namespace forge {
 
 /// One set of parameters of a named scenario.
 struct CatalogueCell {
-  /// name of the entry and values of the grid: "euro_ncap_2026/CCRm attacker_speed=5.56"
+  /// name of the entry and values of the grid, sorted by field: "euro_ncap_2026/CCRm
+  /// attacker_speed=5.56"
   std::string name;
   /// without attacker, TTA, seed and crash definition, which have their defaults
   CollisionRequest request;
@@ -23,12 +24,16 @@ struct CatalogueEntry {
   /// how the request differs from the programme, for people; empty if it does not
   std::string differs;
   std::string missing;       ///< why it cannot be requested, for people; empty if it can
-  CollisionRequest request;  ///< what all cells share
-  /// one per combination of its grid's values, one without a grid; empty with `missing`
+  CollisionRequest request;  ///< what all cells share, without the fields of the grid; unchanged
+                             ///< defaults with `missing`
+  /// one per combination of its grid's values, the last field varies fastest; one without a grid;
+  /// empty with `missing`. A number becomes the range of that value plus and minus the tolerance in
+  /// the file.
   std::vector<CatalogueCell> cells;
 };
 
-/// Returns the catalogues in the configuration, sorted by name.
+/// Returns the names of the catalogues in the configuration (files catalogue/NAME.yaml, without
+/// extension), sorted.
 std::vector<std::string> catalogueNames(const ConfigFolder& folder);
 
 /// Returns the entries of one catalogue, or of all for "all", sorted by catalogue and name. Throws
@@ -38,8 +43,9 @@ std::vector<CatalogueEntry> readCatalogue(const ConfigFolder& folder, const std:
 
 /// Returns the entries that `names` select, in the order of `names`; all if `names` is empty. A
 /// name is the name of an entry, with or without its catalogue and in any case, and may go on with
-/// values of the grid; the entry then keeps the cells with these values: "CCRb deceleration=4".
-/// Throws std::invalid_argument for an unknown name or value, with the nearest known one.
+/// values of the grid; the entry then keeps the cells with these values: "CCRb deceleration=4". A
+/// short name selects its entries in all catalogues. Throws std::invalid_argument for an unknown
+/// name or value, with the nearest known one.
 std::vector<CatalogueEntry> namedEntries(const std::vector<CatalogueEntry>& entries,
                                          const std::vector<std::string>& names);
 

@@ -19,15 +19,17 @@ struct RoadVerdict {
 class Conduct {
  public:
   virtual ~Conduct() = default;
-  /// Returns times, s before the contact, at which an attacker that stands `distance` m along its
-  /// path before the meeting may start to move; for vehicles they do not depend on `distance`.
+  /// Returns times, s before the contact (three, none negative), at which an attacker that stands
+  /// `distance` m along its path before the meeting may start to move; for vehicles they do not
+  /// depend on `distance`.
   virtual std::vector<double> startsBefore(double distance) const = 0;
   /// Judges the motion `points` (box centres, from its first point) of a box of size `size` up to
   /// the contact (s, scene clock).
   virtual RoadVerdict judge(const std::vector<TrajectoryPoint>& points, const BoxSize& size,
                             double contact) const = 0;
   /// Returns the cost of leaving the lane `departure` s before the contact, as a share of the
-  /// futures: 0 up to BelievabilityOptions::before_contact, and for pedestrians.
+  /// futures: 0 up to BelievabilityOptions::before_contact, then 0.2 per s; always 0 for
+  /// pedestrians.
   virtual double departureCost(double departure) const = 0;
 };
 

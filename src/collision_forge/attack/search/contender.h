@@ -17,6 +17,7 @@ namespace forge {
 struct Aim {
   const CollisionPattern* pattern = nullptr;  ///< points into SearchInput::patterns
   /// index into SearchInput::egos of the future nearest to the pattern's ego pose at its time
+  /// (cornerMiss())
   std::size_t ego = 0;
   /// attacker's box centre in the ego box's frame: the pattern's offset, moved so that the boxes
   /// just touch (touchingOffset())
@@ -39,9 +40,12 @@ struct Contender {
   DriveStart start;        ///< its motion at t0, and the sampling of its candidates
   DriveLimits limits;      ///< of its class; set only if `driver` is
   DriveState drive_start;  ///< single-track state at t0; set only if `driver` is
-  /// drives within `limits`; empty if only the strict limits apply
+  /// drives within `limits`; empty if only the strict limits apply (LimitSet::kStrict, plausibility
+  /// not required, not underway)
   std::optional<TrackDriver> driver;
-  /// paths that it may follow, in a search by routes (SearchInput::isByRoutes()), else empty
+  /// paths that it may follow, in a search by routes (SearchInput::isByRoutes()), else empty; may
+  /// be empty there, too, if none comes within kRouteReach of the ego. An attacker underway has the
+  /// path of its plan first.
   std::vector<RouteDriver> routes;
   std::unique_ptr<const Conduct> conduct;  ///< of its class, in a search by routes, else null
 };

@@ -12,10 +12,11 @@ namespace forge {
 /// lane, and leaves into a neighbouring lane of the same direction shortly before it (the cut-out
 /// of UN R157). The vehicle drives as the ego does, a time gap earlier, from the first frame on; it
 /// keeps the limits of its class, stays on the road, and is clear of the ego and of all agents at
-/// all times. Late lane changes come first; the first fitting one is returned. Returns an empty
-/// result if there is none; `refusal` then gets the reason, worded to follow "no leader can be
-/// added: ", and without a neighbouring lane the code kRoadDoesNotAllow (else its code is
-/// unchanged). Uses the cars of options.added.kinds.
+/// all times. The first fitting one is returned, in the order of lane changes that end 0.3 to 2.2 s
+/// before the leader would hit the attacker, late ones first. Returns an empty result if there is
+/// none; `refusal` then gets the reason, worded to follow "no leader can be added: ", and without a
+/// neighbouring lane the code kRoadDoesNotAllow (else its code is unchanged). Uses the cars of
+/// options.added.kinds.
 std::optional<SupportVehicle> findCutOutLeader(const HidingInput& input,
                                                const AttackOptions& options, Status& refusal);
 

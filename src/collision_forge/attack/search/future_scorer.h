@@ -18,8 +18,8 @@ inline constexpr double kHeadingMargin = 0.0087;
 struct FutureScore {
   double share = 0.0;  ///< share 0..1 of futures in which all conditions hold
   /// Closeness, summed over the futures in which a condition fails and divided by the number of all
-  /// futures; 0..1 per future, exponential in the smallest gap of the boxes or, with a contact, in
-  /// its errors in heading and time.
+  /// futures; 0..1 per future, exp(-gap / 2 m) of the smallest gap of the boxes during the allowed
+  /// times or, with a contact, exp(-heading error / 0.26 rad - time error / 0.5 s).
   double closeness = 0.0;
   /// index into the constructor's `egos` of a future in which all conditions hold; valid if share >
   /// 0
@@ -29,16 +29,18 @@ struct FutureScore {
 };
 
 /// Scores thousands of attacker motions against all ego futures, whose poses are stored by time
-/// step. Conditions: the first contact with the ego is on time, of the requested type and deep
-/// enough, and no other agent is touched before. Tests boxes at every step and interpolates the
-/// contact time linearly. Stricter than the request by margins for overlap, heading and time, so
-/// that verify(), which is exact, agrees. Ignores vehicle limits. Immutable; usable from many
-/// threads at once.
+/// step. Conditions: the first contact with the ego is on time, of the requested type and followed
+/// by an overlap of at least twice SearchOptions::overlap_margin, and no other agent is touched
+/// before. Tests boxes at every step and interpolates the contact time linearly. Stricter than the
+/// request by margins for overlap, heading and time, so that verify(), which is exact, agrees.
+/// Ignores vehicle limits. Immutable; usable from many threads at once.
 class FutureScorer {
  public:
   /// `egos`: equally likely tracks (box centres, map frame) from `now` (t0, s, scene clock) on, at
-  /// least one; a track that ends early stands at its end. `agents`: other agents, may include the
-  /// attackers. All are copied. Throws as request.bands().
+  /// least one; a track stands at its first state before it and at its last state after it; the
+  /// size of the first is used for all. `agents`: other agents, may include the attackers; each
+  /// counts from its first state to its last one or its first gap (kMaxGap). All are copied. Throws
+  /// as request.bands().
   FutureScorer(const std::vector<const Track*>& egos, const std::vector<Track>& agents,
                const CollisionRequest& request, double now, DrivingSide driving_side,
                const AttackOptions& options);
@@ -49,12 +51,12 @@ class FutureScorer {
 
   /// Scores a motion of `attacker` (its id, class and size are used) given as points at the
   /// search's time step from t0, at least steps(). `met` is `preferred` (index into `egos`) if all
-  /// conditions hold there, else the middle one of the hits by index.
+  /// conditions hold there, else the middle one of the hits by index, of two the later one.
   FutureScore score(const Track& attacker, const std::vector<TrajectoryPoint>& points,
                     std::size_t preferred = 0) const;
 
-  /// Returns the indices into `egos` of the futures in which all conditions hold, ascending and
-  /// cyclic: starting at `first` if it is among them.
+  /// Returns the indices into `egos` of the futures in which all conditions hold, ascending; if
+  /// `first` is among them, rotated to start there.
   std::vector<std::size_t> hits(const Track& attacker, const std::vector<TrajectoryPoint>& points,
                                 std::size_t first = 0) const;
 

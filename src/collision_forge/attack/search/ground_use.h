@@ -11,13 +11,13 @@ namespace forge {
 /// searches. `points` are box centres in the map frame; there must be at least one. Immutable.
 class GroundUse {
  public:
-  /// `lanes` must outlive this object. offRoadShare() tests every `stride`-th point; `stride` must
-  /// be positive.
+  /// `lanes` must outlive this object. offRoadShare() tests every `stride`-th point from the first
+  /// on; `stride` must be positive.
   GroundUse(const LaneIndex& lanes, int stride) : lanes_(lanes), stride_(stride) {}
 
   /// Returns the mean share 0..1 of the box off the drivable area over the tested points up to and
-  /// including the first at or after `until` (s, clock of the points); 0 if the map has no drivable
-  /// area.
+  /// including the first tested one at or after `until` (s, clock of the points); 0 if the map has
+  /// no drivable area.
   double offRoadShare(const std::vector<TrajectoryPoint>& points, double until,
                       const BoxSize& size) const;
 

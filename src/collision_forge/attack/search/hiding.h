@@ -25,7 +25,8 @@ struct HidingInput {
 struct Hiding {
   /// s from then to the contact; since t0 if it was never hidden, 0 if it is hidden to the end
   double visible_for = 0.0;
-  /// number of consecutive steps of kSightStep right before that without sight; 0: never hidden
+  /// number of consecutive steps of kSightStep right before that in which less than kSeenShare is
+  /// in view; 0: never hidden
   int hidden = 0;
 };
 
@@ -42,7 +43,8 @@ class HidingSearch {
   explicit HidingSearch(const HidingInput& input);
 
   /// Returns how the recorded agents and the boxes that `add` appends hide the attacker. `add` is
-  /// called for steps of kSightStep between t0 and the contact, latest first.
+  /// called for steps of kSightStep from t0 to before the contact, latest first, until the answer
+  /// is known; steps without an ego state are left out.
   Hiding hidingBy(const AddBoxes& add) const;
 
   /// Returns true if the attacker is hidden for at least 0.3 s and comes into view within the

@@ -43,7 +43,7 @@ double scoreOf(const Attack& answer);
 bool hasConstraints(const CollisionRequest& request);
 
 /// Returns the confidence 0..1 for a share 0..1 of futures hit: piecewise linear through the points
-/// of `curve` (at least two), evenly spaced over the shares. A share outside is clamped.
+/// of `curve` (at least two), evenly spaced over the shares. A share outside [0, 1] is clamped.
 double confidenceOf(double share, const std::vector<double>& curve);
 
 /// Accepts or rejects attacks on one request, from any realiser, and counts the reasons. Every
@@ -59,15 +59,18 @@ class AttackJudge {
   /// Returns the ego futures available to the search, at least one; they point into `input.future`.
   const std::vector<const Track*>& searched() const { return searched_; }
 
-  /// Verifies `attack` in the first four futures of `egos` until it meets the request in one, and
-  /// sets report, miss and confidence from that one. `attack` needs pattern and trajectory;
-  /// `attacker` is its track in the snapshot. Returns true if the attack is accepted: it meets the
-  /// request and its confidence is at least min_confidence. A rejected attack is counted for
-  /// refusal(), and its report is the last one tried.
+  /// Verifies `attack` in the first four futures of `egos` (FoundAttack::hits) until it meets the
+  /// request in one, and sets report, miss and confidence from that one. `attack` needs pattern and
+  /// trajectory; `attacker` is its track in the snapshot. Returns true if the attack is accepted:
+  /// it meets the request and its confidence is at least min_confidence. A rejected attack is
+  /// counted for refusal(), and its report is the last one tried. Without `egos` the attack is
+  /// rejected.
   bool accepts(Attack& attack, const Track& attacker, const std::vector<const Track*>& egos);
 
   /// Returns the status that explains why accepts() accepted no attack from these patterns:
-  /// kLowConfidence, kNotBelievable or kNoAttackWithinLimits with the counted reasons.
+  /// kLowConfidence with the highest confidence if one attack failed by that alone, else
+  /// kNotBelievable if one failed by plausibility alone, else kNoAttackWithinLimits with the
+  /// counted reasons.
   Status refusal(const std::vector<CollisionPattern>& patterns) const;
 
  private:

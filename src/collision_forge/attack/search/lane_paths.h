@@ -7,17 +7,19 @@
 
 namespace forge {
 
-/// Finds paths along lanes that lead to a place. `lanes` must outlive this object. Immutable.
+/// Finds paths along lanes that lead to a place. Immutable.
 class LanePaths {
  public:
+  /// Finds the predecessors of all lanes. Keeps a reference to `lanes`, which must outlive this
+  /// object.
   explicit LanePaths(const LaneIndex& lanes);
 
   /// Returns paths (map frame) along centrelines to the place at `arc_length` (m from its start) of
   /// `lane` (index into LaneMap::lanes), starting `back` m before it or where the lanes begin, and
-  /// continuing `ahead` m along straightestSuccessor(). At least one and at most `most` paths:
-  /// first the one that takes the straightest predecessor at each fork, then paths that branch off
-  /// it, nearest first, then branches of these. Throws std::invalid_argument for a lane without a
-  /// centreline.
+  /// continuing `ahead` m along straightestSuccessor() or until the lanes end. At least one and at
+  /// most `most` paths: first the one that takes the straightest predecessor (least change of
+  /// heading along it) at each fork, then paths that branch off it, nearest first, then branches of
+  /// these. Throws std::invalid_argument for a lane without a centreline.
   std::vector<Polyline> to(std::size_t lane, double arc_length, double back, double ahead,
                            std::size_t most) const;
 

@@ -6,8 +6,8 @@
 
 namespace forge {
 
-/// Number of vehicles that are searched in full. If there are more, one draft of each vehicle is
-/// scored first, and only the vehicles with the best drafts are searched further.
+/// Largest number of vehicles that are searched in full. If there are more, one draft of each
+/// vehicle is scored first, and only the vehicles with the best drafts are searched further.
 inline constexpr int kDrafted = 6;
 
 /// Searches for attacks in which the attacker drives as drivers do: along a route of lanes at one

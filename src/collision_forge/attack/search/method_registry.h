@@ -70,7 +70,7 @@ MethodRegistry builtInMethods();
 /// Returns the default method's name: "network+search" with networks, else "search".
 std::string defaultMethod(bool has_networks);
 
-/// Returns "network+METHOD", the name of the method with trained networks.
+/// Returns "network+" followed by `method`, the name of the method with trained networks.
 std::string withNetworks(const std::string& method);
 /// Returns the name without the prefix of withNetworks(); a name without it unchanged.
 std::string withoutNetworks(const std::string& method);

@@ -25,7 +25,8 @@ struct RouteDriverOptions {
 /// A kind of vehicle that may be added.
 struct AddedKind {
   AgentClass agent_class = AgentClass::kCar;
-  /// relative frequency 0..1 among the added vehicles; 0: only if a request names the class
+  /// relative frequency 0..1 among the added vehicles (they need not sum to 1); 0: only if a
+  /// request names the class
   double share = 0.0;
   double length = 0.0;            ///< m, median
   double length_deviation = 0.0;  ///< m, standard deviation of the length
@@ -34,13 +35,16 @@ struct AddedKind {
 
 /// config/search.yaml, section added: vehicles that are inserted
 struct AddedVehicleOptions {
-  std::vector<AddedKind> kinds;  ///< one per kind of the file; the first is the car
+  std::vector<AddedKind> kinds;  ///< one per kind of the file, in the order car, van, truck (both
+                                 ///< AgentClass::kTruck), bus, construction and emergency vehicle,
+                                 ///< motorcycle, bicycle, pedestrian; the first is the car
   int candidates = 0;            ///< most vehicles searched if the ego's future is known
   int predicted_candidates = 0;  ///< most vehicles searched if the ego's future is predicted
   /// difference of scoreOf() by which an added attacker must exceed a recorded one
   double preference = 0.0;
   double sensing_range = 0.0;  ///< m from the ego's box centre, beyond which a vehicle may appear
-  /// s; least time before t0 at which an added vehicle appears in the recording
+  /// s; least time before t0 at which an added vehicle appears in the recording; one that exists
+  /// since the first frame needs none
   double least_past = 0.0;
   std::vector<double> speeds;  ///< m/s of an added vehicle, tried in this order
 };
@@ -54,15 +58,16 @@ struct SearchOptions {
   int max_attackers = 0;     ///< most candidates (vehicles) that are searched
   /// share 0..1 of the futures; a candidate that hits at least this share ends the search
   double good_share = 0.0;
-  /// Confidence, 0..1, of an attack that hits a share of the ego's sampled futures; for shares
-  /// evenly spread over [0, 1], linear between them.
+  /// Confidence, 0..1, of an attack that hits a share of the ego's sampled futures, rising; entry i
+  /// of n stands for the share i / (n - 1), linear between entries.
   std::vector<double> confidence_curve;
 
   /// m; attacker and ego overlap by at least twice this, other agents are passed with it to spare.
   double overlap_margin = 0.04;
   // Costs, as shares of the sampled futures:
   double off_road_weight = 0.4;  ///< cost of an attack that is wholly off the road
-  double steering_weight = 0.3;  ///< cost of steering faster than any driver
+  double steering_weight = 0.3;  ///< largest cost of steering faster than any driver (0.3 1/(m s)
+                                 ///< of curvature); half of it at twice that
   // A candidate that is better than good_share ends the search unless ...
   double good_off_road = 0.05;  ///< ... a greater share of its box is off the drivable area
   double good_steering = 0.6;   ///< ... or its curvature changes faster, 1/(m s)
@@ -75,8 +80,8 @@ struct SearchOptions {
   int corrected_candidates =
       3;                ///< best candidates whose arrival is shifted by the error of their contact
   int corrections = 3;  ///< shifts of the arrival per such candidate
-  int kept = 10;        ///< best candidates that are kept and perturbed
-  int rounds = 4;       ///< rounds of perturbation
+  int kept = 10;   ///< best candidates per family (quintic, bicycle) that are kept and perturbed
+  int rounds = 4;  ///< rounds of perturbation
   int perturbations = 60;    ///< perturbed candidates per round
   int bicycle_targets = 40;  ///< arrivals tried with the bicycle, if no quintic is good enough
   int bicycle_rounds = 6;    ///< rounds of perturbation of bicycle motions
@@ -89,11 +94,13 @@ struct SearchOptions {
 struct NominalOptions {
   /// m between the box centres; attacker in front (opposite direction) or behind (rear end)
   double end_distance = 4.0;
-  /// m between the box centres, to the left or right (junction crossing, ltap)
+  /// m between the box centres, to the left or right (junction crossing, ltap, angle types)
   double side_distance = 3.0;
-  /// m ahead of the ego's box centre, plus the sine of the heading
+  /// lane change and sideswipe: m ahead of the ego's box centre, to which the sine of
+  /// lane_change_heading is added
   double lane_change_ahead = 2.0;
-  double lane_change_side = 1.0;  ///< m to the left or right, plus the cosine of the heading
+  /// m to the left or right, to which the cosine of lane_change_heading is added
+  double lane_change_side = 1.0;
   /// rad (20 degrees) towards the ego; the files have 10 to 30
   double lane_change_heading = 0.3491;
 };
@@ -110,7 +117,7 @@ struct AttackOptions {
 };
 
 /// Attackers that a list of requests names: kAny: none, so any vehicle may attack; kEach: each
-/// possible one by its id.
+/// motor vehicle (and agent of the asked class) of the snapshot by its id.
 enum class Attackers { kAny, kEach };
 
 /// Contents of a list of requests. The defaults of stride, ttas and min_ego_speed are in
@@ -124,13 +131,13 @@ struct RequestListOptions {
   std::uint64_t seed = 0;  ///< of every request
 };
 
-/// Reads the struct from config/requests.yaml. Throws ConfigError for a missing key or a value out
-/// of range.
+/// Reads stride, ttas and min_ego_speed from config/requests.yaml. Throws ConfigError for a missing
+/// key or a value out of range.
 void readOptions(Section& section, RequestListOptions& options);
 
 /// Reads prediction.yaml, search.yaml, believability.yaml, severity.yaml, vehicle_limits.yaml and
-/// ego_futures.yaml of `directory`. Throws ConfigError for a missing file or key, or a value out of
-/// range.
+/// ego_futures.yaml of `directory`, and sets PredictionOptions::tail. Throws ConfigError for a
+/// missing file or key, or a value out of range.
 void readAttackOptions(const ConfigFolder& directory, AttackOptions& options);
 
 }  // namespace forge

@@ -38,19 +38,22 @@ class PatternPredictor {
 };
 
 /// Predicts from t0 to t0 + `horizon` (s): `samples` equally likely futures of the ego
-/// (Future::ego_samples), as Future::ego the one whose position `central_time` s after t0 is
-/// nearest to their mean, and other agents by predictFuture(). Deterministic in its arguments.
-/// Throws as EgoFutureSampler::sample().
+/// (Future::ego_samples), as Future::ego the sample whose position `central_time` s after t0 is
+/// nearest to their mean, and other agents by predictFuture(). Without samples (`samples` is 0),
+/// Future::ego is the prediction of predictFuture(). Deterministic in its arguments. Throws as
+/// EgoFutureSampler::sample().
 Future predictWithEgoSamples(const Snapshot& snapshot, const LaneIndex& lanes,
                              const EgoFutureSampler& ego_futures, double horizon,
                              double central_time, int samples, std::uint64_t seed);
 
 /// Predicts without learning: places each candidate attacker at the ego's predicted (in replay
 /// mode: recorded) pose at impact, with the type's nominal heading, on each side of placementsOf().
-/// The ego moves as `ego_futures` samples it, other agents as predictFuture(). Patterns are sorted
-/// by how well distance, time and speeds match. Returns kRoadDoesNotAllow if the request requires
-/// plausibility and roadAllows() is false, kBeyondRecording if the recording ends before the
-/// contact, kNoCandidate if no vehicle qualifies.
+/// The predicted impact speed is the ego's plus 4 m/s for rear_end, else the attacker's at t0, at
+/// least 3 m/s. The ego moves as `ego_futures` samples it, other agents as predictFuture().
+/// Patterns are sorted by the difference between the mean speed that the attacker needs to the
+/// impact and the mean of its speeds at t0 and at impact, smallest first. Returns kRoadDoesNotAllow
+/// if the request requires plausibility and roadAllows() is false, kBeyondRecording if the
+/// recording ends before the contact, kNoCandidate if no vehicle qualifies.
 class KinematicPatternPredictor : public PatternPredictor {
  public:
   /// `ego_futures` must not be null.

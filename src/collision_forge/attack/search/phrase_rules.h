@@ -14,10 +14,10 @@ struct PhraseRule {
   std::string pattern;
   /// Effects separated by spaces: "field=value" sets a field of a request; a range field or `tta`
   /// without a value takes the quantity in the matched words. Other effects: `hint`, a type that a
-  /// manoeuvre overrides; `pace`, slow or fast against the ego; `crosses`, a crossing that is a
-  /// manoeuvre of vehicles only; `keep`, the words before the quantity stay for later rules;
-  /// `ignored`, words that are read and cannot be requested. Empty for words without a meaning of
-  /// their own.
+  /// manoeuvre overrides; `pace=slow` or `pace=fast`, slower or faster than the ego; `crosses`, a
+  /// crossing that is a manoeuvre of vehicles only; `keep`, the words before the quantity stay for
+  /// later rules; `ignored`, words that are read and cannot be requested. Empty for words without a
+  /// meaning of their own.
   std::string effect;
 };
 

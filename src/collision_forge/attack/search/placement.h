@@ -47,20 +47,22 @@ struct HeadedPlacement {
 /// ego with the requested type: on each side of placementsOf(), the heading nearest to `direction`
 /// within the type's band narrowed by `margin` (rad; not at ends that reach 0 or pi), if it differs
 /// from `direction` by at most `max_lean` (rad). Leaves out sides and headings that contradict
-/// `ego_side` or `from_side`. May be empty. Throws as request.bands().
+/// `ego_side` or `from_side`. Positive headings come first, then in the order of placementsOf().
+/// May be empty. Throws as request.bands() and placementsOf().
 std::vector<HeadedPlacement> placementsAlong(double direction, const CollisionRequest& request,
                                              DrivingSide driving_side, double margin,
                                              double max_lean);
 
 /// Returns the distance (m) along the unit vector `direction` (ego box's frame) by which the
-/// attacker's box must move from `from`, where the boxes overlap, until they only touch.
+/// attacker's box must move from `from` (attacker's box centre in the ego box's frame), where the
+/// boxes overlap, until they only touch.
 double partingDistance(const BoxSize& ego, const BoxSize& attacker, const Pose2& from,
                        const Vector2& direction);
 
 /// Returns the attacker's box centre and heading in the ego box's frame when pushed in from `side`
-/// until the boxes overlap by `depth` m along the push. `heading` in rad. `contact_position` in
-/// [-1, 1]: contact position along the side, as a share of half the side (positive: forward; on
-/// front and rear: left).
+/// (along the outward normal of that side, from outside) until the boxes overlap by `depth` m along
+/// the push. `heading` in rad. `contact_position` in [-1, 1]: contact position along the side, as a
+/// share of half the side (positive: forward; on front and rear: left).
 Pose2 attackerOffset(const BoxSize& ego, const BoxSize& attacker, Side side, double heading,
                      double contact_position, double depth);
 

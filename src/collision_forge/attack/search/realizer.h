@@ -23,9 +23,9 @@ struct RealizationTask {
 };
 
 /// Searches from the patterns (searchAttacks()) and returns the first attack, best first, that
-/// AttackJudge accepts; without one, AttackJudge::refusal(). Deterministic in its arguments. Throws
-/// InputError if a pattern's attacker is not in the snapshot, its time is not after t0, a number is
-/// not finite, or the tolerance is negative.
+/// AttackJudge accepts; without one (also without patterns), AttackJudge::refusal(). Deterministic
+/// in its arguments. Throws InputError if a pattern's attacker is not in the snapshot, its time is
+/// not after t0, a number is not finite, or the tolerance is negative.
 Attack realize(const RealizationTask& task, const AttackOptions& options);
 
 /// Interface: drives attackers into collision patterns, the second stage of SearchMethod. Extension

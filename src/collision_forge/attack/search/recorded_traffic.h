@@ -12,7 +12,8 @@ namespace forge {
 class RecordedTraffic {
  public:
   /// Uses `past` from its first frame to t0, then the agents of `future`, without the ego, up to
-  /// `end` s after t0. `interval`: s between two instants.
+  /// `end` s after t0. `interval`: s between two instants; states between frames are interpolated.
+  /// Keeps no references.
   RecordedTraffic(const Snapshot& past, const Future& future, double end, double interval);
 
   /// Instants are numbered from t0: 0 is t0, negative before it. Returns the first one, at or up to
@@ -27,9 +28,9 @@ class RecordedTraffic {
   /// an agent or the ego (known up to t0). False outside the known instants.
   bool touches(const Pose2& pose, const BoxSize& size, int instant, double clearance) const;
 
-  /// Returns true if a car-like vehicle or trailer occludes `place` (m) from the ego: the line from
-  /// the ego's box centre to it crosses the vehicle's box. False if the ego is unknown at that
-  /// instant.
+  /// Returns true if a car-like vehicle or trailer occludes `place` (m, map frame) from the ego:
+  /// the line from the ego's box centre to it crosses the vehicle's box. False if the ego is
+  /// unknown at that instant.
   bool hides(const Vector2& place, int instant) const;
 
   /// Returns the distance (m) from `place` (m) to the ego's box centre; empty if the ego is unknown

@@ -9,8 +9,8 @@
 namespace forge {
 
 /// Returns true if the agent may attack: a motor vehicle, or an agent of the class `wanted`, with a
-/// size, present at t0 and in the frame before, at most options.candidate_radius from the ego (box
-/// centres), and not hitchedTo() another agent, which would be left behind.
+/// size, present at t0 and in a frame at most kMaxGap before, at most options.candidate_radius from
+/// the ego (box centres), and not hitchedTo() another agent, which would be left behind.
 bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionOptions& options,
                  const std::optional<AgentClass>& wanted = std::nullopt);
 
@@ -18,7 +18,8 @@ bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionO
 /// its track, which must have one.
 bool stands(const Track& agent);
 
-/// Returns true if the request names the class pedestrian, or a pedestrian as attacker.
+/// Returns true if the request names the class pedestrian or, without a class, a pedestrian of the
+/// snapshot as attacker.
 bool asksForPedestrian(const CollisionRequest& request, const Snapshot& snapshot);
 
 /// Maximum number of attacks per request.

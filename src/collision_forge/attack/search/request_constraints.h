@@ -31,7 +31,7 @@ class RequestConstraints {
 
   /// Returns true if the motion `points` of `attacker` (id, class and size are used) meetsRequest()
   /// in the future with index `ego` of SearchInput::egos; always true without constraints. For an
-  /// attacker underway, `points` start at its first point.
+  /// attacker underway, `points` start at the first point of its attack (Underway::driven).
   bool holds(const Track& attacker, const std::vector<TrajectoryPoint>& points, std::size_t ego);
 
  private:

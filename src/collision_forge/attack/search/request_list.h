@@ -14,15 +14,17 @@ namespace forge {
 struct RequestTally {
   std::size_t instants = 0;  ///< all instants: frames nearest to every RequestListOptions::stride
   std::size_t slow = 0;      ///< instants with an ego below RequestListOptions::min_ego_speed
-  std::size_t late = 0;      ///< other instants, too close to the end of the recording for any TTA
+  std::size_t late = 0;  ///< instants not counted in `slow` that are too close to the end of the
+                         ///< recording for every TTA
 };
 
-/// Returns the requests that a recording allows: at the frame nearest to every `list.stride` s from
-/// its first frame, for every TTA, type and attacker of `list`; other fields as in `asked`. Omits
-/// requests whose contact could lie after the recording (TTA plus `time_tolerance`, s), with an ego
-/// slower than list.min_ego_speed, or that checkRequest() rejects. Order: time, TTA, type, attacker
-/// as in the scene. Adds to `tally` unless it is null. Throws std::invalid_argument if the stride
-/// is not positive.
+/// Returns the requests that a recording allows, none without frames: at the frame nearest to every
+/// `list.stride` s from its first frame, for every TTA, type and attacker of `list`; other fields
+/// as in `asked`. Omits requests whose contact could lie after the recording (TTA plus
+/// `time_tolerance`, s), with an ego slower than list.min_ego_speed, or that checkRequest()
+/// rejects. Order: time, TTA, type, attacker as in the scene. The end of the recording is the last
+/// frame or ego state, whichever is earlier; each frame is used once. Adds to `tally` unless it is
+/// null. Throws std::invalid_argument if the stride is not positive.
 std::vector<SceneRequest> listRequests(const Scene& scene, const RequestListOptions& list,
                                        const PredictionOptions& options, double time_tolerance,
                                        const CollisionRequest& asked = {},

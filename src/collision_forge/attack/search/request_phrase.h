@@ -14,7 +14,8 @@ namespace forge {
 struct RequestVocabulary {
   std::vector<CatalogueEntry> catalogue;  ///< the scenarios whose names a phrase may contain
   /// config/phrases.yaml: for each range field of a request, the half width of the range that a
-  /// phrase means by one value, in the field's unit.
+  /// phrase means by one value, in the field's unit; a phrase must not give a field that is missing
+  /// here.
   std::map<std::string, double> tolerances;
 };
 /// Returns all catalogues and the tolerances. Throws ConfigError as readCatalogue().
@@ -25,8 +26,11 @@ struct PhraseReading {
   CollisionRequest request;
   /// name of the entry of a catalogue, "euro_ncap_2026/CCRb"; empty if the phrase names none
   std::string name;
-  std::vector<std::string> understood;  ///< "\"cuts in\": manoeuvre = cut_in", in the order of text
-  std::vector<std::string> unknown;     ///< words that the grammar does not know, in their order
+  /// "\"cuts in\": manoeuvre = cut_in", in the order in which the rules apply; the last line has
+  /// type, manoeuvre and tta unless a scenario is named
+  std::vector<std::string> understood;
+  std::vector<std::string> unknown;  ///< words that the grammar does not know, cannot request, or
+                                     ///< that follow a negation, in the order of text
 };
 
 /// Reads a request from an English phrase such as "truck cuts in from the left in 3 s, 30 km/h
@@ -48,7 +52,7 @@ PhraseReading readPhrase(const std::string& text, const RequestVocabulary& vocab
 inline constexpr std::size_t kMostPhrase = 500;
 
 /// Returns what was understood and what was not, a line each ("understood ...", "not understood:
-/// ...").
+/// ..."), each with a line break at its end; empty for neither.
 std::string echoOf(const PhraseReading& reading);
 
 }  // namespace forge

@@ -16,8 +16,8 @@ class RouteDrafts {
   /// `input` must outlive this object.
   explicit RouteDrafts(const SearchInput& input);
 
-  /// Returns the contact positions to try (see attackerOffset()), ascending. The one with index
-  /// kFirstPosition is tried first.
+  /// Returns the contact positions to try (see attackerOffset()), three, ascending. The one with
+  /// index kFirstPosition is tried first.
   const std::vector<double>& contactPositions() const { return contact_positions_; }
   static constexpr std::size_t kFirstPosition = 1;  ///< index into contactPositions()
 
@@ -28,8 +28,9 @@ class RouteDrafts {
   std::vector<RouteDraft> mannersFor(const RouteDraft& meeting, const Contender& contender,
                                      double distance) const;
 
-  /// Perturbs a draft within the request's ranges. `contacts`: s after t0, allowed contacts;
-  /// `step`: s, shortest manoeuvre. Scale 1 is the first round; smaller scales perturb less.
+  /// Perturbs a draft within the request's ranges. `contacts`: s after t0, range of allowed
+  /// contacts; `step`: s, smallest departure and `late`. The changes are random with deviations in
+  /// proportion to `scale`; 1 is the first round. A `wait` or `late` of 0 stays 0.
   void perturb(RouteDraft& draft, double scale, const Range& contacts, double step,
                Random& random) const;
 

@@ -41,7 +41,8 @@ inline constexpr double kArrivalHeadingMargin = 0.03;
 /// to 4 m away.
 inline constexpr double kParkingDistance = 4.5;
 
-/// Task of a driver on its route. All times in s; places along the route are in m from its start.
+/// Task of a driver on its route. All times in s; places along the route are in m from its start. A
+/// plan needs arrival > 0.
 struct RoutePlan {
   double arrival = 0.0;    ///< s after t0 at which the box centre is at `at`
   PathPose at;             ///< pose of the box centre relative to the route at the arrival
@@ -50,7 +51,7 @@ struct RoutePlan {
   double late = 0.0;       ///< s before the arrival at which `late_acceleration` begins; 0: never
   /// m/s2 along the route, from `late` before the arrival to the arrival; negative: brakes
   double late_acceleration = 0.0;
-  double wait = 0.0;  ///< s after t0 for which a standing vehicle waits
+  double wait = 0.0;  ///< s after t0 until which a vehicle that stands waits
 };
 
 /// Driving style and speed along a route.
@@ -68,18 +69,18 @@ struct RouteReach {
 
 /// Longitudinal motion along a route.
 struct RouteCourse {
-  /// m along of the box centre, one per step from t0 to before the arrival
+  /// m along the route of the box centre, one per step from t0 to before the arrival
   std::vector<double> alongs;
   std::vector<ReferencePath::PathPoint> places;  ///< points of the route at `alongs`
-  double end = 0.0;                              ///< m along at the arrival
+  double end = 0.0;                              ///< m along the route at the arrival
 };
 
 /// Model of a driver on a route: keeps its lateral offset, drives at one chosen speed, slower in
 /// bends and with a small variation, and leaves the lane only for the contact. Immutable.
 class RouteDriver {
  public:
-  /// `now`: the vehicle's state at t0; `limits`: the limits of its class; `variation`: of its
-  /// speed.
+  /// `now`: the vehicle's state at t0; `limits`: the limits of its class, used up to kLimitShare;
+  /// `variation`: of its speed. Computes the speeds that bends allow for each style.
   RouteDriver(ReferencePath path, const DriveState& now, const DriveLimits& limits,
               const SpeedVariation& variation = {});
 
@@ -88,7 +89,8 @@ class RouteDriver {
   /// Returns the pose of the vehicle's box centre on the route at t0.
   const PathPose& start() const { return start_; }
   /// Returns the lateral offset (m, left) at `along` (m) of a vehicle that keeps its lane: decays
-  /// from the offset and heading at t0 to 0.
+  /// from the offset and heading at t0 to 0, critically damped over 80 m; before start(), the
+  /// offset at t0.
   double keptOffset(double along) const;
 
   /// Returns the calmest style and its speed that reach wanted.at.along at the arrival (to
@@ -102,7 +104,8 @@ class RouteDriver {
   RouteCourse courseAt(const RoutePlan& wanted, const RouteSpeed& speed, double step) const;
 
   /// Overwrites `planned` with `steps` steps every `step` s from t0: along `course` (courseAt() of
-  /// the same plan and step) with the plan's lateral motion, straight on after the arrival.
+  /// the same plan and step) with the plan's lateral motion (keptOffset() until the departure, then
+  /// a quintic), straight on at the last speed after the arrival.
   void plan(const RoutePlan& wanted, const RouteCourse& course, double step, std::size_t steps,
             std::vector<PlannedStep>& planned) const;
 

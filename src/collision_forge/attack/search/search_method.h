@@ -13,7 +13,9 @@ namespace forge {
 /// one of them. Both stages may run in other nodes; AttackJudge checks every attack in the same
 /// way. If the predictor fails without a future, its status is returned. An added attacker is
 /// preferred only if its scoreOf() is greater by AddedVehicleOptions::preference. For a request
-/// with `hidden_by`, searches attacks without it and adds the support vehicles that hide one.
+/// with `hidden_by`, searches attacks without it and adds the support vehicles that hide one;
+/// rejected if neither recorded nor support vehicles hide one. Plausible attackers are searched by
+/// SearchedMotion::kByRoutes first, then by kAny.
 class SearchMethod : public AttackMethod {
  public:
   /// Uses SearchRealizer. `predictor` must not be null.

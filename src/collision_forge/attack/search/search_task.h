@@ -37,10 +37,10 @@ inline constexpr double kWrongWayWeight = 1.0;  ///< cost of driving against all
 
 /// Free parameters of an attack along a route; the motion follows from them.
 struct RouteDraft {
-  std::size_t ego = 0;            ///< targeted future, an index into SearchInput::egos
-  double contact = 0.0;           ///< s after t0
-  Side side = Side::kLeft;        ///< touched side of the ego's box
-  double heading = 0.0;           ///< rad, attacker's heading minus the ego's at the contact
+  std::size_t ego = 0;      ///< targeted future, an index into SearchInput::egos
+  double contact = 0.0;     ///< s after t0
+  Side side = Side::kLeft;  ///< touched side of the ego's box
+  double heading = 0.0;     ///< rad, attacker's heading minus the ego's at the contact, (-pi, pi]
   double contact_position = 0.0;  ///< share of half the side from its middle, see attackerOffset()
   /// This and the next four fields: as the fields of RoutePlan of the same names (s, m/s2).
   double departure = 0.0;
@@ -60,21 +60,25 @@ struct DraftedPath {
 /// One attack found by the search; within the vehicle limits unless `is_underway`.
 struct FoundAttack {
   const Track* attacker = nullptr;  ///< its track in SearchInput::snapshot
-  /// from t0 to SearchOptions::tail after the requested contact or longer
+  /// from t0 to SearchOptions::tail after the requested contact or, if that is later, the end of
+  /// the time tolerance, SearchOptions::step apart; the current plan as it is
   std::vector<TrajectoryPoint> points;
-  FutureScore score;
+  FutureScore score;      ///< over SearchInput::egos
   double off_road = 0.0;  ///< mean share 0..1 of the box off the drivable area until the contact
-  /// Value that the search maximises, in shares of the futures: weighted share, closeness, road
-  /// use, effort, steering and miss.
+                          ///< (any motion: the requested one)
+  /// Value that the search maximises, in shares of the futures: score.share plus kClosenessWeight
+  /// times the closeness, minus costs of the miss, road use, effort, steering and
+  /// kConstraintPenalty.
   double objective = 0.0;
-  double effort = 0.0;  ///< Attack::effort
+  double effort = 0.0;  ///< Attack::effort; 0 for any motion
   /// the pattern of SearchInput::patterns from which it came
   const CollisionPattern* pattern = nullptr;
   PatternMiss miss;  ///< difference of score.contact from `pattern`; valid if score.share > 0
   /// The futures of SearchInput::egos in which all conditions hold: score.met first, then in cyclic
   /// order. The future in which the ego comes nearest to the aim's box is preferred as first.
   std::vector<const Track*> hits;
-  /// set for attacks along routes, else empty; times of the draft in s after t0
+  /// set for attacks along routes, else empty; times of the draft in s after t0. For a current plan
+  /// without a draft, the contact alone is set.
   std::optional<DraftedPath> drafted;
   bool is_underway = false;  ///< true: the attack continues Underway::planned
 };

@@ -20,13 +20,13 @@ struct SpeedVariation {
 
   /// Returns 2 pi / period, rad/s.
   double frequency() const;
-  /// Returns the distance (m) gained by `time` (s after t0) over a driver without variation and
-  /// with the same speed at t0.
+  /// Returns the distance (m, may be negative) gained by `time` (s after t0; negative: before) over
+  /// a driver without variation and with the same speed at t0.
   double distanceGained(double time) const;
 };
 
-/// Returns the variation of the vehicle `id`: a pseudorandom draw that depends only on the id and
-/// the request's seed.
+/// Returns the variation of the vehicle `id`: a uniform pseudorandom draw from the ranges above
+/// (any phase) that depends only on `id` and `seed`, the request's, on all platforms.
 SpeedVariation variationOf(const std::string& id, std::uint64_t seed);
 
 }  // namespace forge

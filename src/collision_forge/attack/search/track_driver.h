@@ -38,7 +38,8 @@ struct PlannedStep {
 /// speed. Immutable.
 class TrackDriver {
  public:
-  /// `margin`: share 0..1 of every limit that is used. `preview` and `step` in s.
+  /// `margin`: share 0..1 of every limit that is used. `preview` (rounded to whole steps, at least
+  /// one) and `step` in s.
   TrackDriver(const DriveLimits& limits, double margin, double preview, double step);
 
   /// Returns the limits of the constructor times `margin`, which the driver keeps.
@@ -46,8 +47,8 @@ class TrackDriver {
 
   /// Overwrites `points` (box centres, map frame) with one point per step of `plan`, from the
   /// vehicle's state `start` at `now` (s, scene clock) on. `plan` has one entry per `step` of the
-  /// constructor, the first at `now`. Near its end the plan is extended straight. An empty plan
-  /// gives no points.
+  /// constructor, the first at `now`. For the preview, the plan is extended straight beyond its
+  /// end. An empty plan gives no points.
   void drive(const DriveState& start, double now, const std::vector<PlannedStep>& plan,
              std::vector<TrajectoryPoint>& points) const;
 

@@ -12,7 +12,7 @@ namespace forge {
 
 /// Target state of a motion.
 struct Arrival {
-  double time = 0.0;                ///< s after t0; must be positive
+  double time = 0.0;                ///< s after t0; must be positive; the motion need not end there
   Pose2 pose;                       ///< box centre, global map frame
   double speed = 0.0;               ///< m/s along the heading
   double start_acceleration = 0.0;  ///< m/s2 along the heading at t0
@@ -30,7 +30,7 @@ struct DriveStart {
 /// Drives a quintic polynomial on each axis of the map from the start to the arrival, and straight
 /// on from there (Werling et al. 2010, "Optimal trajectory generation for dynamic street scenarios
 /// in a Frenet frame"). Overwrites `points` with DriveStart::points points; the motion may break
-/// the limits.
+/// the limits. Throws std::invalid_argument if arrival.time is not positive.
 void driveQuintic(const DriveStart& start, const Arrival& arrival,
                   std::vector<TrajectoryPoint>& points);
 
@@ -53,7 +53,7 @@ class BicycleFamily {
 
   /// Returns knots that bring the bicycle to the arrival at its time, by damped least squares
   /// (Levenberg 1944, Marquardt 1963); empty if it stays more than kMaxMiss away. Heading and speed
-  /// are matched as well as possible.
+  /// are matched as well as possible; accelerations of the arrival are ignored.
   std::optional<SteeringKnots> solve(const DriveStart& start, const Arrival& arrival) const;
 
   /// Overwrites `points` (box centres, map frame) with DriveStart::points points: steers by `knots`

@@ -45,10 +45,11 @@ Vector2 contactVelocity(const ImpactBody& first, const ImpactBody& second, const
 /// Returns the impulse between two bodies: planar impulse-momentum model (R. M. Brach, "Energy loss
 /// in vehicle collisions", SAE 871993, and Accident Analysis and Prevention 15, 1983). The
 /// tangential impulse stops the sliding between the bodies, but is at most `friction` times the
-/// normal impulse. The impulse is zero if the bodies separate. If `restitution` would add energy,
-/// which can happen if the contact is far from the centres of mass, it counts as 0. Throws
-/// std::invalid_argument, naming body and field, for a mass or inertia that is not positive, a
-/// number that is not finite, or a contact out of the ranges above.
+/// normal impulse. The impulse and all changes are zero if the bodies do not approach each other at
+/// the contact point along the normal. If `restitution` would add energy, which can happen if the
+/// contact is far from the centres of mass, it counts as 0. Throws std::invalid_argument, naming
+/// body and field, for a mass or inertia that is not positive, a number that is not finite, or a
+/// contact out of the ranges above.
 Impact planarImpact(const ImpactBody& first, const ImpactBody& second,
                     const ImpactContact& contact);
 

@@ -12,7 +12,8 @@ class Section;
 /// Mass and yaw inertia of a class by its box; length and width in m.
 struct BodyOptions {
   // mass of a vehicle = max(least_mass, mass + per_size * (length * width)^exponent)
-  double mass = 0.0;        ///< kg, term of the formula; may be negative
+  double mass = 0.0;  ///< kg, term of the formula; may be negative. A class with `mass` alone in
+                      ///< the file has this mass at any size
   double per_size = 0.0;    ///< kg/m^(2 exponent)
   double exponent = 1.0;    ///< without unit
   double least_mass = 0.0;  ///< kg, lower bound
@@ -27,7 +28,8 @@ struct RestitutionOptions {
 };
 
 /// Injury probability of occupants if one side is hit, 1 / (1 + exp(-(a + b * delta-v /
-/// OccupantOptions::speed_unit))), as [a, b].
+/// OccupantOptions::speed_unit))), as [a, b]. The probability of MAIS 3 is capped at the one of
+/// MAIS 2.
 struct OccupantCurve {
   std::array<double, 2> mais2 = {};  ///< of an injury of MAIS 2 or more
   std::array<double, 2> mais3 = {};  ///< of an injury of MAIS 3 or more
@@ -44,7 +46,8 @@ struct OccupantOptions {
 
 /// Injury probability of pedestrians and riders: 1 / (1 + exp(-(a + b * dv + c * dh + d * dv *
 /// dh))), as [a, b, c, d]. dv (km/h) is the relative speed minus the shift below minus 42.79, dh
-/// (cm) the height of the bonnet edge minus 85.25; see config/severity.yaml.
+/// (cm) the height of the other vehicle's bonnet edge minus 85.25; see config/severity.yaml. The
+/// probability of MAIS 3 is capped at the one of MAIS 2.
 struct VulnerableOptions {
   std::string curve;                 ///< name of the publication
   double car_bonnet_edge = 0.0;      ///< cm, height of a car's bonnet edge
@@ -65,13 +68,16 @@ struct AfterImpactOptions {
   /// struck end
   double locking_delta_v = 0.0;
   double braking_delay = 0.0;  ///< s from the contact until the driver brakes
-  double braking = 0.0;        ///< m/s2, deceleration by the driver after the delay
+  /// m/s2, deceleration by the driver of a vehicle with wheels after the delay
+  double braking = 0.0;
 };
 
 /// Bounds of delta-v (km/h) from which S1, S2 and S3 of ISO 26262 apply, in this order.
 struct SeverityBounds {
-  std::array<double, 3> lower = {};  ///< lower of the published bounds
-  std::array<double, 3> upper = {};  ///< upper of the published bounds
+  /// lower of the published bounds; gives CrashEffect::most_class
+  std::array<double, 3> lower = {};
+  /// upper of the published bounds; gives CrashEffect::least_class
+  std::array<double, 3> upper = {};
 };
 
 /// config/severity.yaml, which has the sources.

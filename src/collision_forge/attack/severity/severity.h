@@ -25,7 +25,8 @@ ImpactBody bodyOf(const CrashedVehicle& party, const SeverityOptions& options);
 
 /// Returns the impact of two parties at their first touch: planarImpact() at the centroid of the
 /// overlap after SeverityOptions::engagement, or at touchPoint() if they do not overlap then, along
-/// contactNormal(), with RestitutionOptions at the closing speed. Throws as planarImpact().
+/// contactNormal(), with RestitutionOptions at the closing speed. Impact::first is the change of
+/// `first`. Throws as planarImpact().
 Impact impactOf(const CrashedVehicle& first, const CrashedVehicle& second,
                 const SeverityOptions& options);
 

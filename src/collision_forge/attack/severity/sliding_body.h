@@ -8,15 +8,17 @@ namespace forge {
 
 /// Motion of a crashed vehicle or person on the road after an impact: a rigid body on four wheels
 /// that roll, brake or are locked, each with Coulomb friction against its local sliding velocity. A
-/// person, a rider or an object has no wheels and slides on its four corners.
+/// pedestrian, animal, rider (motorcycle, bicycle) or object has no wheels and slides on the same
+/// four points.
 class SlidingBody {
  public:
-  /// `party`: state at the impact; the body starts without yaw rate.
+  /// `party`: state at the impact; the body starts without yaw rate and with unlocked wheels.
+  /// Keeps no references.
   SlidingBody(const CrashedVehicle& party, const SeverityOptions& options);
 
-  /// Adds the change of motion by an impact. The wheels of the end of the vehicle (front or rear)
-  /// that faces `point` (m, map frame) are locked from then on if the change of velocity is at
-  /// least AfterImpactOptions::locking_delta_v.
+  /// Adds the change of motion by an impact. The wheels of the end of the vehicle (rear if `point`
+  /// is behind the box centre, else front) that faces `point` (m, map frame) are locked from then
+  /// on if the change of velocity is at least AfterImpactOptions::locking_delta_v.
   void hit(const ImpactChange& change, const Vector2& point);
 
   /// Moves the body by `duration` (s, at most 0.01 for a stable integration). `is_braking`: the

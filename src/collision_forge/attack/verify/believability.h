@@ -35,19 +35,20 @@ RoadUse roadUseOfAttack(const std::vector<TrajectoryPoint>& points, const BoxSiz
 
 /// Returns the reason why an attack with contact at `contact` (s, clock of the points) and the road
 /// use `road` from roadUseOfAttack() is implausible, worded to follow the attacker ("is on a
-/// walkway for 12 % of its motion"); empty if it is plausible or the map has no lanes. If several
-/// reasons hold, only the first is returned. `lanes` are the drivenLanes() of the request. Area off
-/// the road at the first point is not counted: it was recorded. An attacker that could not stay on
-/// the road without the contact (staysOnRoad()) is implausible, too. `points` must not be empty.
+/// walkway for 12 % of its motion"); empty if it is plausible or the map has no lanes. Tested in
+/// this order: any point on a walkway, any on an island, RoadUse::off_road, wrong_way and on_lane
+/// against `options`, staysOnRoad() at the contact; only the first reason is returned. `lanes` are
+/// the drivenLanes() of the request. Area off the road at the first point is not counted: it was
+/// recorded. `points` must not be empty.
 std::string implausibilityOf(const RoadUse& road, const std::vector<TrajectoryPoint>& points,
                              const BoxSize& size, double contact, const LaneIndex& lanes,
                              const BelievabilityOptions& options);
 
 /// Returns true if a vehicle with the pose, speed and box centre of `from` can brake to a
-/// standstill with 6 m/s2, straight or in an arc with up to 6 m/s2 to either side (curvature at
-/// most 0.2 1/m), so that at most 0.5 of its box leaves the drivable area, beyond the share that is
-/// outside at `from`. True if the map has no drivable area, or if the vehicle stands (at most 0.1
-/// m/s).
+/// standstill with 6 m/s2, straight or in an arc with 3 or 6 m/s2 to either side (curvature at most
+/// 0.2 1/m), so that every 0.2 s at most half of its box is off the drivable area, in addition to
+/// the share that is off it at `from`. True if the map has no drivable area, or if the vehicle
+/// stands (at most 0.1 m/s).
 bool staysOnRoad(const TrajectoryPoint& from, const BoxSize& size, const LaneIndex& lanes);
 
 /// Returns true if the position of `pose` (map frame) is on a traffic island or median: neither

@@ -20,8 +20,9 @@ struct StraightBraking {
   double standTime() const;
 };
 
-/// Returns the motion of an attacker after the last point of its trajectory: straight on along its
-/// heading, with the maximum braking of its vehicle class. `trajectory` must have points.
+/// Returns the motion of an attacker after the last point of its trajectory: from the time and
+/// speed of that point straight on along its heading, with the maximum braking of its vehicle
+/// class. `trajectory` must have points.
 StraightBraking brakingFromEnd(const AttackerTrajectory& trajectory,
                                const DriveLimitOptions& options);
 

@@ -12,8 +12,8 @@ namespace forge {
 class ContactWatch {
  public:
   /// `ego_size`: size of the ego's box. `kept_for` (s): age, relative to the newest ego pose, up to
-  /// which ego poses are kept, because an attack may arrive later than its t0. No attack is watched
-  /// before start().
+  /// which ego poses are kept, because an attack may arrive later than its t0. The fields
+  /// overlap_tolerance and severity of `options` are used. No attack is watched before start().
   ContactWatch(const BoxSize& ego_size, double kept_for, const VerificationOptions& options);
 
   /// Replaces the watched attack, forgets an earlier crash and tests the kept ego poses against the

@@ -20,9 +20,9 @@ DriveState driveStateOf(const TrajectoryPoint& point, const DriveLimits& limits)
 /// differences between steps give acceleration, steering rate and jerk. Small tolerances allow for
 /// changes within a step. The stored speed, acceleration and curvature must agree with the poses.
 /// Times must increase. Returns the violation with the greatest ratio of value to limit, empty if
-/// there is none. Its name is a key of config/vehicle_limits.yaml or "finite" (value and limit are
-/// 0), "no_reversing" (m moved backwards in a step), "no_slip" (m moved sideways in a step),
-/// "total_acceleration", "continues_pose" (m or rad from `start`), "continues_speed" (m/s2),
+/// there is none or no point. Its name is a key of config/vehicle_limits.yaml or "finite" (value
+/// and limit are 0), "no_reversing" (m moved backwards in a step), "no_slip" (m moved sideways in a
+/// step), "total_acceleration", "continues_pose" (m or rad from `start`), "continues_speed" (m/s2),
 /// "written_speed", "written_acceleration", "written_curvature".
 std::optional<BrokenLimit> findBrokenDrive(const std::vector<TrajectoryPoint>& points,
                                            const DriveState& start, double until,

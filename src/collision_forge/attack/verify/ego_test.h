@@ -25,8 +25,9 @@ class EgoTest {
   /// the poses. The first state must not be later than the trajectory's first point, else outcome()
   /// stays empty.
   void addEgo(const AgentState& state);
-  /// Adds the other agents at one time, one state each. Agents that are not usable (isUsable()) are
-  /// ignored.
+  /// Adds the other agents (box centres, global map frame) at one time, one state each; the
+  /// attacker's own track, if it is among them, gives its past up to t0. Agents that are not usable
+  /// (isUsable()) are ignored.
   void addAgents(const std::vector<Track>& agents);
 
   /// Returns the report of verify() on the driven states once later states cannot change it: the

@@ -39,10 +39,10 @@ class WorstLimit {
 };
 
 /// Checks the stored values of each point up to and including the first at or after `until` (s,
-/// clock of the points): forward, braking and total acceleration (lateral part speed^2 *
-/// curvature), speed, no reversing, curvature. Below limits.curvature_min_speed curvature is
-/// ill-defined; there the heading may change by heading_slack + heading_per_metre * distance since
-/// the slow stretch began ("heading_slack"). The same limit holds between `start_yaw` (rad,
+/// clock of the points), all if none is: forward, braking and total acceleration (lateral part
+/// speed^2 * curvature), speed, no reversing, curvature. Below limits.curvature_min_speed curvature
+/// is ill-defined; there the heading may change by heading_slack + heading_per_metre * distance
+/// since the slow stretch began ("heading_slack"). The same limit holds between `start_yaw` (rad,
 /// recorded yaw at t0) and the first point. Returns the violation with the greatest ratio of value
 /// to limit, empty if there is none.
 std::optional<BrokenLimit> findBrokenLimit(const std::vector<TrajectoryPoint>& points,

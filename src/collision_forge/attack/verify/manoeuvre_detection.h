@@ -15,13 +15,16 @@ struct DetectedManoeuvre {
 
 /// Classifies the manoeuvre of a trajectory that touches the ego, from the last kManoeuvreWindow
 /// seconds before the contact, by the requested type:
-/// - rear_end: by the touched side of the ego the attacker leads or follows; a leader is stopped,
-///   braking or slow. Starts with the braking, or when the speeds begin to differ.
+/// - rear_end: an attacker that touches the ego's front leads, any other follows; a leader is
+///   stopped (below 0.5 m/s), braking (above 1 m/s2) or slow. Starts with the braking, or when the
+///   speeds begin to differ.
 /// - lane_change, opposite_direction, sideswipe_same_direction: from the attacker's lane at the
-///   start of the window. Starts where the attacker last was within 0.3 m of its original offset
-///   from that lane.
-/// - junction_crossing, ltap, any: from the total turn. Starts at the first point on a junction
-///   lane or, if the map marks none at the contact, with the turn.
+///   start of the window; without a lane there, pull_out (if the attacker stands) or cut_in, for
+///   opposite_direction wrong_way or centre_line_crossing, from the window's start. Starts where
+///   the attacker last was within 0.3 m of its original offset from that lane.
+/// - junction_crossing, any: a turn above 0.5 rad in the window turns into the path, else the
+///   attacker crosses straight. ltap: by CollisionRequest::turning. Starts at the first point on a
+///   junction lane or, if the map marks none at the contact, with the turn.
 /// - angle types: by the path along the attacker's lane at the start of the window: a crossing, a
 ///   turn off an oncoming path or off a path in the ego's direction, or a departure from it.
 ///
@@ -33,6 +36,6 @@ DetectedManoeuvre detectManoeuvre(const AttackerTrajectory& trajectory,
                                   const VerificationOptions& options);
 
 /// s before the contact; the mean lane change takes 6.3 s (VTTI)
-inline constexpr double kManoeuvreWindow = 4.0;  // s; the mean lane change takes 6.3 s (VTTI)
+inline constexpr double kManoeuvreWindow = 4.0;
 
 }  // namespace forge

@@ -6,7 +6,9 @@
 namespace forge {
 
 /// Sets `gap` and `headway` of `measured` from the states (box centres, global map frame) and boxes
-/// of both vehicles at t0; leaves its other fields unchanged.
+/// of both vehicles at t0; leaves its other fields unchanged. The gap is the distance of the
+/// centres minus half of both lengths, at least 0; the headway is the gap over the speed of the
+/// vehicle behind, at most kNoHeadway.
 void measureStart(const AgentState& ego, const BoxSize& ego_size, const AgentState& attacker,
                   const BoxSize& attacker_size, ContactConditions& measured);
 

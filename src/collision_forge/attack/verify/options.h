@@ -34,7 +34,8 @@ struct BelievabilityOptions {
   double max_off_road = 0.0;    ///< largest excess of RoadUse::off_road over its value at t0
 };
 
-/// Options of verify(): config/vehicle_limits.yaml, believability.yaml and severity.yaml.
+/// Options of verify(): config/vehicle_limits.yaml, believability.yaml and severity.yaml; the last
+/// two fields have no key.
 struct VerificationOptions {
   VehicleLimits limits;        ///< of all attackers, if the request has LimitSet::kStrict
   DriveLimitOptions drivable;  ///< of attackers by class, if the request has LimitSet::kDrivable

@@ -21,8 +21,8 @@ namespace forge {
 /// steering or roll-over.
 class PostCrashMotion {
  public:
-  /// Both states (box centres, global map frame) must have the contact time. Throws as
-  /// planarImpact().
+  /// Both states (box centres, global map frame) must have the contact time. Integrates the whole
+  /// motion in steps of 0.01 s; copies share it. Throws as planarImpact().
   PostCrashMotion(const CrashedVehicle& ego, const CrashedVehicle& attacker,
                   const SeverityOptions& options);
 
@@ -32,8 +32,9 @@ class PostCrashMotion {
   /// when the motion is cut off.
   double standTime() const { return steps_->back().time; }
 
-  /// Returns the ego's state (box centre, global map frame) at `time` (s); before the contact, its
-  /// state at the contact; after standTime(), its last pose with velocity 0.
+  /// Returns the ego's state (box centre, global map frame) at `time` (s), interpolated linearly;
+  /// before the contact, its state at the contact; after standTime(), its last pose with velocity
+  /// 0.
   AgentState egoAt(double time) const;
   /// As egoAt() for the attacker.
   AgentState attackerAt(double time) const;

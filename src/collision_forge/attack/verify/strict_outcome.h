@@ -10,7 +10,7 @@ struct StrictOutcome {
   /// Report of verify() with TypeRules::kAngle: type_kept tests only the band of |relative heading|
   /// at first contact.
   CollisionReport report;
-  /// the contact meets the full definition of the type (TypeRules::kFull)
+  /// the contact meets the full definition of the type (TypeRules::kFull); false without a contact
   bool full_type_kept = false;
   bool is_plausible = true;  ///< the attack is plausible, or the request does not require that
 

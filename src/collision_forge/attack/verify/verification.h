@@ -20,8 +20,8 @@ DriveState driveStateNow(const Track& attacker, const VerificationOptions& optio
 /// Returns the time (s, scene clock) of the first contact of the attacker with the agent of `track`
 /// from the trajectory's first point up to `end` (s); empty if there is none. If the boxes overlap
 /// at the first point, that is the contact. Continuous between samples (see firstContact(),
-/// `tolerance` in m); both vehicles move linearly between samples. Gaps of the track are skipped.
-/// `trajectory` must have points.
+/// `tolerance` in m); both vehicles move linearly between samples. Gaps of the track are skipped; a
+/// track without states has no contact. `trajectory` must have points.
 std::optional<double> firstContactTime(const AttackerTrajectory& trajectory, const Track& track,
                                        double end, double tolerance);
 

@@ -29,11 +29,12 @@ class ConfigFolder {
   /// Returns the file's text, byte for byte, if no overlay changes it; else the merged file as
   /// YAML.
   std::string text(const std::string& file) const;
-  /// Returns the top-level mappings `keys` of the merged file as YAML. Throws if one is missing.
+  /// Returns the top-level mappings `keys` of the merged file as YAML, in the order of `keys`.
+  /// Throws if one is missing.
   std::string textOfSections(const std::string& file, const std::vector<std::string>& keys) const;
   /// Returns all values of the merged file as one text that does not depend on the order of keys,
-  /// comments or layout: equal configurations give equal texts. Values are compared as written: 1.0
-  /// and 1 differ.
+  /// comments or layout (the order in lists counts): equal configurations give equal texts. Values
+  /// are compared as written: 1.0 and 1 differ.
   std::string values(const std::string& file) const;
   /// Returns the sorted names of the .yaml files in the complete folder, or in its subfolder `part`
   /// (for example "study", names like "study/training.yaml"); empty if there is no such folder.

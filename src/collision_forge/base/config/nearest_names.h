@@ -12,13 +12,15 @@ namespace forge {
 std::string lowered(std::string word);
 
 /// Returns the edit distance (optimal string alignment): insertions, deletions, replacements and
-/// swaps of adjacent characters. Time and memory are proportional to the product of the lengths.
+/// swaps of adjacent characters (bytes). Time and memory are proportional to the product of the
+/// lengths.
 std::size_t editDistance(const std::string& a, const std::string& b);
 
 /// Returns the name that a mistyped `word` most likely means: the one with the fewest edits, the
-/// first of equals, ignoring case. Returns nullopt if every name needs more edits than a third of
-/// the word's length (at least one is allowed). If the shorter of the two is a prefix of the other
-/// and has three characters or more, they count as at most one edit apart.
+/// first of equals, ignoring case. Returns nullopt without names, or if every name needs more edits
+/// than a third of the word's length (rounded down; at least one is allowed). If the shorter of the
+/// two is a prefix of the other and has three characters or more, they count as at most one edit
+/// apart.
 std::optional<std::string> nearestName(const std::string& word,
                                        const std::vector<std::string>& names);
 

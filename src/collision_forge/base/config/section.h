@@ -14,8 +14,9 @@ namespace forge {
 struct SectionLayer;
 
 /// One mapping of a configuration file, with its overlay merged (ConfigFolder). Each getter checks
-/// the value's type and range and marks the key as read; finish() rejects unread keys. All
-/// functions throw ConfigError, which names the file that gives the value.
+/// the value's type and range and marks the key as read; finish() rejects unread keys. A key can be
+/// read once: a second call fails as for a missing key. All functions throw ConfigError, which
+/// names the file that gives the value.
 ///
 /// readOptions(Section&, Options&) of an options struct is in the options.cpp of the struct's
 /// folder.
@@ -23,7 +24,7 @@ class Section {
  public:
   /// `layers`: the mapping in each file that has it, in ascending priority; must not be empty.
   /// `name` is the mapping's path in the file ("search.added"), "" for the whole file. Throws if a
-  /// layer is no mapping or gives a key twice.
+  /// layer is no mapping, gives a key twice, or has a key that is no scalar.
   Section(std::string name, std::vector<SectionLayer> layers);
 
   /// Returns the mapping under a key; throws if it is missing. The caller must call finish() on it.
@@ -56,7 +57,8 @@ class Section {
   std::vector<double> positives(const std::string& key);
   /// A list of one or more numbers, each in [min, max].
   std::vector<double> numbers(const std::string& key, double min, double max);
-  /// A list of two or more numbers from 0 to 1, in ascending order (equal ones allowed).
+  /// A list of two or more numbers from 0 to 1 (both included), in ascending order (equal ones
+  /// allowed).
   std::vector<double> risingShares(const std::string& key);
   /// A list [red, green, blue], each from 0 to 1, as Color{red, green, blue}.
   template <class Color>
@@ -88,13 +90,14 @@ class Section {
     for (const std::string& key : keys) unread_.erase(key);
   }
 
-  /// Returns true if the key is present and unread.
+  /// Returns true if the key is present and neither read nor ignored yet.
   bool has(const std::string& key) const { return unread_.count(key) > 0; }
 
-  /// Returns the unread keys.
+  /// Returns the keys that are present and neither read nor ignored yet.
   const std::set<std::string>& unread() const { return unread_; }
 
-  /// Throws if a key was not read: it is unknown.
+  /// Throws if a key was neither read nor ignored: it is unknown. The message names the first such
+  /// key and a similar key that was read, if any.
   void finish() const;
 
  private:

@@ -34,9 +34,9 @@ class Descriptor {
   int value_;
 };
 
-/// Flushes creations, renames and removals in the folder that contains `path` to the disk, as far
-/// as the file system supports it. Returns true if there is nothing more to flush, false with errno
-/// on failure.
+/// Flushes creations, renames and removals in the folder that contains `path` (the working folder
+/// for a bare name) to the disk, as far as the file system supports it. Returns true if there is
+/// nothing more to flush, false with errno on failure.
 bool syncFolderOf(const std::string& path);
 
 }  // namespace forge

@@ -12,9 +12,11 @@ namespace forge {
 /// cannot be read.
 std::string fingerprintOfFiles(const std::vector<std::string>& paths);
 
-/// Returns the same for all files under the folder `path`, with their paths relative to it as
-/// names, sorted, if these end in `ending` ("": all); or for `path` itself if it is no folder. Does
-/// not follow links to folders, except `path`.
+/// Returns the same for the files below the folder `path`, at any depth, whose names end in
+/// `ending` ("": all), sorted by path, with their paths relative to the folder as names. If `path`
+/// is a file, returns fingerprintOfFiles() of it, whatever its ending. Does not follow links to
+/// folders, except `path`. Throws std::runtime_error if `path` does not exist or a file cannot be
+/// read.
 std::string fingerprintOfTree(const std::string& path, const std::string& ending = "");
 
 }  // namespace forge

@@ -15,8 +15,8 @@ std::uint64_t hashOf(std::string_view text, std::uint64_t before = kHashBasis);
 /// Returns `bits` with all bits mixed (finalizer of splitmix64): each output bit depends on all.
 std::uint64_t mixed(std::uint64_t bits);
 
-/// Returns hashOf() as 16 hexadecimal digits; pass an earlier fingerprint as `before` to continue
-/// it, or "" to begin.
+/// Returns hashOf() as 16 hexadecimal digits, in lower case; pass an earlier fingerprint as
+/// `before` to continue it, or "" to begin.
 std::string fingerprint(const std::string& text, const std::string& before = "");
 
 }  // namespace forge

@@ -6,10 +6,10 @@
 
 namespace forge {
 
-/// Prevents other processes from writing the same output while this object exists. Locks a file
-/// that holds the process id: FOLDER/.lock, or FILE.lock beside a file. The unlocked lock file of a
-/// killed process is reused. Another file of that name stays unchanged and is an error. The
-/// destructor removes the lock file.
+/// Keeps other OutputLocks, of this or another process, from the same output while this object
+/// exists. Locks a file that holds the process id: FOLDER/.lock, or FILE.lock beside a file. The
+/// unlocked lock file of a killed process is reused. Another file of that name stays unchanged and
+/// is an error. The destructor removes the lock file.
 class OutputLock {
  public:
   static constexpr const char* kFileName = ".lock";  ///< name in a folder, ending beside a file

@@ -12,7 +12,7 @@ namespace forge {
 
 /// Format of a ResumableFile.
 struct ItemLayout {
-  std::string header;              ///< first line of the file; "": none
+  std::string header;              ///< first line of the file, without its line end; "": none
   std::size_t lines_per_item = 1;  ///< at least 1
 };
 
@@ -29,8 +29,8 @@ class ResumableFile {
 
   /// Opens PATH.part, new or from an earlier run. Throws std::runtime_error naming the file if it
   /// cannot be opened, if another process writes it, and if PATH or PATH.part was made with other
-  /// options; the message gives the first that differs and both values. Opens nothing if PATH
-  /// exists: see isComplete().
+  /// options (the message gives the first that differs and both values) or has no PATH.options.
+  /// Opens nothing if PATH exists: see isComplete().
   ResumableFile(const std::string& path, const Options& options, const ItemLayout& layout = {});
 
   /// Returns true if an earlier run completed PATH: nothing is left to write, and only resume() may
@@ -45,8 +45,9 @@ class ResumableFile {
   std::size_t resume(
       const std::function<void(const std::string& where, const std::string& lines)>& on_item);
 
-  /// Writes an item, the lines_per_item lines `lines` without the last line end. Throws
-  /// std::runtime_error if it cannot be written (a full disk, a limit): earlier items stay.
+  /// Writes an item, the lines_per_item lines `lines` without the last line end. resume() must have
+  /// been called. Throws std::runtime_error if it cannot be written (a full disk, a limit): earlier
+  /// items stay.
   void append(const std::string& lines);
 
   /// Flushes PATH.part to the disk, renames it to PATH and removes the checksums. Throws

@@ -33,8 +33,9 @@ enum class WorkerStream {
 /// thread-safe.
 class WorkerProcess {
  public:
-  /// Starts `command` (program path and arguments, not empty). `grace`: s that the process has to
-  /// end by itself after its stream has closed. Throws std::runtime_error if it cannot be started.
+  /// Starts `command` (path of the program, which is not searched in PATH, and its arguments).
+  /// `grace`: s that the process has to end by itself after its stream has closed. Throws
+  /// std::runtime_error if it cannot be started.
   explicit WorkerProcess(const std::vector<std::string>& command,
                          WorkerStream stream = WorkerStream::kOwn, double grace = 0.0);
   ~WorkerProcess();
@@ -50,11 +51,12 @@ class WorkerProcess {
   /// only.
   void send(const void* data, std::size_t size);
   void receive(void* data, std::size_t size);
-  /// Waits for text up to a line end and returns it without the line end. Throws as receive(), and
-  /// std::runtime_error for a line of more than `longest` bytes.
+  /// Waits for text up to a line end ('\n') and returns it without the line end. Throws as
+  /// receive(), and std::runtime_error for a line of more than `longest` bytes.
   std::string receiveLine(std::size_t longest);
 
-  /// Sends SIGINT to the process group; does nothing after the end of the process was noticed.
+  /// Sends SIGINT to the process group; does nothing after send() or a receive function has thrown
+  /// because the process ended.
   void interrupt() const;
   /// Returns true if the process has ended; does not wait.
   bool hasEnded() const;

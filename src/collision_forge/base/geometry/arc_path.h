@@ -25,17 +25,17 @@ struct ArcPath {
 double curvatureOf(const ArcPath& path, std::size_t piece);
 
 /// Returns the pose `arc_length` (m, negative: before) after `from` on an arc of constant curvature
-/// (1/m, positive to the left), exactly.
+/// (1/m, positive to the left), exactly; yaw in (-pi, pi].
 Pose2 alongArc(const Pose2& from, double curvature, double arc_length);
 
 /// Returns the pose at an arc length (m from the start, clamped to [0, length]), integrated
 /// exactly. Throws as curvatureOf().
 Pose2 poseAt(const ArcPath& path, double arc_length);
 
-/// Returns the poses of the consecutive paths, joined: n = floor(max(ceil(length / resolution)
-/// + 1.5, 2)) evenly spaced poses per path (nuScenes' published discretisation), without the
-/// repeated pose at each joint. `resolution` in m. Throws std::invalid_argument if it is not
-/// positive.
+/// Returns the poses of the consecutive paths, joined: n = floor(max(ceil(length / resolution) +
+/// 1.5, 2)) evenly spaced poses per path (nuScenes' published discretisation), without the first
+/// pose of each later path, which repeats the end of the path before; empty without paths.
+/// `resolution` in m. Throws std::invalid_argument if it is not positive.
 std::vector<Pose2> discretize(const std::vector<ArcPath>& paths, double resolution);
 
 }  // namespace forge

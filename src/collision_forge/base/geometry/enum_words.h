@@ -24,7 +24,8 @@ const char* wordOf(const EnumWord<Enum> (&table)[count], Enum value,
   return unknown;
 }
 
-/// Returns the value of a word; nullopt for a word that is not in the table.
+/// Returns the value of a word; nullopt for a word that is not in the table. Upper and lower case
+/// differ.
 template <typename Enum, std::size_t count>
 std::optional<Enum> valueOf(const EnumWord<Enum> (&table)[count], const std::string& word) {
   for (const EnumWord<Enum>& entry : table) {

@@ -27,8 +27,8 @@ std::array<Vector2, 4> corners(const OrientedBox& box);
 /// Number of the sample points of samplePointsOf().
 inline constexpr std::size_t kBoxSamples = 9;
 /// Returns sample points of a box for quick queries about the ground below it: a grid of three by
-/// three, spaced 0.4 of the length and 0.4 of the width around the centre, from the rear right to
-/// the front left, in the frame of `box.center`.
+/// three, spaced 0.4 of the length and 0.4 of the width around the centre, rear row first, each row
+/// from right to left, in the frame of `box.center`.
 std::array<Vector2, kBoxSamples> samplePointsOf(const OrientedBox& box);
 
 /// Returns the box with every side moved inwards by `margin` (m; outwards if negative); sides stay
@@ -71,8 +71,9 @@ const char* toString(Side side);
 /// Returns the side of a name as toString() spells it; nullopt for another name.
 std::optional<Side> sideFromString(const std::string& name);
 
-/// Returns the side of `box` that `other` touches: the side beyond whose line `other` lies
-/// farthest. Intended for boxes that just touch.
+/// Returns the side of `box` that `other` touches: the side beyond whose line `other` lies farthest
+/// (for boxes that overlap: the side with the least depth), the first of equals in the order of
+/// Side. Intended for boxes that just touch.
 Side touchedSide(const OrientedBox& box, const OrientedBox& other);
 
 /// Returns the share, [0, 1], of a side of `box` that `other` covers in projection on the side: 1

@@ -28,6 +28,8 @@ struct Pose2 {
   bool isFinite() const;
 };
 
+// The next three functions return yaws in (-pi, pi].
+
 /// Returns `local`, a pose in the frame of `base`, in the frame in which `base` is given.
 Pose2 compose(const Pose2& base, const Pose2& local);
 

@@ -25,7 +25,7 @@ class AreaRaster {
   /// Returns true if the area has no polygon.
   bool empty() const { return area_.empty(); }
   /// Returns true if the centre of the cell with this point (m, map frame) is in the area; false
-  /// for a point that is not finite.
+  /// for a point that is not finite, and for an empty area.
   bool contains(const Vector2& point) const;
 
  private:

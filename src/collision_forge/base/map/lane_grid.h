@@ -32,11 +32,12 @@ class LaneGrid {
   bool isOnLane(const Pose2& pose, double max_distance, double max_heading) const;
 
   /// Returns true if samples are within `max_distance` (m) and the headings of all of them differ
-  /// by more than 90 degrees from the pose's yaw. Returns false for a pose that is not finite.
+  /// by more than 90 degrees from the pose's yaw. Returns false if no sample is in range, and for a
+  /// pose that is not finite.
   bool isWrongWay(const Pose2& pose, double max_distance) const;
 
   /// Returns the samples within `max_distance` (m) of `position` (m, map frame), sorted by lane and
-  /// arc length; none for a position that is not finite.
+  /// arc length; empty if there is none, and for a position that is not finite.
   std::vector<LaneSample> samplesNear(const Vector2& position, double max_distance) const;
 
  private:

@@ -7,8 +7,8 @@
 namespace forge {
 
 /// Makes the links Lane::incoming and Lane::outgoing mutual: a link in either lane is in both
-/// afterwards, once. Links that were in `outgoing` come first, in their order. Drops links to lanes
-/// that are not in `lanes`.
+/// afterwards, once. In Lane::outgoing, links that were there before come first, in their order.
+/// Drops links to lanes that are not in `lanes`.
 void linkMutually(std::vector<Lane>& lanes);
 
 }  // namespace forge

@@ -17,11 +17,13 @@ inline constexpr double kLaneWidth = 3.5;
 
 /// A lane, or a lane connector (the path through a junction). Global map frame, m.
 struct Lane {
-  std::string id;                     ///< unique in the map
-  bool is_connector = false;          ///< true: the path through a junction
-  bool is_intersection = false;       ///< part of a road segment marked as an intersection
-  std::vector<Pose2> centerline;      ///< in driving direction; empty when the map has none
-  std::vector<Vector2> polygon;       ///< outline, open ring; may be empty
+  std::string id;                 ///< unique in the map
+  bool is_connector = false;      ///< true: the path through a junction
+  bool is_intersection = false;   ///< within a road segment marked as an intersection; a connector
+                                  ///< need not be
+  std::vector<Pose2> centerline;  ///< in driving direction, yaw along it; empty when the map has
+                                  ///< none
+  std::vector<Vector2> polygon;   ///< outline, open ring; empty if unknown
   std::vector<std::string> incoming;  ///< ids of predecessor lanes, all in the map
   std::vector<std::string> outgoing;  ///< ids of successor lanes, all in the map
   std::optional<double> speed_limit;  ///< m/s; empty if unknown, as in nuScenes

@@ -25,8 +25,9 @@ struct LaneMatch {
 /// A path along consecutive lanes.
 struct LanePath {
   std::vector<std::size_t> lanes;  ///< indices into LaneMap::lanes, in driving order
-  std::vector<Vector2> points;     ///< m, map frame, along the centrelines; at least two, over 1 m:
-                                   ///< extended straight if the lanes are shorter
+  std::vector<Vector2> points;     ///< m, map frame, along the centrelines (points within 0.2 m
+                                   ///< are merged); at least two; if `length` is below 1 m,
+                                   ///< extended straight by 1 m
   double length = 0.0;             ///< m along the centrelines, without that extension
   Pose2 end;                       ///< pose on the last centreline at `length`
 };
@@ -37,8 +38,8 @@ struct LanePath {
 class LaneIndex {
  public:
   /// Keeps the map alive. Throws std::invalid_argument for a null map, a centreline that is not
-  /// finite, and an area or a centreline beyond its limit (200 km, 100 km). Ignores outgoing ids
-  /// that the map does not have.
+  /// finite, an area that extends over more than 200 km, and a centreline longer than 100 km.
+  /// Ignores outgoing ids that the map does not have.
   explicit LaneIndex(std::shared_ptr<const LaneMap> map);
 
   /// Return the map of the constructor; the reference is valid as long as the index.
@@ -57,26 +58,28 @@ class LaneIndex {
     return successors_.at(lane);
   }
 
-  /// Returns the lanes whose centreline is within `max_distance` (m) and whose heading is within
-  /// `max_heading` (rad) of the pose's. Sorted by distance (to 1 mm), then by heading error, which
-  /// separates lanes that overlap before they diverge, then by index.
+  /// Returns the lanes whose centreline is within `max_distance` (m) and whose heading at the
+  /// closest point is within `max_heading` (rad) of the pose's; empty if there is none. A pose
+  /// beyond an end of a lane matches, too, if that end is near enough. Sorted by distance (to 1
+  /// mm), then by heading error, which separates lanes that overlap before they diverge, then by
+  /// index.
   std::vector<LaneMatch> lanesNear(const Pose2& pose, double max_distance,
                                    double max_heading) const;
 
-  /// Returns the indices of the lanes whose centreline is within `radius` (m) of `center`, nearest
-  /// first, then by index.
+  /// Returns the indices of the lanes whose centreline is within `radius` (m) of `center`, whatever
+  /// their heading, nearest first, then by index; empty if there is none.
   std::vector<std::size_t> lanesWithin(const Vector2& center, double radius) const;
 
   /// Returns the path ahead from an arc length (m, clamped) on a lane's centreline: along the lane,
-  /// then at each end along straightestSuccessor(), for `distance` (m) or until the lanes end. The
-  /// path is at least 1 m long, extended straight if need be. Throws std::invalid_argument for a
-  /// lane without a centreline.
+  /// then at each end along straightestSuccessor(), cut off after `distance` (m) or where the lanes
+  /// end (at most 1000 lanes). A path below 1 m is extended straight by 1 m. Throws
+  /// std::invalid_argument for a lane without a centreline.
   Polyline pathAhead(std::size_t lane, double arc_length, double distance) const;
 
   /// Returns up to `max_paths` (at least one) paths ahead from an arc length (m, clamped) on a
-  /// lane's centreline, each for `distance` (m) or until the lanes end, over all successors at each
-  /// branch: first the path of pathAhead(), then the paths that leave it, nearest branch first,
-  /// then the paths that leave these. Throws std::invalid_argument for a lane without a centreline.
+  /// lane's centreline, each as by pathAhead(), over all successors at each branch: first the path
+  /// of pathAhead(), then the paths that leave it, nearest branch first, then the paths that leave
+  /// these. Throws std::invalid_argument for a lane without a centreline.
   std::vector<LanePath> pathsAhead(std::size_t lane, double arc_length, double distance,
                                    std::size_t max_paths) const;
 
@@ -93,8 +96,9 @@ class LaneIndex {
   /// Returns the object for fast queries on the walkways, accurate to half a cell of 0.5 m.
   const AreaRaster& walkways() const { return walkways_; }
 
-  /// Returns an index of the same map with every lane and the driving side reversed. Built on the
-  /// first call (milliseconds), thread-safe; lives as long as this index.
+  /// Returns an index of the same map with every lane and the driving side reversed; indices and
+  /// ids of lanes stay. Built on the first call (milliseconds), thread-safe; lives as long as this
+  /// index.
   const LaneIndex& reversed() const;
 
   /// Returns the share, 0..1, of the box's area outside the drivable polygons, sampled at the

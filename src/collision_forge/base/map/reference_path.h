@@ -30,15 +30,17 @@ class ReferencePath {
   static constexpr std::size_t kMinControls = 4;  ///< control points of a cubic with one piece
 
   /// Smooths a centreline (or several joined ones) over a few metres: recorded centrelines have
-  /// kinks that no driver follows.
+  /// kinks that no driver follows. The path begins and ends at the ends of `line`; it has one piece
+  /// per m, rounded, at least one.
   explicit ReferencePath(const Polyline& line);
   /// Restores a path from its spacing() (m) and controls() (map frame). Throws
   /// std::invalid_argument for fewer than kMinControls points, a point that is not finite, and a
   /// spacing that is not finite and positive.
   ReferencePath(double spacing, std::vector<Vector2> controls);
 
-  /// Returns the parallel path `across` metres to the left (negative: right). Cuts bends tighter
-  /// than `across`. Throws std::invalid_argument if that leaves fewer than two distinct points.
+  /// Returns the parallel path `across` metres to the left (negative: right). Cuts bends towards
+  /// that side with a radius below 1.25 times |`across`|, where it would run backwards. Throws
+  /// std::invalid_argument if that leaves fewer than two distinct points.
   ReferencePath beside(double across) const;
 
   /// Returns the arc length (m) between two control points.
@@ -48,13 +50,16 @@ class ReferencePath {
   const std::vector<Vector2>& controls() const { return controls_; }
   /// Returns the nominal length of the path, m: the range of arc lengths of at().
   double length() const { return spacing_ * static_cast<double>(controls_.size() - 3); }
-  /// Returns the point at an arc length (m); beyond either end the path continues straight.
+  /// Returns the point at an arc length (m); beyond either end the path continues straight, with
+  /// curvature 0 and stretch 1.
   PathPoint at(double arc_length) const;
-  /// Returns |curvature| (1/m) every kBendSpacing from the start to the end; each at least 1e-3, so
-  /// that a speed limit in bends is finite on straights.
+  /// Returns |curvature| (1/m) at 0, kBendSpacing, 2 kBendSpacing, ... up to the last multiple that
+  /// is not beyond length(); each at least 1e-3, so that a speed limit in bends is finite on
+  /// straights.
   std::vector<double> curvatures() const;
   /// Returns the arc length (m) of the point of the path closest to `point` (map frame), to first
-  /// order from the closest control point; may be beyond either end (negative before the start).
+  /// order from the closest control point (the first of equally close ones); may be beyond either
+  /// end (negative before the start).
   double project(const Vector2& point) const;
   /// Returns the Frenet coordinates of a pose (map frame) near the path, in the frame of the pose
   /// at project().

@@ -17,8 +17,9 @@ struct ValueGrid {
 
 /// Returns the area where the grid's values are positive, by marching squares: its border crosses
 /// the grid lines where linear interpolation between two nodes is 0. Nodes on the grid's border
-/// count as negative. Rings are simplified to 2 cm; rings, also of holes,
-/// with an area below `min_area` (m2) are left out.
+/// count as negative. Exteriors are counter-clockwise, holes clockwise. Rings are simplified to 2
+/// cm; rings, also of holes, with an area below `min_area` (m2) are left out. Empty if no value is
+/// positive.
 std::vector<Polygon> positiveArea(const ValueGrid& grid, double min_area);
 
 }  // namespace forge

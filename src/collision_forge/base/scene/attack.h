@@ -16,13 +16,14 @@ namespace forge {
 
 /// The poses, speed and time at impact that a method predicts (Sec. 3 of arXiv 2510.12206).
 struct CollisionPattern {
-  CollisionType type = CollisionType::kRearEnd;  ///< the requested type
+  /// The requested type; for a request with kAny the type that was chosen.
+  CollisionType type = CollisionType::kRearEnd;
   std::string attacker_id;    ///< id of the recorded or added vehicle that attacks
   double time = 0.0;          ///< s, same clock as the snapshot; the time of impact
   OrientedBox ego;            ///< the ego's box at `time`, global map frame
   Pose2 attacker_offset;      ///< attacker's box centre in the frame of the ego's box centre
   double attacker_speed = 0;  ///< m/s along the attacker's heading at impact
-  /// m; a contact whose cornerMiss() from this pattern is at most this counts as equal.
+  /// m; a contact whose cornerMiss() from this pattern is at most this counts as the predicted one.
   double tolerance = 0.0;
 };
 
@@ -36,7 +37,8 @@ struct PatternMiss {
 PatternMiss missBetween(const Pose2& expected, const Pose2& actual);
 
 /// Returns an upper bound, in m, on the displacement of any corner of the attacker's box of size
-/// `attacker` between its predicted and its actual pose.
+/// `attacker` between its predicted and its actual pose: miss.distance + circumradius(attacker) *
+/// miss.heading.
 double cornerMiss(const PatternMiss& miss, const BoxSize& attacker);
 
 /// One sample of the attacker's motion. Global map frame; the pose is the box centre.
@@ -65,8 +67,8 @@ struct AttackerTrajectory {
   AgentClass agent_class = AgentClass::kCar;
   BoxSize size;
   std::vector<TrajectoryPoint> points;  ///< ascending times, the first one t0
-  /// Added vehicle: its states from its first frame in the recording up to t0, at the frame times.
-  /// Empty for a recorded vehicle, whose past is its track.
+  /// Added vehicle: its states from its first frame in the recording up to t0 (included), at the
+  /// frame times. Empty for a recorded vehicle, whose past is its track.
   std::vector<AgentState> past = {};
 
   /// Returns true for a vehicle added to the scene, false for a recorded one.
@@ -82,8 +84,8 @@ Pose2 poseAt(const AttackerTrajectory& trajectory, double time);
 struct RoadUse {
   double on_lane = 0.0;    ///< on a lane in its direction, LaneGrid::isOnLane()
   double wrong_way = 0.0;  ///< on no lane and against all nearby lanes, LaneGrid::isWrongWay()
-  double off_road =
-      0.0;  ///< mean share of the box's samples (samplePointsOf()) off the drivable area
+  /// Mean share of the box's samples (samplePointsOf()) off the drivable area.
+  double off_road = 0.0;
   double on_walkway = 0.0;  ///< a sample of the box is on a walkway and off the drivable area
   double on_island = 0.0;   ///< on ground enclosed by road, for instance a traffic island
 };
@@ -91,7 +93,7 @@ struct RoadUse {
 /// A model of a careful and competent driver in the ego's place.
 struct CarefulDrive {
   std::string driver;   ///< "cc_driver", "r157_system", "rss" or "fsm"
-  bool avoids = false;  ///< this driver has no contact
+  bool avoids = false;  ///< this driver has no contact with the attacker
   /// s, scene clock: when braking begins; empty if this driver does not brake.
   std::optional<double> brakes_at;
 };
@@ -112,13 +114,15 @@ struct CollisionReport {
   double overlap = 0.0;               ///< share 0..1 of `ego_side` that the attacker covers
   CrashSeverity severity;             ///< severityOf(); set by verify() if `contact`
   std::vector<CarefulDrive> careful_drivers;  ///< driveCarefully(); empty if not requested
-  /// The contact meets the definition of the requested type (CrashDefinition).
+  /// The contact meets the definition of the requested type (CrashDefinition); false without
+  /// contact.
   bool type_kept = false;
-  bool on_time = false;  ///< |contact time - (t0 + TTA)| <= time_tolerance
+  bool on_time = false;  ///< |contact time - (t0 + TTA)| <= time_tolerance; false without contact
   /// Every vehicle limit kept from t0 to contact; if there is no contact, to the last point.
   bool limits_kept = false;
   std::string broken_limit;     ///< name, value and limit of the worst violation; empty if kept
-  std::string first_other_id;   ///< first other agent hit before the ego; empty if none
+  std::string first_other_id;   ///< first other agent that the attacker touches before the ego,
+                                ///< without contact up to its last point; empty if none
   double first_other_time = 0;  ///< s, same clock; valid if `first_other_id` is not empty
   /// Mean share of the attacker's box off the drivable area, from t0 to contact; if there is no
   /// contact, to the last point. 0 if the map has no drivable area.

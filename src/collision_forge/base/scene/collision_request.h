@@ -15,7 +15,7 @@ namespace forge {
 enum class Mode { kHistory, kReplay, kAdaptive };
 /// Returns "history", "replay" or "adaptive".
 const char* toString(Mode mode);
-/// Returns the mode of a name as toString() spells it; nullopt for another name.
+/// Returns the mode of a name of toString(), ignoring case; nullopt for another name.
 std::optional<Mode> modeFromString(const std::string& name);
 
 /// Which vehicles may attack if the request names none: kExisting recorded vehicles, kNew an added
@@ -23,7 +23,7 @@ std::optional<Mode> modeFromString(const std::string& name);
 enum class AttackerChoice { kAny, kExisting, kNew };
 /// Returns "any", "existing" or "new".
 const char* toString(AttackerChoice choice);
-/// Returns the choice of a name as toString() spells it; nullopt for another name.
+/// Returns the choice of a name of toString(), ignoring case; nullopt for another name.
 std::optional<AttackerChoice> attackerChoiceFromString(const std::string& name);
 
 /// Vehicle that hides the attacker from the ego: kParkedVehicle stands from t0 to the contact,
@@ -31,7 +31,7 @@ std::optional<AttackerChoice> attackerChoiceFromString(const std::string& name);
 enum class Hider { kParkedVehicle, kLeader };
 /// Returns "parked_vehicle" or "leader".
 const char* toString(Hider hider);
-/// Returns the value of a name as toString() spells it; nullopt for another name.
+/// Returns the value of a name of toString(), ignoring case; nullopt for another name.
 std::optional<Hider> hiderFromString(const std::string& name);
 
 /// A closed interval.
@@ -48,7 +48,7 @@ struct CollisionRequest {
   AttackerChoice choice = AttackerChoice::kAny;  ///< matters if `attacker` is empty
   Mode mode = Mode::kHistory;
   std::uint64_t seed = 0;  ///< of all random draws; the same request and seed give the same attack
-  /// Number of attacks wanted, which differ in attacker or manoeuvre; 1: only the best.
+  /// Largest number of attacks wanted, which differ in attacker or manoeuvre; 1: only the best.
   int alternatives = 1;
   // Further constraints on the attack; an empty field allows any value.
   std::optional<AgentClass> attacker_class;  ///< class that the attacker must have
@@ -91,9 +91,9 @@ struct SceneRequest {
 
 /// Outcome of a request; the values equal the constants of GenerateCollision.srv.
 enum class StatusCode : std::uint8_t {
-  kOk = 0,  ///< solved: an attack was found
-  kUnknownType = 1,
-  kTtaOutOfRange = 2,
+  kOk = 0,               ///< solved: an attack was found
+  kUnknownType = 1,      ///< the collision type is unknown, or kAny where one type is needed
+  kTtaOutOfRange = 2,    ///< TTA outside PredictionOptions::min_tta to max_tta
   kUnknownAttacker = 3,  ///< no agent of that id in the snapshot
   kAbsentAttacker = 4,   ///< the agent is not present at t0, or its class cannot attack
   /// Ego or attacker was not observed in two frames up to t0, at most kMaxGap apart.

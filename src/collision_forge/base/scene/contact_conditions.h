@@ -37,8 +37,8 @@ struct ContactConditions {
   /// s before the contact from which on the ego sees the attacker without a break; at most the time
   /// since t0. See sightOf().
   double visible_for = 0.0;
-  /// Kind of vehicle that hid the attacker until then; empty if it was visible since t0, or if
-  /// another agent hid it.
+  /// Kind of vehicle that hid the attacker until the ego saw it; empty if it was visible since t0,
+  /// or if another agent hid it.
   std::optional<Hider> hidden_by = {};
   std::string hidden_by_id = {};  ///< id of the agent that hid it; empty if it was visible since t0
 };
@@ -55,8 +55,8 @@ struct RangeControl {
   const char* unit;  ///< unit of the range, for people
   std::optional<Range> CollisionRequest::*asked;  ///< the requested range; empty: any value
   double ContactConditions::*measured;            ///< the value that must be in the range
-  double least;                                   ///< smallest minimum of a valid range
-  double most;                                    ///< greatest maximum of a valid range
+  double least;                                   ///< smallest `min` of a valid range
+  double most;                                    ///< greatest `max` of a valid range
   const char* meaning;  ///< description of the quantity, for the help of an option
 };
 

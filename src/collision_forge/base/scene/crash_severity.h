@@ -26,8 +26,8 @@ struct CrashSeverity {
   CrashEffect other;         ///< the attacker or another agent
   double energy_lost = 0.0;  ///< J, kinetic energy lost in the impact
 
-  /// Returns the effect with the larger probability of an injury of MAIS 3 or more; crashes are
-  /// sorted by that.
+  /// Returns the effect with the larger probability of an injury of MAIS 3 or more, `ego` if they
+  /// are equal; crashes are sorted by that probability.
   const CrashEffect& worse() const { return other.mais3 > ego.mais3 ? other : ego; }
 };
 

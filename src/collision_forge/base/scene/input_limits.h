@@ -68,8 +68,8 @@ void checkSnapshot(Snapshot& snapshot, const InputLimits& limits, const std::str
 /// The ego and each of `ego_samples` must have a state; agents without states are removed.
 void checkFuture(Future& future, const InputLimits& limits, const std::string& where);
 
-/// Checks size, points (at least one) and past. Times must increase, within max_past and
-/// max_trajectory of t0, the time of the first point.
+/// Checks size, points (at least one) and past, each with positions and speeds. Times must
+/// increase, within max_past and max_trajectory of t0, the time of the first point.
 void checkTrajectory(const AttackerTrajectory& trajectory, const InputLimits& limits,
                      const std::string& where);
 

@@ -13,7 +13,7 @@ namespace forge {
 /// A recording and the spatial index of its map.
 struct IndexedScene {
   Scene scene;
-  std::shared_ptr<const LaneIndex> lanes;  ///< index of scene.map
+  std::shared_ptr<const LaneIndex> lanes;  ///< index of scene.map, not null
 };
 
 /// The input of a method: one time t0 of a recorded or live scene.
@@ -21,7 +21,7 @@ struct Moment {
   Snapshot snapshot;  ///< frames up to t0
   /// The recording from t0 on, recordedFuture(); empty in live scenes.
   std::optional<Future> recorded;
-  std::shared_ptr<const LaneIndex> lanes;  ///< index of snapshot.map
+  std::shared_ptr<const LaneIndex> lanes;  ///< index of snapshot.map, not null
   /// As `snapshot`, with frames (historyTimes()) back to the begin of the recording: the past in
   /// which a vehicle can be added. Null in live scenes, where the past cannot be changed.
   std::shared_ptr<const Snapshot> past = nullptr;

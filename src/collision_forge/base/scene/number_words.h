@@ -13,7 +13,7 @@ std::string numberText(double value);
 /// `plural` if the plural is not formed with an s.
 std::string counted(std::size_t count, const std::string& noun, const std::string& plural = "");
 
-/// Returns a share in [0, 1] in percent without decimals: "71 %".
+/// Returns a share in [0, 1] in percent, rounded to the nearest integer: "71 %".
 std::string percentText(double share);
 
 }  // namespace forge

@@ -60,7 +60,7 @@ inline constexpr double kFrameInterval = 0.5;
 
 /// Returns the frame times, ascending and at most `count`, of a snapshot taken at the last of
 /// `times` (ascending). Goes back from the last: each next time is the one whose gap is nearest to
-/// kFrameInterval.
+/// kFrameInterval, the earlier of two equally near ones. Empty without `times`.
 std::vector<double> historyTimes(const std::vector<double>& times, int count);
 
 /// Returns the last frame time at or before `time` (s, scene clock, to 1 us); nullopt if the first
@@ -68,13 +68,15 @@ std::vector<double> historyTimes(const std::vector<double>& times, int count);
 std::optional<double> lastFrameTime(const Scene& scene, double time);
 
 /// Returns the states at the last `frames` historyTimes() up to `now` (s, scene clock), with
-/// velocities derived from the positions (deriveVelocities()). The ego's states are interpolated,
-/// agents keep those recorded at these times. Omits agents without a state at any of them. Without
-/// a frame up to `now`, the ego has no states and there are no agents.
+/// velocities derived from the positions (deriveVelocities()). The ego's states are interpolated
+/// (stateAt(); omitted where it returns nullopt), agents keep those recorded at these times. Omits
+/// agents without a state at any of them. Snapshot::now is `now`, also if no frame is at that time.
+/// Without a frame up to `now`, the ego has no states and there are no agents.
 Snapshot snapshotAt(const Scene& scene, double now, int frames);
 
 /// Returns the recorded states from `now` (s, scene clock, included) to the end of the ego's track,
-/// unchanged. Omits agents without a state in this time; `ego_samples` is empty.
+/// unchanged, later states of agents cut off. Omits agents without a state in this time;
+/// `ego_samples` is empty.
 Future recordedFuture(const Scene& scene, double now);
 
 }  // namespace forge

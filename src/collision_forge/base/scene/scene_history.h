@@ -44,8 +44,8 @@ void keepNewest(Values& values, double age) {
 /// whatever the rate of the frames. Not thread-safe.
 class SceneHistory {
  public:
-  /// Starts empty. `frames` is the largest number of frames of a snapshot; `ego` gives the size of
-  /// the ego's box.
+  /// Starts empty. `frames` is the largest number of frames of a snapshot, at least 1; `ego` gives
+  /// the size of the ego's box.
   SceneHistory(int frames, const EgoVehicle& ego);
 
   /// Starts with the frames (one at each state of the ego) and the map of `start`.
@@ -69,9 +69,9 @@ class SceneHistory {
   /// Returns the newest frame, valid until the next add(). The history must not be empty.
   const Frame& newest() const { return frames_.back(); }
 
-  /// Returns what snapshotAt() returns for a Scene of the same frames, agents sorted by id. The
-  /// map is the one of the constructor's snapshot, or null. For an empty history, `now` is 0 and
-  /// there are no states.
+  /// Returns what snapshotAt() returns for a Scene of the same frames, agents sorted by id, each
+  /// with the class and size of its newest frame. The map is the one of the constructor's snapshot,
+  /// or null. For an empty history, `now` is 0 and there are no states.
   Snapshot snapshot() const;
 
  private:

@@ -11,12 +11,13 @@ namespace forge {
 
 /// Returns the support as an agent: the states before its first point (its past, or for a support
 /// that was not added the states of `recorded`), then its points. If it stands at its last point,
-/// states every kFrameInterval follow up to `end` (s, scene clock). `recorded`: the recorded agent
-/// with its id, or null. The support must have points.
+/// states every kFrameInterval follow, the last one at `end` (s, scene clock); none if `end` is not
+/// later. Points after `end` are kept. `recorded`: the recorded agent with its id, or null. The
+/// support must have points.
 Track trackOf(const SupportVehicle& support, const Track* recorded, double end);
 
-/// Adds the supports with states, interpolated, at the times of the ego's states. A support without
-/// a state at any of them is not added.
+/// Adds the supports with states, interpolated (stateAt()), at the times of the ego's states. A
+/// support without a state at any of them is not added.
 void addSupports(const std::vector<SupportVehicle>& supports, Snapshot& snapshot);
 /// Adds the supports from the ego's first state on. Supports that stand last to the ego's last
 /// state. Does nothing if the ego has no states.

@@ -18,8 +18,8 @@ int defaultJobs();
 /// Distributes the items [first, count) dynamically over threads. Calls `work(index)` once per item
 /// on one of the threads, then `take(index, bytes)` with its result, in order of index, in the
 /// calling thread. Returns when all results were taken. `work` must be thread-safe and depend on
-/// the index alone. The number of results that wait for an earlier one is bounded, so memory does
-/// not grow with `count`.
+/// the index alone. At most 64 items per thread are assigned and not yet taken, so memory does not
+/// grow with `count`. Calls neither function if `options.first` >= `count`.
 ///
 /// An exception of `work` or `take` is rethrown after the results of all earlier items were taken
 /// and the threads have ended; later items may stay undone. Throws std::invalid_argument for jobs <

@@ -10,7 +10,7 @@ namespace forge {
 
 /// The result of one item: bytes, or the exception that was thrown.
 struct ItemResult {
-  std::size_t index = 0;
+  std::size_t index = 0;     ///< of the item
   std::string bytes;         ///< empty after an exception
   std::exception_ptr error;  ///< null: no exception
 };
@@ -34,7 +34,7 @@ class Ledger {
   /// Returns the next result in order of index, each once; nullopt if it is not there yet.
   std::optional<ItemResult> next();
 
-  /// Returns true if next() has returned every item.
+  /// Returns true if next() has returned every item; at once if `first` >= `count`.
   bool isFinished() const { return next_turn_ >= count_; }
 
  private:

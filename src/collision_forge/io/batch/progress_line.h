@@ -31,9 +31,10 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Shows `done` of `all` (> 0) items, with the rate. Cheap: may be called for every item.
+  /// Shows `done` of `all` (> 0) items, both with the items done before this object was made, and
+  /// the rate of the items done since. Cheap: may be called for every item.
   void show(std::size_t done, std::size_t all);
-  /// Shows a share 0..1 of the work, followed by `detail`, without a rate. Cheap.
+  /// Shows a share 0..1 of the work, followed by `detail` ("": nothing), without a rate. Cheap.
   void show(double share, const std::string& detail = "");
 
  private:

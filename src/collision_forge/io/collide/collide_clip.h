@@ -21,7 +21,8 @@ struct CollideError : std::runtime_error {
 inline constexpr int kCollideNowFrame = 7;
 inline constexpr double kCollideFrameInterval = 0.5;  ///< s between frames, nominal
 
-/// One vehicle in one frame. Global map frame of nuScenes; the pose is the box centre.
+/// One vehicle in one frame. Global map frame of nuScenes; the pose is the box centre, its yaw as
+/// in the file, not wrapped.
 struct CollideState {
   Pose2 pose;
   double speed = 0.0;  ///< m/s as recorded (column V); may be negative
@@ -52,7 +53,8 @@ struct CollideName {
 /// A published clip: one collision, frames at about 2 Hz.
 struct CollideClip : CollideName {
   std::string name;  ///< file name without its ending
-  /// s on the clock of the nuScenes scene, one per frame, strictly increasing.
+  /// s on the clock of the nuScenes scene, one per frame (`collision_frame` + 1), strictly
+  /// increasing.
   std::vector<double> times;
   std::vector<CollideTrack> tracks;  ///< in the file's order, ego and attacker among them
 
@@ -74,21 +76,22 @@ struct CollideClip : CollideName {
 CollideName parseCollideName(const std::string& path);
 
 /// Returns the published file name of these fields, with ending, without folder. `name.type` must
-/// be one of the five types of COLLIDE. Throws std::invalid_argument for a text that is empty or
-/// contains '_' or '/'.
+/// be one of the five types of COLLIDE (not checked); the angle is rounded to 0.01 degrees. Throws
+/// std::invalid_argument for a text that is empty or contains '_' or '/'.
 std::string composeCollideName(const CollideName& name);
 
-/// Reads one clip: its name and its rows. A row whose V, X, Y and YAW are all 0 means that the
+/// Reads one clip: its name and its rows. The first line names the columns of writeCollideClip(),
+/// in any order; further columns are ignored. A row whose V, X, Y and YAW are all 0 means that the
 /// track is missing in that frame. Throws CollideError for a malformed name, a missing column, a
 /// value that is not a finite number or beyond the limits, a track without exactly collision_frame
 /// + 1 rows, timestamps that do not increase or differ between tracks, and an ego or attacker that
 /// is absent or missing in a frame; InputError as readInputLine().
 CollideClip readCollideClip(const std::string& path, const InputLimits& limits);
 
-/// Writes the rows of a clip as published, track by track: TRACK_ID,TIMESTAMP,V,X,Y,YAW in
-/// microseconds and degrees, each number as the shortest text that reads back as the same, zeros
-/// for a missing frame. `path` should end in the result of composeCollideName(); not checked.
-/// Throws as AsideFile.
+/// Writes the rows of a clip as published, track by track: TRACK_ID,TIMESTAMP,V,X,Y,YAW, timestamps
+/// in whole microseconds, V in m/s, X and Y in m, YAW in degrees, each number as the shortest text
+/// that reads back as the same, zeros for a missing frame. `path` should end in the result of
+/// composeCollideName(); not checked. Throws as AsideFile.
 void writeCollideClip(const std::string& path, const CollideClip& clip);
 
 }  // namespace forge

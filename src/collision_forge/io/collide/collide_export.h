@@ -19,8 +19,8 @@ enum class ClipObstacle {
   kTrajectoryEnds,    ///< the attacker's trajectory ends before the collision frame
   kNotCarLike,  ///< the attacker is not car-like, such as a motorcycle: readers give every track a
                 ///< car's box
-  kOtherType,  ///< the type is none of COLLIDE's five, or the ego turns in ltap
-  kUnfitName,  ///< the name of map, scene or attacker is empty or contains '_' or '/'
+  kOtherType,   ///< the type is none of COLLIDE's five, or the request asks the ego to turn
+  kUnfitName,   ///< the name of map, scene or attacker is empty or contains '_' or '/'
 };
 
 /// Returns a text for people that follows a number of attacks: "with fewer than 7 frames at 2 Hz
@@ -31,17 +31,18 @@ const char* toString(ClipObstacle obstacle);
 /// map; support vehicles are added to it. `variant` becomes CollideName::variant. Returns the
 /// reason instead if the layout cannot hold the attack.
 ///
-/// Frame kCollideNowFrame is t0; the last frame is TTA / 0.5 s, rounded, frames later. If the
-/// recording is not at 2 Hz (areCollideFrames()), it is interpolated at times 0.5 s apart. The ego
-/// and other car-like vehicles (isCarLike()) are as recorded in all frames; the attacker is as
-/// recorded up to t0 and on its trajectory after it. All poses are box centres. All speeds are
-/// norms of the velocity, except for the attacker after t0, which has the speed of its trajectory.
-/// Tracks are sorted by id; vehicles that are in no frame are left out.
+/// Frame kCollideNowFrame is t0; the last frame is TTA / 0.5 s frames later, rounded to the
+/// nearest, halves up. If the recording is not at 2 Hz (areCollideFrames()), it is interpolated at
+/// times 0.5 s apart. The ego and other car-like vehicles (isCarLike()) are as recorded in all
+/// frames; the attacker is as recorded up to t0 and on its trajectory after it. All poses are box
+/// centres. All speeds are norms of the velocity, except for the attacker after t0, which has the
+/// speed of its trajectory. Tracks are sorted by id; vehicles that are in no frame are left out.
 ///
 /// Name: batch "collision-forge", angle from the report. Placement: 4 for rear_end, 5 for
-/// opposite_direction; lane_change by the side of the ego on which the attacker's centre is;
-/// junction_crossing and ltap by the attacker's relative heading. Throws std::invalid_argument for
-/// a scenario without an attack and for a t0 that is not a frame of the scene.
+/// opposite_direction; lane_change 0 if the attacker's centre at contact is left of the ego's, else
+/// 1; junction_crossing and ltap 2 (from the left) if CollisionReport::relative_heading is
+/// negative, else 3. Throws std::invalid_argument for a scenario without an attack and for a t0
+/// that is not a frame of the scene.
 std::variant<CollideClip, ClipObstacle> toCollideClip(const Scenario& scenario, const Scene& scene,
                                                       int variant);
 

@@ -4,14 +4,15 @@
 
 namespace forge {
 
-/// Returns true if the median interval of ascending frame times (s) is within 0.05 s of
-/// kCollideFrameInterval, so that consecutive frames can be consecutive frames of a clip; true for
-/// fewer than two times.
+/// Returns true if the median (of an even number: the upper one) interval of ascending frame times
+/// (s) is within 0.05 s of kCollideFrameInterval, so that consecutive frames can be consecutive
+/// frames of a clip; true for fewer than two times.
 bool areCollideFrames(const std::vector<double>& times);
 
 /// Returns the elements of ascending frame times (s) that can be frames of clips: all if
-/// areCollideFrames(), else the nearest one to each multiple of kCollideFrameInterval after the
-/// first.
+/// areCollideFrames(), else the nearest one (of equally near ones the earlier) to each multiple of
+/// kCollideFrameInterval from the first to about the last, each element at most once. An empty
+/// input gives none.
 std::vector<double> collideFrames(const std::vector<double>& times);
 
 /// Returns the times (s, ascending) `now` + i * kCollideFrameInterval for i = `from` to `to`, both

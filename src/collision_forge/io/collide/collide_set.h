@@ -10,8 +10,8 @@ namespace forge {
 bool isHeldOutScene(const std::string& scene, double share);
 
 /// Returns the paths of the clips in DIRECTORY/trajectory/SPLIT, sorted by file name. Throws
-/// CollideError for a folder that does not exist or has no clip, and for a file whose name is not a
-/// clip's.
+/// CollideError for a folder that does not exist or has no clip, and for an entry whose name is not
+/// a clip's.
 std::vector<std::string> listCollideClips(const std::string& directory, const std::string& split);
 
 /// Returns the paths of the clips of a split by scene, sorted by file name: all clips of the
@@ -27,8 +27,9 @@ struct ClipHalves {
   std::vector<std::string> second;
 };
 
-/// Assigns the clips of the scenes, sorted by name, alternately to the first and the second half;
-/// clips of one scene keep their order. Throws CollideError if all clips are of one scene.
+/// Assigns the clips of the scenes, sorted by name, alternately to the first and the second half
+/// (of an odd number of scenes, one more to the first); clips of one scene keep their order. Throws
+/// CollideError if all clips are of one scene or there are none.
 ClipHalves halvesByScene(const std::vector<std::string>& paths);
 
 }  // namespace forge

@@ -86,7 +86,8 @@ class Canvas {
   void text(const Vector2& position, const std::string& text, const TextStyle& style);
   /// Returns the width of a text, pixels.
   double textWidth(const std::string& text, const TextStyle& style);
-  /// Returns `text`, cut and ended with an ellipsis if it is wider than `width` pixels.
+  /// Returns `text`, cut and ended with an ellipsis if it is wider than `width` pixels; the
+  /// ellipsis alone if nothing else fits.
   std::string fitted(const std::string& text, double width, const TextStyle& style);
 
   /// Restricts drawing to `rect` until unclip(). Calls do not nest.

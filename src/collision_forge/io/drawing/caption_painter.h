@@ -30,8 +30,8 @@ void paintLegend(Canvas& canvas, const FigureLayout& layout, const FigureSize& s
 void paintReport(Canvas& canvas, const FigureLayout& layout, const FigureSize& size,
                  const ScenarioView& view, const DrawingOptions& options);
 
-/// Returns the length of the scale bar in m: `options.scale_bar`, or the smallest of 2, 5 and 10
-/// times it with which the bar is at least as wide as its text, else 10 times. `font` in pixels.
+/// Returns the length of the scale bar in m: the smallest of 1, 2 and 5 times `options.scale_bar`
+/// with which the bar is at least 3 `font` (pixels) wide, as its text, else 10 times.
 double scaleBarLength(const Viewport& viewport, double font, const DrawingOptions& options);
 
 /// Paints the scale bar and the north arrow in the lower corners of the viewport's area.

@@ -35,9 +35,9 @@ std::string titleText(const ScenarioView& view);
 /// id.
 std::string detailsText(const ScenarioView& view);
 
-/// Returns the verdict in words. For an attack: whether the recording shows the requested crash,
-/// else the first condition that fails. For a planner test: whether the ego is hit or avoids the
-/// hit.
+/// Returns the verdict in words. For an attack: whether the recording shows the requested crash or
+/// ends before it, else that there is no contact, else the first condition that fails. For a
+/// planner test: whether the ego is hit or avoids the hit.
 std::string verdictText(const ScenarioView& view);
 
 /// Returns the known values of the report, and the speeds of ego and attacker at t0 and at contact

@@ -19,9 +19,10 @@ void drawScenarioPng(const std::string& path, const ScenarioView& view,
                      const DrawingOptions& options);
 
 /// Animates the scenario as a GIF in a loop, from DrawingOptions::seconds_before_now before t0 (or
-/// the ego's first state, if later) to ScenarioMotion::endTime(); one frame is exactly at keyTime()
-/// and is held. After the contact ego and attacker follow the view's PostCrashMotion while the
-/// other agents continue as recorded.
+/// the ego's first state, if later) to ScenarioMotion::endTime(); frames are 1 /
+/// gif_frames_per_second apart within that time; one is exactly at keyTime() and is held for
+/// gif_contact_hold longer. After the contact ego and attacker follow the view's PostCrashMotion
+/// while the other agents continue as recorded.
 void drawScenarioGif(const std::string& path, const ScenarioView& view,
                      const DrawingOptions& options);
 

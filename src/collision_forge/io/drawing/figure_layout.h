@@ -33,7 +33,8 @@ struct FigureLayout {
 inline constexpr int kCaptionRows = 16;
 
 /// Returns the layout of the highest picture of that size. Throws std::invalid_argument if the font
-/// is too large to leave space for the map.
+/// is not positive or too large: the map would have less than 30 % of the height, or the width is
+/// less than 30 font sizes.
 FigureLayout layoutFigure(const FigureSize& size);
 
 /// Returns the layout with a map of `height` pixels, at most the former height; areas below move

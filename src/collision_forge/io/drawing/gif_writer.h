@@ -21,7 +21,7 @@ class GifWriter {
   GifWriter(std::ostream& stream, int width, int height, const ColorPalette& palette);
 
   /// Adds a frame that is shown for `delay` hundredths of a second. `image` must have the GIF's
-  /// size.
+  /// size (not checked).
   void addFrame(const Image& image, int delay);
 
   /// Ends the file. Must be called once, after the last frame; no call may follow.

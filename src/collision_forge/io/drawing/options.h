@@ -36,7 +36,7 @@ struct DrawingOptions {
 
   Color background_color{1.0, 1.0, 1.0};
   Color text_color{0.13, 0.15, 0.18};
-  Color muted_text_color{0.42, 0.45, 0.50};
+  Color muted_text_color{0.42, 0.45, 0.50};  ///< details, names of values in the report
   Color drivable_color{0.90, 0.91, 0.92};
   Color walkway_color{0.95, 0.92, 0.87};
   Color road_edge_color{0.55, 0.57, 0.60};  ///< road edges and medians

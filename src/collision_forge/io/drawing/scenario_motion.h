@@ -57,12 +57,13 @@ class ScenarioMotion {
     AgentBox then;
     AgentBox at_key_time;
   };
-  /// Returns all such agents, `then` between t0 and keyTime(). A still picture would otherwise seem
-  /// to show overlaps.
+  /// Returns all such agents, in the order of ScenarioView::future, `then` at a multiple of 0.1 s
+  /// after t0, before keyTime(); AgentBox::is_support is not set. A still picture would otherwise
+  /// seem to show overlaps.
   std::vector<Passed> passedAgents() const;
 
-  /// Returns the ego's boxes every 0.1 s in [from, to], both ends included; times without a known
-  /// pose are left out.
+  /// Returns the ego's boxes every 0.1 s after `from`, both ends `from` and `to` included, so that
+  /// the last step may be shorter; times without a known pose are left out.
   std::vector<OrientedBox> egoBoxes(double from, double to) const;
   /// As egoBoxes() for attackerAt().
   std::vector<OrientedBox> attackerBoxes(double from, double to) const;
@@ -70,7 +71,8 @@ class ScenarioMotion {
   std::vector<OrientedBox> recordedAttackerBoxes(double from, double to) const;
 
   /// Returns touchPoint() at contact. Without a contact: the middle between ego and attacker at the
-  /// time of the hit that the ego avoids, else between the pattern's boxes.
+  /// time of the hit that the ego avoids, else (no such hit, or a pose is unknown) between the
+  /// centres of the pattern's boxes.
   Vector2 contactPoint() const;
   /// Returns the centre of a close-up: the contact point, which after the contact moves by the mean
   /// displacement of ego and attacker.

@@ -31,7 +31,8 @@ class ScenePainter {
 
   /// Returns the direction on the ground, rad from east, that points right in the picture, so that
   /// a straight road fills the width: the ego's axis at t0, or at keyTime() if the picture is then
-  /// far less high. Within a quarter turn of east: north never points down.
+  /// far less high (at most 80 %); east if both are unknown. Within a quarter turn of east: north
+  /// never points down.
   double rightwards() const;
   /// Returns the time at which the trails of the past begin, s on the scene's clock.
   double trailsFrom() const;

@@ -28,12 +28,14 @@ struct CrashRecord {
   /// s on the record's clock, contact time with the recorded ego; empty: no contact.
   std::optional<double> contact;
   Track ego;  ///< a state every step from 0 s to the end; its id is kEgoId
-  /// A state every step from its first state on; after t0 its trajectory, before it its past.
+  /// A state every step from its first state after the last gap in its past; up to t0 its past,
+  /// then its trajectory.
   Track attacker;
   /// Other agents that come within ExportOptions::radius of the ego's or the attacker's path,
   /// sorted by id; states at the steps at which they were in sight.
   std::vector<Track> other_agents;
-  LaneMap lanes;  ///< map within the radius of both paths, with the links among the lanes
+  LaneMap lanes;  ///< map within the radius of both paths, and the lanes before and after each
+                  ///< connector there; with the links among the lanes
   std::vector<TrafficLight> lights;  ///< lights of `lanes`, times on the record's clock
   LaneArcs arcs;                     ///< arcs of `lanes`; empty if the map has points only
   GeoPoint origin;                   ///< of the map frame; 0, 0 if unknown
@@ -54,12 +56,12 @@ struct RecordContext {
   const VerificationOptions& verification;
 };
 
-/// Builds the record of an attack, from `history` s before t0 (or the ego's first state, if later)
-/// to ExportOptions::tail s after contact. Without contact, the record ends with the attacker's
-/// trajectory or the ego's last state. `line`: number of the attack in its file, from 1. `scenario`
-/// must have an attack. Throws std::runtime_error if the scene's name has characters other than
-/// letters, digits, '-', '_' and '.' or starts with '.', and if the ego is missing at t0 or at a
-/// step of the record.
+/// Builds the record of an attack, from `history` s before t0 (or the ego's first state, if later;
+/// rounded down to whole steps) to the first step not before ExportOptions::tail s after contact.
+/// Without contact, the record ends at the last step within both the attacker's trajectory and the
+/// ego's track. `line`: number of the attack in its file, from 1. `scenario` must have an attack.
+/// Throws std::runtime_error if the scene's name has characters other than letters, digits, '-',
+/// '_' and '.' or starts with '.', and if the ego is missing at t0 or at a step of the record.
 CrashRecord crashRecord(const Scenario& scenario, std::size_t line, double history,
                         const RecordContext& context);
 

@@ -22,7 +22,9 @@ std::unique_ptr<CrashWriter> makeOpenLabelWriter(const ExportPlan& plan);
 /// Returns the names of ASAM's tags that apply to a record: classes of the road users in it (the
 /// ego is a car), behaviour of the attacker from its manoeuvre and its turn, behaviour of the ego,
 /// and the place of the contact (intersection, pedestrian crossing), which is the attacker's box
-/// centre, and the driving side. SubjectVehicleSpeed is not among them.
+/// centre, and the driving side. A vehicle turns if its heading changes by more than 0.6 rad from
+/// t0 to the contact (without one, to the end of the record). SubjectVehicleSpeed is not among
+/// them.
 std::set<std::string> asamTags(const CrashRecord& record);
 
 }  // namespace forge

@@ -17,7 +17,7 @@ struct ExportOptions {
   double step = 0.1;     ///< s between states: the sampling of attacks
   double history = 0.0;  ///< s that the record begins before t0, if recorded
   /// s after contact: shows the crash, little of the simulated motion; not in the file.
-  double tail = 1.0;  ///< s after contact: shows the crash, little of the simulated motion
+  double tail = 1.0;
   /// m around the paths of ego and attacker within which lanes and other agents are exported.
   double radius = 0.0;
   double lane_width = kLaneWidth;  ///< m, of lanes without an outline

@@ -19,10 +19,10 @@ class PickleWriter : public JsonLineWriter {
   /// Writes a float, as an array without dimensions because JSON does not distinguish 1 and 1.0.
   /// Throws as array().
   void number(const char* key, double value);
-  /// Writes an array of float64. With `columns` > 0, `values` is a matrix of that many columns
-  /// given row by row; its size must be a multiple of `columns`. If `key` is null the array is an
-  /// element of the current list. Throws std::invalid_argument naming the key for a number that is
-  /// not finite.
+  /// Writes an array of float64, of one dimension if `columns` is 0. With `columns` > 0, `values`
+  /// is a matrix of that many columns given row by row; its size must be a multiple of `columns`.
+  /// If `key` is null the array is an element of the current list. Throws std::invalid_argument
+  /// naming the key for a number that is not finite.
   void array(const char* key, const std::vector<double>& values, std::size_t columns = 0);
   /// Writes an array of bool; `key` as in array().
   void flags(const char* key, const std::vector<bool>& values);

@@ -38,12 +38,13 @@ class RoadCourse {
   Pose2 poseAt(double arc_length) const;
 
   /// Returns the part from one arc length (m) to a larger one, extended by straight lines beyond
-  /// the ends; empty if it is shorter than 1 micrometre. There must be a piece.
+  /// the ends; empty if it is shorter than 1 micrometre or `to` <= `from`. There must be a piece.
   RoadCourse between(double from, double to) const;
 
   /// Returns the arc length (m) at which the course crosses the line through `pose` across its
   /// heading, searched from `guess` (m) by Newton's method; beyond the ends on their extensions.
-  /// Returns NaN if the search does not settle. There must be a piece.
+  /// Returns NaN if the search does not settle or the course runs nearly (to 6 degrees) parallel to
+  /// that line. There must be a piece.
   double crossing(const Pose2& pose, double guess) const;
 
   /// Returns the arc length (m) at which `point` lies straight to the side, searched from `guess`
@@ -64,8 +65,8 @@ class RoadCourse {
   double length_ = 0.0;         ///< m
 };
 
-/// Returns the course of a lane: its arcs, or arcs through the centreline's poses if the map has
-/// none. Empty for a lane shorter than 5 cm.
+/// Returns the course of a lane: its arcs, or, if `arcs` has none for it, arcs that leave each pose
+/// of the centreline along its heading and end at the next one. Empty for a lane shorter than 5 cm.
 RoadCourse courseOf(const Lane& lane, const LaneArcs& arcs);
 
 /// Returns the mean lane width in m: the outline's area over `length` (m, of the lane), clamped to

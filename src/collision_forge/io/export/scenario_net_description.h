@@ -30,8 +30,8 @@ struct ScenarioDescription {
 
 /// Returns the content of a scenario file. If the map has no recorded road edges, it includes the
 /// boundary lines of the drivable area within `options.radius` of `path_points`. `path_points`: m,
-/// map frame; only `radius` and `heights` of `options` are used. Throws std::invalid_argument for a
-/// number that is not finite.
+/// map frame (none: no boundary lines); only `radius` and `heights` of `options` are used. Throws
+/// std::invalid_argument for a number that is not finite.
 PickleContent describe(const ScenarioDescription& scenario, const std::vector<Vector2>& path_points,
                        const ExportOptions& options);
 
@@ -39,7 +39,8 @@ PickleContent describe(const ScenarioDescription& scenario, const std::vector<Ve
 std::string scenarioNetFile(const std::string& name);
 
 /// Returns the names of the scenarios whose files are in a folder, sorted; names as in
-/// scenarioNetFile(). Throws std::filesystem::filesystem_error if the folder cannot be read.
+/// scenarioNetFile(), files with other names are ignored. Throws std::filesystem::filesystem_error
+/// if the folder cannot be read.
 std::vector<std::string> scenarioNetNames(const std::string& folder);
 
 /// Writes the format's files over the scenarios `names` of a folder: dataset_summary.pkl, from the

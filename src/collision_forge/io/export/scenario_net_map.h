@@ -16,8 +16,8 @@ namespace forge {
 std::size_t writeMapFeatures(PickleWriter& scenario, const LaneMap& map,
                              const std::vector<std::vector<Vector2>>& road_edges);
 
-/// Writes "dynamic_map_states": for each light, its colour at each of `times` (s, ascending, on the
-/// clock of the lights).
+/// Writes "dynamic_map_states": for each light, its colour (colorAt()) at each of `times` (s,
+/// ascending, on the clock of the lights).
 void writeLights(PickleWriter& scenario, const std::vector<TrafficLight>& lights,
                  const std::vector<double>& times);
 

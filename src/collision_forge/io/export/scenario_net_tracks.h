@@ -16,12 +16,12 @@ struct TrackTable {
   std::vector<Track> tracks;
 };
 
-/// Writes "tracks" into a scenario, with zeros in rows without a state. `heights`: m, box height,
-/// for every class.
+/// Writes "tracks" into a scenario, with zeros, and `valid` false, in rows without a state.
+/// `heights`: m, box height, for every class.
 void writeTracks(PickleWriter& scenario, const TrackTable& table,
                  const std::map<AgentClass, double>& heights);
 
-/// Writes the metadata's "object_summary".
+/// Writes the metadata's "object_summary": type, number of rows and path length of each track.
 void writeObjectSummary(PickleWriter& metadata, const TrackTable& table);
 
 /// Writes the fields on tracks of the metadata's "number_summary": numbers of agents, and of moving

@@ -8,8 +8,8 @@
 
 namespace forge {
 
-/// Throws InputError if a line of `length` bytes is longer than limits.max_line. `where` names file
-/// and line in the message.
+/// Throws InputError if a line of `length` bytes is longer than limits.max_line (bytes). `where`
+/// names file and line in the message.
 void checkLineLength(const std::string& where, std::size_t length, const InputLimits& limits);
 
 /// Reads a line of untrusted input into `line`, without its '\n'. Returns false at the end of the

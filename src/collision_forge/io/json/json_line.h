@@ -31,21 +31,22 @@ class JsonObject {
   /// Returns true if the key is present and unread.
   bool has(const char* key) const;
 
-  // Return the value of a key; throw if it is missing or has another type. The ...OrNull() getters
-  // return nullopt for null.
+  // Return the value of a key; throw if the key is missing or its value has another type. Numbers
+  // may be written as integers; integers beyond 2^53 are rounded to a double. The ...OrNull()
+  // getters return nullopt for null.
   std::string text(const char* key);
   std::optional<std::string> textOrNull(const char* key);
   double number(const char* key);
   std::optional<double> numberOrNull(const char* key);
   /// Returns a number in [min, max]; throws for a number outside.
   double within(const char* key, double min, double max);
-  /// Returns an integer from 0 to 2^64 - 1.
+  /// Returns an integer from 0 to 2^64 - 1; 1.0 and 1e3 are no integers.
   std::uint64_t count(const char* key);
   /// Returns true or false.
   bool flag(const char* key);
   /// Returns an array of any number of numbers; an empty array gives an empty vector.
   std::vector<double> numbers(const char* key);
-  /// Returns an array of any number of strings.
+  /// Returns an array of any number of strings; an empty array gives an empty vector.
   std::vector<std::string> texts(const char* key);
   /// Returns an array of at most `max` arrays (rows), each of `least` to `most` numbers.
   std::vector<std::vector<double>> rows(const char* key, std::size_t least, std::size_t most,
@@ -57,7 +58,8 @@ class JsonObject {
   std::vector<JsonObject> objects(const char* key, int max);
   std::optional<std::vector<JsonObject>> objectsOrNull(const char* key, int max);
 
-  /// Throws JsonLineError if a key was not read: it is unknown. Nested objects are not checked.
+  /// Throws JsonLineError if a key was not read, naming the alphabetically first: it is unknown.
+  /// Nested objects are not checked.
   void finish() const;
 
   /// Always throws JsonLineError. The message gives `where`, the path of the field, its value, then
@@ -95,8 +97,9 @@ class JsonLine {
   std::shared_ptr<rapidjson::Document> document_;
 };
 
-/// Writes one line of JSON without spaces. Numbers are the shortest text that reads back as the
-/// same double, so equal values give equal bytes on every machine.
+/// Writes one line of JSON without spaces, in the order of the calls; duplicate keys are not
+/// rejected and texts, which must be UTF-8, are not checked. Numbers are the shortest text that
+/// reads back as the same double, so equal values give equal bytes on every machine.
 class JsonLineWriter {
  public:
   JsonLineWriter();

@@ -9,7 +9,9 @@
 namespace forge {
 
 /// Returns the double nearest to a JSON number, correctly rounded; NaN and infinity if the text
-/// says so. Returns nullopt if the text is not a number, or exceeds the largest double.
+/// says so. Returns nullopt if the text is not a number, or exceeds the largest double. A number
+/// below the smallest double gives the nearest subnormal or 0; white space and a leading '+' are no
+/// part of a number.
 std::optional<double> nearestDouble(std::string_view text);
 
 /// RapidJSON handler that fills a document and converts the numbers itself: RapidJSON's own

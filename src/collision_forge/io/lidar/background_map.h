@@ -15,8 +15,9 @@ namespace forge {
 class BackgroundMap {
  public:
   /// Adds the returns of a sweep at ranges of 2.5 to 80 m, except returns within `movers` (poses in
-  /// the map frame), enlarged by 0.3 m: vehicles that need not stand still. `sensor`: pose of the
-  /// cloud's frame in the map frame. `layout` and `sweep` must belong to `cloud`.
+  /// the map frame), enlarged by 0.3 m: vehicles that need not stand still. Without an intensity
+  /// field, intensities are 0. `sensor`: pose of the cloud's frame in the map frame. `layout` and
+  /// `sweep` must belong to `cloud`.
   void add(const PointCloud& cloud, const CloudLayout& layout, const SweepRays& sweep,
            const Eigen::Isometry3d& sensor, const std::vector<VacatedBox>& movers);
 
@@ -27,15 +28,16 @@ class BackgroundMap {
 
   /// Returns the range (m from `origin`, map frame) at which a ray along the unit vector
   /// `direction` meets the ground or an obstacle at least 0.35 m above it, searched from the range
-  /// `begin` (m) in steps of 0.1 m; ground less than 0.5 m below `origin` does not count. Returns
-  /// LidarRay::kNoReturn if the ray meets nothing known within 80 m; `intensity` is then unchanged.
-  /// Otherwise sets `intensity`, in the unit of the cloud's field.
+  /// `begin` (m) in steps of 0.1 m; ground less than 0.5 m below `origin` does not count, and
+  /// places over cells without known ground are passed. Returns LidarRay::kNoReturn if the ray
+  /// meets nothing known within 80 m; `intensity` is then unchanged. Otherwise sets `intensity`, in
+  /// the unit of the cloud's field.
   float rangeFrom(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double begin,
                   double& intensity) const;
 
  private:
   struct Cell {
-    float height = 0.0F;     ///< m in the map frame, lowest return
+    float height = 0.0F;  ///< m in the map frame: lowest return; after finish(), of the 5 x 5 cells
     float intensity = 0.0F;  ///< of the lowest return
   };
   /// By cell; the key packs the indices of the cell or cube along x, y and z (keyOf()).

@@ -21,8 +21,8 @@ class CloudBackground {
   virtual ~CloudBackground() = default;
   /// Returns the range (m from the ray's origin, the sensor) at which the ray of a removed point
   /// ends instead, and sets `intensity`, in the unit of the cloud's field. `ray` has the recorded
-  /// range. Returns LidarRay::kNoReturn if nothing is known behind. Called once per removed point
-  /// by editCloud(), on its thread.
+  /// range. Returns LidarRay::kNoReturn if nothing is known behind; `intensity` then has no effect.
+  /// Called once per removed point by editCloud(), on its thread.
   virtual float rangeBehind(const LidarRay& ray, double& intensity) const = 0;
 };
 
@@ -33,7 +33,8 @@ struct CloudEdit {
   std::vector<VacatedBox> vacated;  ///< recorded vehicles whose points are removed
   /// Not owned; null: rays of removed points have no return.
   const CloudBackground* background = nullptr;
-  double range_noise = 0.0;  ///< m, standard deviation: LidarOptions::range_noise
+  double range_noise = 0.0;  ///< m, standard deviation: LidarOptions::range_noise; noise is normal,
+                             ///< clamped to 3 deviations
   std::uint64_t seed = 0;    ///< of the noise, of lost returns and of the vehicles' brightness
 };
 

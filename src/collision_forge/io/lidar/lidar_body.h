@@ -33,10 +33,10 @@ struct LidarBody {
 
 /// Returns the body of a class that fills a box of length, width and height `size` (m, all > 0).
 /// Cars are hatchbacks below 4.2 m length, vans from 1.9 m height, SUVs from 1.65 m height, else
-/// saloons. Trucks below 5.6 m length have the body of a car; trucks from 10 m on have a gap
-/// between tractor and semi-trailer. Static objects and animals are boxes. `walked`: m that a
-/// pedestrian has walked (0.7 m per step); sets the phase of the legs. Proportions: common for the
-/// class.
+/// saloons. Emergency vehicles are cars and construction vehicles trucks. Trucks below 5.6 m length
+/// have the body of a car; trucks from 10 m on have a gap between tractor and semi-trailer. Static
+/// objects and animals are boxes. `walked`: m that a pedestrian has walked (0.7 m per step); sets
+/// the phase of the legs; no effect on other classes. Proportions: common for the class.
 LidarBody lidarBodyOf(AgentClass agent_class, const Eigen::Vector3d& size, double walked = 0.0);
 
 /// The point of a body that a ray meets first.

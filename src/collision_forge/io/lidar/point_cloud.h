@@ -65,7 +65,8 @@ class FieldAccess {
   bool is_swapped_;  ///< the cloud's byte order differs from the machine's
 };
 
-/// The known fields of a cloud. Fields are found by name, never by position.
+/// The known fields of a cloud. Fields are found by name, never by position; if several names are
+/// possible, the first one in the order given below that the cloud has.
 struct CloudLayout {
   /// Finds the fields of a cloud; does not keep a reference to it. Throws CloudError if x, y or z
   /// is missing or no float, if a known field has an unknown datatype or reaches over the point, or

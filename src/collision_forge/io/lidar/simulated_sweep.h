@@ -21,12 +21,13 @@ struct SimulatedLidar {
 /// nuScenes.
 std::vector<CloudField> nuScenesFields();
 
-/// Simulates one turn of 32 rings with the elevations of an HDL-32E among `bodies`, whose returns
-/// follow the model `materials` of SurfaceReturns. All rays have the time of the stamp. The cloud
-/// is unorganised, with nuScenesFields(), column by column, in the sensor's frame as nuScenes
-/// defines it: x to the right, y ahead, z up. Rays without return are left out. `bodies`: in the
-/// sensor's frame. `ground`: pose of a frame on the ground in the sensor's frame, its z axis up.
-/// `seed`: of noise, lost returns and brightness. The same input gives the same bytes.
+/// Simulates one turn of 32 rings with the elevations of an HDL-32E (-30.67 degrees and up in steps
+/// of 4/3 degrees; ring 0 is the lowest) among `bodies`, whose returns follow the model `materials`
+/// of SurfaceReturns. All rays have the time of the stamp. The cloud is unorganised, with
+/// nuScenesFields(), column by column, in the sensor's frame as nuScenes defines it: x to the
+/// right, y ahead, z up. Rays without return are left out. `bodies`: in the sensor's frame.
+/// `ground`: pose of a frame on the ground in the sensor's frame, its z axis up. `seed`: of noise,
+/// lost returns and brightness. The same input gives the same bytes.
 PointCloud simulateSweep(const std::vector<PosedBody>& bodies, const Eigen::Isometry3d& ground,
                          const SimulatedLidar& lidar, std::uint64_t seed);
 
@@ -36,9 +37,9 @@ NuScenesSensorScene simulatedSensors(const NuScenesRecording& recording);
 
 /// Simulates the sweep of `sensor` at the ego pose recording.ego_poses[index], among the annotated
 /// objects of the first frame not before that pose, else of the last frame. The objects are moved
-/// along their annotated velocity to the time of the pose. The ground is the xy plane of base_link.
-/// Uses a default SimulatedLidar; the seed is the time of the pose, us. `recording` must have a
-/// frame.
+/// along their annotated velocity to the time of the pose, forwards or backwards, and stand still
+/// during the sweep. The ground is the xy plane of base_link. Uses a default SimulatedLidar; the
+/// seed is the time of the pose, us. `recording` must have a frame.
 PointCloud simulateSweep(const NuScenesRecording& recording, const NuScenesSensor& sensor,
                          std::size_t index);
 

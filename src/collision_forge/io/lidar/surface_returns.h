@@ -63,14 +63,15 @@ class SurfaceReturns {
   void learn(const PointCloud& cloud, const CloudLayout& layout, const SweepRays& sweep,
              const std::vector<PosedBody>& recorded);
 
-  /// Returns the number of rays that learn() used so far.
+  /// Returns the number of rays that learn() used so far: all rays that meet a recorded body at fit
+  /// 1 and are not stopped in front of it, once per body.
   std::size_t learntRays() const { return learnt_; }
 
   /// Returns the PosedBody::fit for the body's group, 0.7 to 1.
   double fitOf(const LidarBody& body) const;
 
   /// Returns the probability 0..1 that a ray which hits the body returns. `height`: of the hit
-  /// above the ground, as a share of the body's height.
+  /// above the ground, as a share of the body's height, clamped to 0..1.
   double shareOf(const LidarBody& body, const BodyHit& hit, double height) const;
 
   /// Returns the intensity of a return at the quantile `brightness` (0 to 1) of the recorded
@@ -87,7 +88,7 @@ class SurfaceReturns {
   struct Bin {
     double rays = 0.0;               ///< rays that met a body
     double returns = 0.0;            ///< rays that returned
-    std::vector<float> intensities;  ///< of returns, ascending, at most 4000
+    std::vector<float> intensities;  ///< of returns, ascending; the first 4000
   };
   /// Counts a ray; an `intensity` that is not finite is not stored.
   static void addTo(Bin& bin, bool is_return, double intensity);

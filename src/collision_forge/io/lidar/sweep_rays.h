@@ -17,8 +17,8 @@ enum class EmptyPoints {
   kNan,      ///< points with NaN coordinates
 };
 
-/// The rays of a sweep: first one per point, in the cloud's order, then the rays for which the
-/// cloud has no point.
+/// The rays of a sweep: first one per point, in the cloud's order, then, ring by ring, the rays for
+/// which the cloud has no point.
 struct SweepRays {
   std::vector<LidarRay> rays;  ///< the first pointCount() ones belong to the points
   /// kZero or kNan from 1 % of such points on; kNan for any organised cloud that is not kZero.

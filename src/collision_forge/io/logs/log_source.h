@@ -84,7 +84,7 @@ struct LogSource {
 /// Returns the names of all scenes of a source, in its order. Throws as LogFormat::names().
 std::vector<std::string> readSceneNames(const LogSource& source);
 
-/// Returns the names in `wanted` (empty: all scenes) in the source's order. Throws
+/// Returns the names in `wanted` (empty: all scenes), each once, in the source's order. Throws
 /// std::runtime_error naming a scene that the source does not have. Also throws as
 /// LogFormat::names().
 std::vector<std::string> wantedScenes(const LogSource& source,
@@ -104,8 +104,9 @@ IndexedScene flattened(const LoggedScene& logged, const SceneReading& reading);
 /// NuScenesError if there is none, or more than one.
 std::string versionOf(const LogSource& source);
 
-/// Returns the inputs on which results depend, by name: "source" (absolute path), "version" and
-/// "ego" unless empty, and logFingerprints(). Throws as logFingerprints(), and if the path does not
+/// Returns the inputs on which results depend, by name: "source" (absolute path), "version" (if
+/// empty, the only one of a nuScenes root; left out if there is none or more than one), "ego"
+/// unless empty, and logFingerprints(). Throws as logFingerprints(), and if the path does not
 /// exist.
 std::map<std::string, std::string> fingerprintsOf(const LogSource& source);
 

@@ -29,7 +29,7 @@ class JsonRow {
   std::string_view token() const { return text(0); }
   /// Returns a string, UTF-8.
   std::string_view text(std::size_t field) const;
-  /// Returns an array of strings.
+  /// Returns an array of strings; an empty array gives an empty vector.
   std::vector<std::string_view> texts(std::size_t field) const;
   /// Returns a number, rounded to the nearest integer: Lyft's stamps are written with a fraction.
   std::int64_t integer(std::size_t field) const;

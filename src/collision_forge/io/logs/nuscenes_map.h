@@ -37,7 +37,8 @@ LaneMap readNuScenesMapFile(const std::string& path, DrivingSide driving_side,
 
 /// Returns the lanes (by outline or centreline), areas and features, whole, that come within
 /// `radius` (m) of any of the points (m, map frame) or contain one; in the order of `map`. Removes
-/// links to lanes that are left out.
+/// links to lanes that are left out. The result keeps the location and driving side of `map`;
+/// without points all else is empty.
 LaneMap cropped(const LaneMap& map, const std::vector<Vector2>& points, double radius);
 
 }  // namespace forge

@@ -31,7 +31,7 @@ class NuScenesMapDocument {
   std::vector<MapRow> elements(const MapRow& array, const char* name) const;
 
   // Return the field `name` of a row with the type of the function; field() of any type. `count`:
-  // needed number of elements.
+  // number of elements; an array of another length throws, too.
   const rapidjson::Value& field(const MapRow& row, const char* name) const;
   bool flag(const MapRow& row, const char* name) const;
   double number(const MapRow& row, const char* name) const;

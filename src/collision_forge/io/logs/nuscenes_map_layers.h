@@ -45,7 +45,7 @@ struct NuScenesMapLayers {
 
   std::vector<Lane> lanes;                            ///< lanes, then connectors
   std::unordered_map<std::string, Polygon> polygons;  ///< usable ones only, by token
-  std::vector<std::string> drivable_area;             ///< polygon tokens
+  std::vector<std::string> drivable_area;             ///< polygon tokens; "": an unusable one
   std::vector<std::string> walkways;                  ///< polygon tokens
   std::vector<std::string> intersections;             ///< polygon tokens of road segments
   std::vector<Links> connectivity;                    ///< in the file's order

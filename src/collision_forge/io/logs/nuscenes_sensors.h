@@ -27,9 +27,10 @@ struct NuScenesSensor {
 struct NuScenesSensorFile {
   std::int64_t timestamp_us = 0;  ///< microseconds since 1970
   std::uint32_t sensor = 0;       ///< index into NuScenesSensorScene::sensors
-  std::string path;               ///< path of the file; empty: to simulate (simulatedSensors())
-  std::uint32_t width = 0;        ///< pixels, of pictures; 0 for sweeps
-  std::uint32_t height = 0;       ///< pixels, of pictures; 0 for sweeps
+  std::string
+      path;  ///< path of the file, with the data root; empty: to simulate (simulatedSensors())
+  std::uint32_t width = 0;   ///< pixels, of pictures; 0 for sweeps
+  std::uint32_t height = 0;  ///< pixels, of pictures; 0 for sweeps
 };
 
 /// The sensor data of one scene: keyframes and sweeps.

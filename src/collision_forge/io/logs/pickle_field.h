@@ -58,11 +58,11 @@ class PickleField {
   /// List or array of texts or integers: returns them as texts, without the other elements.
   std::vector<std::string> words() const;
   /// Array of one dimension, or of two with one column, or list of numbers: returns its numbers,
-  /// NaN for an element of a list that is not a number. If `rows` is given, any other length
-  /// throws.
+  /// 1 or 0 for a bool, NaN for an element of a list that is neither. If `rows` is given, any other
+  /// length throws.
   std::vector<double> column(std::optional<std::size_t> rows = std::nullopt) const;
   /// Array of two dimensions, or list of lists or arrays: returns the first two numbers of each
-  /// row, without the rows that are not finite.
+  /// row, without the rows that are not finite; throws for a row of fewer than two.
   std::vector<Vector2> points() const;
   /// As points(), with the rows that are not finite; throws if there are neither 0 nor `rows` rows.
   std::vector<Vector2> pointRows(std::size_t rows) const;

@@ -19,13 +19,16 @@ const char* toScenarioNet(FeatureKind kind);
 
 /// Returns the lanes (with mutual links), walkways, road edges, medians, crosswalks, driveways and
 /// speed bumps of a scenario description's `map_features`, m, in the frame of the file; without
-/// drivable area. A lane without an outline gets a strip of kLaneWidth. Leaves out lanes of
-/// bicycles, which are not lanes of motor vehicles, and features that cannot be read, and adds a
-/// message for each problem to `problems`. Throws std::runtime_error if `features` is not a dict.
+/// drivable area. A lane without an outline gets a strip of kLaneWidth; a lane whose line has no
+/// length has no centreline. Features of other types, and lines of fewer than two and areas of
+/// fewer than three points, are left out without a message. Leaves out lanes of bicycles, which are
+/// not lanes of motor vehicles, and features that cannot be read, and adds a message for each
+/// problem to `problems`. Throws std::runtime_error if `features` is not a dict.
 LaneMap lanesOf(const PickleField& features, FeatureProblems& problems);
 
 /// Returns polygons with holes, m, from a list of dicts with "exterior" and, optionally,
-/// "interiors". Throws std::runtime_error for an element of another form.
+/// "interiors". Leaves out points that are not finite. Throws std::runtime_error for an element of
+/// another form.
 std::vector<Polygon> areasOf(const PickleField& areas);
 
 }  // namespace forge

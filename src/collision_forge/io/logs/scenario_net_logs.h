@@ -27,7 +27,8 @@ const LogFormat& scenarioNetFormat();
 /// - Frames are the file's steps; in a file of this package, the recorded ones.
 /// - Unknown agent types get a class by type and length.
 /// - A lane without an outline becomes a strip of kLaneWidth. The drivable area is as a file of
-///   this package gives it, else roadArea(), else the union of the lane outlines.
+///   this package gives it, else roadArea(), else the union of the lane outlines. The driving side
+///   is as a file of this package gives it, else as configured for `metadata.map`, else right.
 ///
 /// Throws PickleError; std::runtime_error naming file and field if a needed field is missing or has
 /// another shape; InputError for values beyond the limits. Appends a line per kind of problem to

@@ -24,7 +24,7 @@ struct CommonRoadLanelet {
   std::set<std::string> types;            ///< laneletType
   std::set<std::string> users_one_way;    ///< userOneWay: users in driving direction
   std::set<std::string> users_both_ways;  ///< userBidirectional: users in both directions
-  std::optional<double> speed_limit;      ///< m/s; empty: unknown
+  std::optional<double> speed_limit;      ///< m/s, own or of its traffic sign; empty: unknown
   bool is_in_intersection = false;        ///< by its type or an <intersection>
 };
 

@@ -14,7 +14,8 @@ namespace forge {
 ///
 /// - Lanes: lanelets that cars use, by userOneWay and userBidirectional, else by laneletType. A
 ///   lanelet that cars use in both directions becomes two lanes, the second with the id suffix
-///   kReverse. The centreline is the mean of the bounds.
+///   kReverse. The centreline is the mean of the bounds, point by point, or middleOf() if their
+///   numbers of points differ; it is empty, with a warning, if it cannot be used (posesAlong()).
 /// - Links: predecessors and successors.
 /// - Junctions: lanelets of the type `intersection` and the turns of <intersection> are connectors
 ///   in an intersection; in a file without them see markJunctions().

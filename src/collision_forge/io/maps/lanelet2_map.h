@@ -13,7 +13,8 @@ namespace forge {
 ///
 /// - Lanes: lanelets on which cars may drive, by `participant:*`, else by `subtype`. A lanelet with
 ///   `one_way=no` becomes two lanes, the second with the id suffix kReverse. The centreline is the
-///   relation's `centerline`, else midway between the bounds.
+///   relation's `centerline`, else midway between the bounds (middleOf()); it is empty, with a
+///   warning, if it cannot be used (posesAlong()). `speed_limit` is in km/h unless it names a unit.
 /// - Links: a lane follows another if it starts at the nodes at which the other ends.
 /// - Junctions: lanes with a `turn_direction` are connectors in an intersection; in a map without
 ///   this tag see markJunctions().

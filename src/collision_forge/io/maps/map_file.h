@@ -8,10 +8,10 @@
 
 namespace forge {
 
-/// Reads the lanes of a map file of any kind in kMapKinds of map_file.cpp. The kind follows from
-/// the content: a JSON object, or the root element of XML. The location is the file's name without
-/// its extension. Values beyond the input limits are left out (keepWithin()). Appends one line per
-/// kind of defect to `warnings`, if not null.
+/// Reads the lanes of a map file: a nuScenes map expansion (JSON), OpenDRIVE, Lanelet2 (.osm) or
+/// CommonRoad. The kind follows from the content: a JSON object, or the root element of XML. The
+/// location is the file's name without its extension. Values beyond the input limits are left out
+/// (keepWithin()). Appends one line per kind of defect to `warnings`, if not null.
 ///
 /// Throws MapError for a file that cannot be opened or is of another kind, for a map without lanes,
 /// and as the reader of the kind; InputError for a map beyond the input limits; ConfigError for a

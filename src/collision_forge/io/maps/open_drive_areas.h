@@ -21,12 +21,13 @@ enum class LaneUse {
 std::optional<LaneUse> laneUse(const std::string& type);
 
 /// Appends the drivable area and the walkways of a section, m in the map frame, to `map`.
-/// Neighbours of the same use become one polygon. `strips` must be the result of laneStrips() for
-/// `section`.
+/// Neighbours of the same use become one polygon; kLane counts as kRoad, an unknown type as
+/// kNothing. `strips` must be the result of laneStrips() for `section`.
 void addAreas(const OpenDriveSection& section, const SectionStrips& strips, LaneMap& map);
 
 /// Returns the gaps of up to 20 m^2 that the areas (m) of a junction's roads enclose, such as its
-/// middle. Larger gaps may be islands. Returns none if the union of the areas cannot be computed.
+/// middle. Larger gaps may be islands; holes of `areas` are ignored. Returns none if the union of
+/// the areas cannot be computed.
 std::vector<Polygon> gapsBetween(const std::vector<Polygon>& areas);
 
 }  // namespace forge

@@ -36,9 +36,9 @@ class Clothoid {
   /// `length` in m, > 0; curvatures in 1/m, positive to the left.
   Clothoid(const Pose2& start, double length, double curvature_at_start, double curvature_at_end);
 
-  /// Returns the point at an arc length (m from the start). Arcs and lines are exact; on spirals
-  /// the position is integrated by Gauss-Legendre quadrature, accurate to 1e-9 m for each
-  /// kilometre.
+  /// Returns the point at an arc length (m from the start); beyond the ends the curvature keeps
+  /// changing at the same rate. Arcs and lines are exact; on spirals the position is integrated by
+  /// Gauss-Legendre quadrature, accurate to 1e-9 m for each kilometre.
   LinePoint at(double arc_length) const;
 
  private:
@@ -105,7 +105,8 @@ class ReferenceLine {
   std::vector<std::variant<Clothoid, CubicCurve>> shapes_;  // one per piece
 };
 
-/// A function of the arc length: a cubic polynomial from each begin on; 0 before the first.
+/// A function of the arc length: a cubic polynomial from each begin up to the next, the last one
+/// without end; 0 before the first.
 class PiecewiseCubic {
  public:
   /// Adds a polynomial of the distance (m) from `begin`, an arc length (m); replaces a polynomial

@@ -27,7 +27,7 @@ struct OpenDriveLane {
   std::string type;  ///< as in the file; see laneUse()
   LaneDirection direction = LaneDirection::kStandard;
   /// Over the arc length of the road, m: the width of the lane, or its outer border's distance from
-  /// the lane offset, positive to the left.
+  /// the lane offset, positive to the left. Empty if the file has neither: width 0.
   PiecewiseCubic outline;
   bool is_border = false;             ///< true: `outline` is the border; false: the width
   std::vector<int> predecessors;      ///< ids in the previous section, or at the start of the road

@@ -22,9 +22,11 @@ struct SectionStrips {
   std::vector<LaneStrip> right;  ///< one per element of OpenDriveSection::right
 };
 
-/// Returns the strips of a section of `road`. All strips have points at the same arc lengths, so
-/// that neighbours share their border's points: at most `resolution` (m, > 0) apart along the
-/// reference line, in bends so close that a chord is within 1 cm. Superelevation is ignored.
+/// Returns the strips of a section of `road`. All strips have points at the same arc lengths, from
+/// the begin to the end of the section (a section shorter than 1 mm: at its begin only), so that
+/// neighbours share their border's points: at most `resolution` (m, > 0) apart along the reference
+/// line, in bends so close that a chord is within 1 cm. Superelevation is ignored. A negative width
+/// counts as 0.
 SectionStrips laneStrips(const OpenDriveRoad& road, const OpenDriveSection& section,
                          double resolution);
 

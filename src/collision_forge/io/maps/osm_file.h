@@ -41,11 +41,12 @@ struct OsmFile {
 
 /// Reads an OpenStreetMap file. Leaves out deleted elements, and nodes without a usable position.
 ///
-/// Nodes have the position in their tags local_x and local_y, as Autoware writes. If no node has
-/// these tags, their lat and lon are projected: UTM coordinates minus the UTM coordinates of the
-/// location's origin in `options`, as lanelet2's UtmProjector. Throws MapError for malformed XML
-/// and for a file without lanelets, and ConfigError if an origin is needed and missing. Adds the
-/// nodes that are left out to `warnings`. The location is the file's name without its extension.
+/// Nodes have the position in their tags local_x and local_y, as Autoware writes; if any node has
+/// them, nodes without them are left out. If no node has these tags, their lat and lon are
+/// projected: UTM coordinates minus the UTM coordinates of the location's origin in `options`, as
+/// lanelet2's UtmProjector. Throws MapError for malformed XML and for a file without lanelets, and
+/// ConfigError if an origin is needed and missing. Adds the nodes that are left out to `warnings`.
+/// The location is the file's name without its extension.
 OsmFile readOsmFile(const std::string& path, const DataOptions& options, WarningCounter& warnings);
 
 }  // namespace forge

@@ -19,8 +19,8 @@ std::string rootOf(const std::string& path);
 /// that cannot be read, and for malformed XML, with the position in bytes.
 void loadXml(const std::string& path, pugi::xml_document& document);
 
-/// Returns the number in a text, which may have white space around it; nullopt if the text is not
-/// one finite number.
+/// Returns the number in a text, which may have white space around it, a sign and an exponent;
+/// nullopt if the text is not one finite number.
 std::optional<double> finiteNumber(std::string_view text);
 
 /// Returns "<NAME id="ID">", or "<NAME> at byte N" for an element without an id, for messages.

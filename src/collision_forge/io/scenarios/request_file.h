@@ -19,21 +19,22 @@ namespace forge {
 std::string requestLine(const SceneRequest& request, const CrashDefinition& defaults = {});
 
 /// Parses a line of requestLine(), mode history. Each field must be present exactly once, except
-/// the optional ones of writeControls(); unknown fields are errors. `crash` gives the crash
-/// definition, which the line may override. Throws JsonLineError, naming `where`.
+/// `name` and the fields of writeControls(), which are optional; unknown fields are errors. `crash`
+/// gives the crash definition, which the line may override. Throws JsonLineError, naming `where`.
 SceneRequest readRequestLine(const std::string& where, const std::string& line,
                              const CrashDefinition& crash = {});
 
-/// Reads a request list. `scenes`: names of the existing scenes; `crash` as in readRequestLine().
-/// Throws JsonLineError naming file, line, field and value for a file that cannot be read or has no
-/// request, a malformed line, and a scene not in `scenes`; InputError as readInputLine(). Returns
-/// the requests in the order of the file.
+/// Reads a request list: each line is one request, so empty lines and comments are errors.
+/// `scenes`: names of the existing scenes; `crash` as in readRequestLine(). Throws JsonLineError
+/// naming file, line, field and value for a file that cannot be read or has no request, a malformed
+/// line, and a scene not in `scenes`; InputError as readInputLine(). Returns the requests in the
+/// order of the file.
 std::vector<SceneRequest> readRequests(const std::string& path, const std::set<std::string>& scenes,
                                        const InputLimits& limits,
                                        const CrashDefinition& crash = {});
 
 /// Returns a text with the number of requests and a fingerprint of their lines in order, "10 of
-/// fingerprint HASH", to compare lists.
+/// fingerprint HASH", to compare lists; without requests HASH is "".
 std::string fingerprintOf(const std::vector<SceneRequest>& requests);
 
 /// Writes a request list; `defaults` as in requestLine(). Throws as AsideFile.

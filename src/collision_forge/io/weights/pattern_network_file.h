@@ -17,11 +17,11 @@ struct PatternNetworkFileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reads the networks of a file; the one trained on all scenes is first. Each network is a line of
-/// JSON (format, left_out_scenes, features, network, and name, outputs and inputs of every layer),
-/// followed for each layer by its matrix row by row and its bias, as little-endian 32-bit floats.
-/// Throws PatternNetworkFileError for a file that is missing, truncated, or of another
-/// architecture.
+/// Reads the networks of a file; the one trained on all scenes is first, then its folds, in the
+/// file's order. Each network is a line of JSON (format, left_out_scenes, features, network, and
+/// name, outputs and inputs of every layer), followed for each layer by its matrix row by row and
+/// its bias, as little-endian 32-bit floats. Throws PatternNetworkFileError for a file that is
+/// missing, empty, truncated, or of another architecture.
 std::vector<PatternWeights> readPatternWeights(const std::string& path);
 
 /// Writes a file that readPatternWeights() reads. Throws as AsideFile. The first network must be

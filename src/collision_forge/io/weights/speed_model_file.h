@@ -15,8 +15,8 @@ struct SpeedModelFileError : std::runtime_error {
 };
 
 /// Reads a speed model file (format: README of data/weights): a line per model, first the one
-/// trained on all scenes, then its folds. Throws SpeedModelFileError for a file that is missing or
-/// malformed.
+/// trained on all scenes, then its folds. Throws SpeedModelFileError for a file that is missing,
+/// empty or malformed.
 SpeedModel readSpeedModel(const std::string& path);
 
 /// Writes a file that readSpeedModel() reads, numbers rounded to five significant digits. Throws as

@@ -24,12 +24,12 @@ class BackgroundModel {
   BackgroundModel(const BackgroundModel&) = delete;
   BackgroundModel& operator=(const BackgroundModel&) = delete;
 
-  /// Returns the poses (middle of the box, global map frame) `step` seconds from now, by id, of the
-  /// kContractAgents agents nearest to the ego; other agents and agents without states have no
-  /// entry. Now is the time of the last point of `ego_history`, which must not be empty;
-  /// `ego_history` and `agents` as in PlannerInputs::at(). Throws std::runtime_error, naming the
-  /// file, for a failure of the file, for a pose that is not finite, and (as WorkerTimeout) if the
-  /// worker does not respond in time.
+  /// Returns the poses (middle of the box, global map frame) `step` seconds (> 0) from now, by
+  /// Track::id, of the kContractAgents agents nearest to the ego; other agents and agents without
+  /// states have no entry. Now is the time of the last point of `ego_history`, which must not be
+  /// empty; `ego_history` and `agents` as in PlannerInputs::at(). Throws std::runtime_error, naming
+  /// the file, for a failure of the file, for a pose that is not finite, and (as WorkerTimeout) if
+  /// the worker does not respond in time.
   std::map<std::string, Pose2> next(const std::vector<TrajectoryPoint>& ego_history,
                                     const std::vector<Track>& agents, double step);
 

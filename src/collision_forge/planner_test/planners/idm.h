@@ -16,9 +16,10 @@ namespace forge {
 /// idm.standard, where each number's source stands.
 struct IdmOptions {
   IdmParameters law;  ///< `desired_speed` is used where the lane has no speed limit
-  LeadSearch lead;  ///< `radius`: of IdmPlanner, m from the ego's middle to another agent's middle,
-                    ///< at most; `margin` is used by the background traffic only
-  double horizon = 0.0;  ///< s, length of a plan; planner only
+  /// `radius`: of IdmPlanner, m between the middles of ego and agent; agents from there on are
+  /// ignored; `margin` is used by the background traffic only.
+  LeadSearch lead;
+  double horizon = 0.0;  ///< s, length of a plan, rounded to a whole number of `step`; planner only
   double step = 0.5;     ///< s between points of a plan; nuPlan; planner only
 };
 
@@ -34,8 +35,9 @@ struct PublishedIdmOptions {
 /// the path and the desired speed: the limit of the first lane (`law.desired_speed` if it has
 /// none), or the ego's speed if that is higher. The lead is the nearest agent or red light
 /// (withRedLights()) within `lead.radius` that touches the corridor of the ego's width ahead, or
-/// the ego's box. Its position is fixed throughout a plan, but its speed enters the law. Without a
-/// lead the ego treats the path's end as a standing lead.
+/// the ego's box. Its position is fixed throughout a plan, but its speed (component along the ego's
+/// heading) enters the law. Without a lead the ego treats the path's end as a standing lead; poses
+/// do not go beyond it.
 class IdmPlanner : public Planner {
  public:
   /// `route`: how lanes along the route are found.
@@ -45,7 +47,7 @@ class IdmPlanner : public Planner {
   /// points.
   void initialize(const DrivingTask& task) override;
   /// As Planner::plan(): a point now and every `step` seconds up to `horizon`. All poses are on the
-  /// path, also the first.
+  /// path, also the first, which otherwise is the observed ego. The task must have lanes.
   std::vector<TrajectoryPoint> plan(const Observation& observation) override;
 
   /// Returns the desired speed that the first plan() chose, m/s; 0 before it.
@@ -66,16 +68,17 @@ class IdmPlanner : public Planner {
 /// Returns the ego's speed (m/s, >= 0) after `options.step` seconds behind a lead, by integrating
 /// plainIdmAcceleration() with integrateDormandPrince(). `speed`: the ego's speed at the start,
 /// m/s; `lead_speed`: m/s, enters the law; `distance`: initial gap to the lead, m, infinite for a
-/// free road; the lead's position stays fixed. If the integration fails, uses its last accepted
-/// state.
+/// free road (0: the integration fails); the lead's position stays fixed. If the integration fails,
+/// uses its last accepted state.
 double publishedIdmSpeed(const PublishedIdmOptions& options, double speed, double lead_speed,
                          double distance);
 
 /// The intelligent driver model as the planner test of arXiv 2510.12206 uses it. The lead is always
 /// the attacker, even if it is not ahead; the gap is the distance between the boxes' middles, the
-/// lead's speed the norm of its velocity. The ego follows its route at the speed at the end of the
-/// step (publishedIdmSpeed()). Each plan has two points, now and one step later. If the attacker is
-/// not in sight, the ego drives as on a free road.
+/// lead's speed the norm of its velocity. The ego drives from the nearest place of its route along
+/// it (straight on beyond its end) at the speed at the end of the step (publishedIdmSpeed()). Each
+/// plan has two points, now and one step later. If the attacker is not in sight, the ego drives as
+/// on a free road. Red lights are ignored.
 class PublishedIdmPlanner : public Planner {
  public:
   /// `attacker_id`: id of the lead in Observation::agents.

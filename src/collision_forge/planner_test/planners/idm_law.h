@@ -8,8 +8,8 @@ namespace forge {
 /// Smallest gap (m) that callers pass to the law, which cannot divide by 0.
 inline constexpr double kTouchingGap = 0.01;
 
-/// Parameters of the intelligent driver model (Treiber, Hennecke, Helbing 2000, doi
-/// 10.1103/PhysRevE.62.1805).
+/// Parameters of the intelligent driver model, not negative and, except `time_headway` and
+/// `min_gap`, not 0 (Treiber, Hennecke, Helbing 2000, doi 10.1103/PhysRevE.62.1805).
 struct IdmParameters {
   double desired_speed = 0.0;     ///< v0, m/s
   double time_headway = 0.0;      ///< T, s
@@ -19,7 +19,8 @@ struct IdmParameters {
   double exponent = 0.0;          ///< delta, without unit
 };
 
-/// Returns the acceleration on a free road, m/s2, at `speed` m/s.
+/// Returns the acceleration a (1 - (v/v0)^delta) on a free road, m/s2, at `speed` m/s (not negative
+/// unless the exponent is an integer).
 inline double idmFreeAcceleration(const IdmParameters& idm, double speed) {
   return idm.max_acceleration * (1.0 - std::pow(speed / idm.desired_speed, idm.exponent));
 }
@@ -50,8 +51,8 @@ inline double idmAcceleration(const IdmParameters& idm, double speed, double lea
 
 /// A lead relative to its follower.
 struct IdmLead {
-  double gap =
-      0.0;  ///< m, bumper to bumper; may be negative once the follower has reached the lead
+  /// m, bumper to bumper; may be negative once the follower has reached the lead
+  double gap = 0.0;
   double speed = 0.0;  ///< m/s along the follower's path
 };
 

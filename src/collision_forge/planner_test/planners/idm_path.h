@@ -11,7 +11,8 @@ namespace forge {
 /// A path through poses in the global map frame, interpolated as nuPlan's IDM planner does:
 /// position and heading are linear over the arc length. The last of several coinciding nodes
 /// counts, and the path ends at the last node but one. Nodes more than 20 m apart get intermediate
-/// nodes, so that this loses at most a short piece.
+/// nodes at equal distances, so that this loses at most 20 m; two nodes within 20 m give a path of
+/// length 0.
 class IdmPath {
  public:
   /// `nodes`: in driving order. Throws std::invalid_argument for fewer than two distinct nodes, or
@@ -26,12 +27,13 @@ class IdmPath {
   /// Returns the pose at `arc_length` (m from the first node), clamped to [0, end()].
   Pose2 at(double arc_length) const;
 
-  /// The nodes of the constructor, with intermediate nodes and without coinciding ones.
+  /// Returns the nodes of the constructor, with intermediate nodes and without coinciding ones and
+  /// the last; at least one.
   const std::vector<Pose2>& nodes() const { return nodes_; }
   /// Returns the arc length of each of nodes(), m, ascending from 0.
   const std::vector<double>& arcLengths() const { return arc_lengths_; }
-  /// Returns the index in nodes() of the last node at or before `arc_length` (m); 0 for a negative
-  /// one.
+  /// Returns the index in nodes() of the last node at or before `arc_length` (m): 0 for a negative
+  /// one, the last index from end() on.
   std::size_t nodeBefore(double arc_length) const;
 
  private:

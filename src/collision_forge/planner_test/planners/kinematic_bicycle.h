@@ -31,14 +31,16 @@ struct BicycleCommand {
 };
 
 /// Kinematic bicycle model without slip, as nuPlan's KinematicBicycleModel: acceleration and
-/// steering follow the command with first-order lags; the pose advances with the state at the start
-/// of the step. Commands are clamped to the limits. Continued braking at standstill makes the car
-/// roll back.
+/// steering angle follow the command with first-order lags (x + d / (d + lag) (command - x) after a
+/// step of d seconds); speed advances with the new acceleration, the pose with the speed and
+/// steering at the start of the step. The commanded acceleration and the resulting steering angle
+/// are clamped to the limits, the speed is not. Continued braking at standstill makes the car roll
+/// back.
 class KinematicBicycle {
  public:
   explicit KinematicBicycle(const KinematicBicycleOptions& options) : options_(options) {}
 
-  /// Returns the state `duration` seconds (> 0) later.
+  /// Returns the state `duration` seconds (> 0) later, yaw in (-pi, pi].
   BicycleState step(const BicycleState& state, const BicycleCommand& command,
                     double duration) const;
 

@@ -45,9 +45,10 @@ class LaneGraph {
 };
 
 /// Builds the graph of all lanes of a map from the points of their centrelines; splits stretches
-/// longer than `spacing` metres. If a lane's end and the start of its successor are less than 0.1 m
-/// apart, they share a node; otherwise an edge joins them. Edges lead in driving direction; lanes
-/// without a centreline have none.
+/// longer than `spacing` metres into equal pieces of at most that length. If a lane's end and the
+/// start of its successor are less than 0.1 m apart, they share a node; otherwise an edge joins
+/// them. Edges lead in driving direction; lanes without a centreline have none, so a map without
+/// lanes gives an empty graph.
 LaneGraph laneGraphOf(const LaneIndex& lanes, double spacing);
 
 }  // namespace forge

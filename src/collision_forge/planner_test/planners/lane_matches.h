@@ -16,9 +16,9 @@ struct EdgeMatch {
 };
 
 /// Returns the edges within `options.on_lane_distance` of the vehicle's middle (pose in the global
-/// map frame) whose direction is within `options.on_lane_heading` of its heading, nearest first.
-/// From each chain of connected nearby edges, keeps only the nearest. Empty if the vehicle is on no
-/// lane.
+/// map frame) whose direction is within `options.on_lane_heading` of its heading, nearest first
+/// (equally near ones by index). From each chain of connected edges among these, keeps only the
+/// nearest. Empty if the vehicle is on no lane.
 std::vector<EdgeMatch> matchedEdges(const LaneGraph& graph, const Pose2& vehicle,
                                     const RuleBasedOptions& options);
 

@@ -15,7 +15,7 @@ class LaneSpline {
   /// A point of the path.
   struct Point {
     Vector2 position{0.0, 0.0};  ///< m
-    Vector2 heading{1.0, 0.0};   ///< unit length at the knots, shorter between them
+    Vector2 heading{1.0, 0.0};   ///< along the path, unit length at the knots, shorter between them
   };
   /// A point with its length along the path.
   struct Knot {
@@ -44,10 +44,13 @@ struct Reach {
 
 /// Returns the candidate paths of a vehicle over a lane graph, at least one: one along every graph
 /// path through every edge in `matches` (matchedEdges()), in their order, then of the edges at each
-/// branch. Each is bent to pass through the vehicle's middle. Without a match, returns one straight
-/// path along the heading. If `reach.behind` is 0, paths that differ only behind the vehicle are
-/// returned once. `vehicle`: global map frame; `speed`: m/s along its heading, negative backwards,
-/// sets how far paths lead behind the vehicle.
+/// branch. Each is bent to pass through the vehicle's middle. The graph path goes on for the
+/// distance driven at max_speed in all steps plus `length_buffer`, or ends with the lanes;
+/// LaneSpline::at() continues it straight. `options.max_paths` bounds the paths ahead of an edge,
+/// and those behind it. Without a match, returns one straight path along the heading. If
+/// `reach.behind` is 0, paths that differ only behind the vehicle are returned once. `vehicle`:
+/// global map frame; `speed`: m/s along its heading, negative backwards, sets how far paths lead
+/// behind the vehicle.
 std::vector<LaneSpline> laneSplinesOf(const LaneGraph& graph, const std::vector<EdgeMatch>& matches,
                                       const Pose2& vehicle, double speed, const Reach& reach,
                                       const RuleBasedOptions& options);

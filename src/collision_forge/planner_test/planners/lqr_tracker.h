@@ -11,14 +11,16 @@ namespace forge {
 /// minimises.
 struct LqrOptions {
   double step = 0.1;  ///< s between the poses of a reference
-  int horizon = 10;   ///< steps that the controller optimises over, and looks ahead for the speed
+  int horizon = 10;   ///< steps that the controller optimises over; the reference speed is taken as
+                      ///< many steps ahead, at most from the last piece
   double speed_weight = 10.0;         ///< of a squared error of speed (m/s), longitudinal Q
   double acceleration_weight = 1.0;   ///< of the squared acceleration (m/s2), longitudinal R
   double lateral_weight = 1.0;        ///< of a squared lateral error (m), lateral Q ...
   double heading_weight = 10.0;       ///< ... of a squared heading error (rad) ...
   double steering_weight = 0.0;       ///< ... of the squared steering angle (rad)
   double steering_rate_weight = 1.0;  ///< of the squared steering rate (rad/s), lateral R
-  /// m/s; if the speeds of car and reference are at or below it, only the speed is controlled.
+  /// m/s; if the speed of the car and the reference speed are both at or below it, only the speed
+  /// is controlled.
   double stop_speed = 0.2;
   /// 1/s; the acceleration is then stop_gain * (reference speed - speed), without steering.
   double stop_gain = 0.5;
@@ -47,7 +49,8 @@ ReferenceProfile fitProfile(const std::vector<Pose2>& poses, const LqrOptions& o
 
 /// Controller that drives a KinematicBicycle along a reference, after nuPlan's LQRTracker: first
 /// the best constant acceleration over the horizon, then the best constant steering rate, for the
-/// motion linearised about the reference.
+/// motion linearised about the reference. The cost counts the errors at the end of the horizon and
+/// the constant input once.
 class LqrTracker {
  public:
   /// `wheelbase`: m, of the controller's own model; may differ from the car's. `fit`: see

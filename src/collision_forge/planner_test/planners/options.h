@@ -21,7 +21,7 @@ inline constexpr double kMinTimeStep = 0.01;
 /// How planners are called: config/planners.yaml, section planning, where each number's source
 /// stands.
 struct PlanningOptions {
-  double history = 0.0;   ///< s of past states that an Observation has of each agent
+  double history = 0.0;   ///< s of past states that an Observation has of each agent, at most
   double interval = 0.0;  ///< s of scene time between two calls of plan(), for idm and pdm
   RouteOptions route;     ///< of routeOf(); not in the file
 };

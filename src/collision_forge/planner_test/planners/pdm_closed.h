@@ -14,7 +14,7 @@ namespace forge {
 struct PdmCandidate {
   PdmProposal proposal;  ///< path and speeds before vehicle dynamics
   PdmMotion motion;      ///< simulated from the ego's state along the proposal
-  PdmScore score;        ///< of `motion`
+  PdmScore score;        ///< of `motion`, relative to the motions of the same plan()
 };
 
 /// PDM-Closed (Dauner et al. 2023, arXiv 2306.07962) on a path and a map. Creates proposals at
@@ -24,15 +24,16 @@ struct PdmCandidate {
 class PdmClosed {
  public:
   /// `centerline`: path of the route, global map frame. `car`: of the simulation, which ignores its
-  /// limits of acceleration and braking, as published.
+  /// limits of acceleration and braking, as published. `lqr`: of the simulation's tracker, whose
+  /// wheelbase is `options.tracker_wheelbase`. Copies all arguments.
   PdmClosed(PdmPath centerline, const EgoVehicle& ego, const KinematicBicycleOptions& car,
             const LqrOptions& lqr, const PdmOptions& options);
 
   /// Plans from `start`, the ego's state at t0. Returns `options.output_steps` + 1 poses of the
-  /// rear axle in the global map frame, one every `options.step` seconds, the first at t0.
-  /// `agents`: other agents and red lights (withRedLights()); their newest state counts as t0.
-  /// `map` is used only during the call. `speed_limit`: m/s. Agents that the ego touches at t0 are
-  /// ignored in this and all later calls.
+  /// rear axle in the global map frame, one every `options.step` seconds, the first at t0; poses do
+  /// not go beyond the path's end. `agents`: other agents and red lights (withRedLights()); their
+  /// newest state counts as t0. `map` is used only during the call. `speed_limit`: m/s. Agents that
+  /// the ego touches at t0 are ignored in this and all later calls.
   std::vector<Pose2> plan(const BicycleState& start, const std::vector<Track>& agents,
                           const PdmMap& map, double speed_limit);
 

@@ -44,7 +44,8 @@ class PdmComfort {
   PdmComfort(int states, double step, const PdmComfortOptions& options);
 
   /// Filters the signals (each with one value per state of the constructor) and returns the range
-  /// of each derived signal.
+  /// of each derived signal over all states. Accelerations are smoothed by one parabola over all
+  /// states; jerk is the rate of their magnitude after smoothing over `jerk_window`.
   ComfortRanges ranges(const EgoSignals& signals) const;
   /// Returns, for each range in the order of ComfortRanges, whether it lies strictly within the
   /// limits of the options.

@@ -25,7 +25,7 @@ struct ForecastAgent {
 };
 
 /// PDM-Closed's forecast of the agents around the ego at every step. As published, positions change
-/// only at every second step. Global map frame.
+/// only at every second step: an odd step has the positions of the step before. Global map frame.
 class PdmForecast {
  public:
   /// Forecasts the nearest agents of each kind within `options.radius` of the ego's middle, in the

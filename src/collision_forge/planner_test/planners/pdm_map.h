@@ -21,7 +21,8 @@ struct PdmArea {
 struct PdmPlace {
   /// At least two areas contain a corner, and no area contains all four.
   bool is_in_several_lanes = false;
-  bool is_off_road = false;   ///< a corner is off the drivable area
+  /// A corner is off the drivable area (of a raster: a corner of the shrunk box)
+  bool is_off_road = false;
   bool is_wrong_way = false;  ///< no area on the route, addRoute() included, contains the middle
   std::optional<double> speed_limit;  ///< m/s, of the first area on the route that contains the
                                       ///< middle; empty if there is none or its limit is not known
@@ -31,8 +32,8 @@ struct PdmPlace {
 /// frame, m.
 class PdmMap {
  public:
-  /// `areas`: may overlap. `intersections`: outlines, open rings. The union of `areas` is the
-  /// drivable area until setDrivable() is called.
+  /// `areas`: may overlap. `intersections`: outlines, open rings. The union of `areas` (possibly
+  /// none: every box is then off the road) is the drivable area until setDrivable() is called.
   PdmMap(const std::vector<PdmArea>& areas, const std::vector<std::vector<Vector2>>& intersections);
   /// Replaces the drivable area by a raster of 0.5 m resolution. The box is shrunk by `margin`
   /// metres on each side before its corners are looked up. `drivable` must outlive the map; null

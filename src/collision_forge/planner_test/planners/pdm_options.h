@@ -60,7 +60,8 @@ struct PdmScoringOptions {
   double static_collision_score = 0.5;
   /// m; if no proposal gets farther, all that are not excluded score 1 for progress.
   double min_progress = 0.1;
-  /// s ahead of each state at which boxes are tested for contact.
+  /// s ahead of each state at which boxes are tested for contact, rounded to whole steps; not
+  /// empty.
   std::vector<double> ttc_times = {0.0, 0.3, 0.6, 0.9};
   /// rad (30 degrees) off the ego's heading, seen from its rear axle; an agent within it is ahead;
   /// nuPlan's metrics.
@@ -100,9 +101,10 @@ struct PdmOptions {
   PdmMapOptions map;                 ///< of roadAlong()
   double tracker_wheelbase = 3.089;  ///< m; nuPlan's car, also used for other cars
   double speed_limit = 0.0;          ///< m/s, used where the map has none
-  /// m to the left of the centreline, one per path of proposals.
+  /// m to the left of the centreline (negative: right), one per path of proposals, in any order.
   std::vector<double> lateral_offsets;
-  std::vector<double> speed_shares;  ///< desired speed of proposals as a share of the speed limit
+  std::vector<double> speed_shares;  ///< desired speeds of the proposals of each path, as shares of
+                                     ///< the speed limit, in any order
   double step = 0.1;                 ///< s between two steps; must equal LqrOptions::step
   int proposal_steps = 0;            ///< number of steps that are simulated and scored
   int output_steps = 0;              ///< number of steps of a plan, at least `proposal_steps`

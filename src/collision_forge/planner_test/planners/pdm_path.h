@@ -24,8 +24,8 @@ class PdmPath {
   double project(const Vector2& point) const;
   /// Returns the path with every node moved `lateral` metres to its left (negative: right).
   PdmPath shifted(double lateral) const;
-  /// Returns the part from the first node beyond `progress` (m) on; at least the last two distinct
-  /// nodes.
+  /// Returns the part from the first node beyond `progress` (m) on, which thus begins up to a piece
+  /// after it; at least the last two distinct nodes.
   PdmPath ahead(double progress) const;
   /// Returns whether the box touches the corridor within `half_width` metres of the path, which
   /// ends in squares that reach `half_width` beyond both ends.

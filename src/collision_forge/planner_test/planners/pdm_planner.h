@@ -22,15 +22,17 @@ class PdmPlanner : public Planner {
   /// route without two distinct points.
   void initialize(const DrivingTask& task) override;
   /// As Planner::plan(): `output_steps` + 1 points, `step` seconds apart, the first at the
-  /// observation's time. The points have only time, pose and speed; acceleration and curvature are
-  /// 0.
+  /// observation's time. The points have only time, pose and speed (the first the observed speed,
+  /// the others the mean speed along the heading since the point before); acceleration and
+  /// curvature are 0.
   std::vector<TrajectoryPoint> plan(const Observation& observation) override;
   /// As Planner::proposals(): the simulated motions of all proposals in the order of
-  /// PdmClosed::candidates(), one pose every `step` seconds from the observation's time on; empty
-  /// before the first plan().
+  /// PdmClosed::candidates(), `proposal_steps` + 1 poses every `step` seconds from the
+  /// observation's time on; empty before the first plan().
   std::vector<std::vector<Pose2>> proposals() const override;
 
-  /// Returns the details of the last plan; empty before initialize().
+  /// Returns the details of the last plan; empty before initialize(), without candidates before
+  /// plan().
   const std::optional<PdmClosed>& closed() const { return closed_; }
 
  private:

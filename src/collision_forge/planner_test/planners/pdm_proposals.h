@@ -23,7 +23,8 @@ struct PathLead {
 struct PdmProposal {
   std::size_t lateral = 0;     ///< index into PdmOptions::lateral_offsets
   double desired_speed = 0.0;  ///< m/s
-  /// One per step, the first at t0; progress along the path at this offset.
+  /// One per step, the first at t0; `progress` of the rear axle along the path at this offset, not
+  /// clamped to the path's end.
   std::vector<IdmState> states;
   PathLead lead;  ///< found by the latest search, used until the next one
 };
@@ -45,7 +46,8 @@ class PdmProposer {
   std::vector<PdmProposal> propose(double speed_limit);
   /// Continues a proposal of propose() until it has `steps` steps; a longer one is not changed.
   void extend(PdmProposal& proposal, int steps);
-  /// Returns the poses of the rear axle in the global map frame, one per element of `states`.
+  /// Returns the poses of the rear axle in the global map frame, one per element of `states`;
+  /// beyond the path's end, its end.
   std::vector<Pose2> poses(const PdmProposal& proposal) const;
 
  private:

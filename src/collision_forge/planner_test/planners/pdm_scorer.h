@@ -22,9 +22,9 @@ struct PdmScore {
   double drivable_area = 0.0;
   /// 1, wrong_way_score or 0 by the longest distance driven without a break off the route's lanes.
   double driving_direction = 0.0;
-  double driven = 0.0;  ///< m along the centreline from the first to the last state, not negative;
-                        ///< not a term of the score
-  double progress = 0.0;           ///< share 0..1 of the best motion's; see PdmScorer::score()
+  double driven = 0.0;    ///< m along the centreline from the first to the last middle of the ego's
+                          ///< box, not negative; not a term of the score
+  double progress = 0.0;  ///< share 0..1 of the best motion's; see PdmScorer::score()
   double time_to_collision = 1.0;  ///< 0 if a state is too close to a collision, else 1
   /// s from t0, of the first state that is too close; empty if there is none.
   std::optional<double> ttc_time;
@@ -49,10 +49,11 @@ class PdmScorer {
   /// Keeps the references in `surroundings`; copies `options`.
   PdmScorer(const PdmSurroundings& surroundings, const PdmScoringOptions& options);
 
-  /// Returns the score of each motion, in order. All motions have as many states as `comfort`
-  /// expects. Progress is `driven` times the product of collision, drivable_area and
-  /// driving_direction, as a share of the largest such value among `motions`. If no value exceeds
-  /// `options.min_progress`, progress is 1, or 0 for motions whose product is 0.
+  /// Returns the score of each motion, in order; empty for no motions. Red lights affect no term.
+  /// All motions have as many states as `comfort` expects. Progress is `driven` times the product
+  /// of collision, drivable_area and driving_direction, as a share of the largest such value among
+  /// `motions`. If no value exceeds `options.min_progress`, progress is 1, or 0 for motions whose
+  /// product is 0.
   std::vector<PdmScore> score(const std::vector<PdmMotion>& motions) const;
 
  private:

@@ -25,8 +25,9 @@ struct DrivingTask {
 struct Observation {
   TrajectoryPoint ego;  ///< current state, middle of the box, global map frame; its time (s, scene
                         ///< clock) is the time of the call
-  /// Agents in sight without the ego, each with its states of the last PlanningOptions::history
-  /// seconds, the newest last; global map frame.
+  /// Agents in sight now, the attacker included and without the ego, each with its states of the
+  /// last PlanningOptions::history seconds, the newest last and at the time of the call; global map
+  /// frame.
   std::vector<Track> agents;
   /// Lane::id of the lanes whose traffic light is red now.
   std::vector<std::string> red_lanes = {};
@@ -58,9 +59,10 @@ class Planner {
 
   /// Called every Driving::interval seconds of scene time. Returns the ego's trajectory (middle of
   /// the box, global map frame): points at strictly increasing times, the first at the
-  /// observation's time, the last not before the next call. The caller checks the result. Must use
-  /// only this and earlier observations. May throw PlannerTimeout, LatePlan or any std::exception.
-  /// The scene waits for the result, so a slow planner slows the test down but does not change it.
+  /// observation's time, the last not before the next call or the end of the rollout, whichever is
+  /// sooner. The caller checks the result (PlannerFailure). Must use only this and earlier
+  /// observations. May throw PlannerTimeout, LatePlan or any std::exception. The scene waits for
+  /// the result, so a slow planner slows the test down but does not change it.
   virtual std::vector<TrajectoryPoint> plan(const Observation& observation) = 0;
 
   /// Called after plan(), for figures; for one trial after every plan(). Returns the motions that

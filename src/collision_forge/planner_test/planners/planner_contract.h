@@ -8,18 +8,20 @@ namespace forge {
 // Input and output formats of a learned planner and of a learned traffic model, as
 // docs/learned_planner.md defines them. These numbers are fixed: model files depend on them.
 
-inline constexpr std::size_t kContractFrames = 5;  ///< past frames; the last is the current one
+inline constexpr std::size_t kContractFrames = 5;  ///< frames, oldest first; the last is now
 inline constexpr double kContractFrameStep = 0.5;  ///< s between them
 /// Greatest number of agents; nearest to the ego first.
 inline constexpr std::size_t kContractAgents = 64;
 /// Greatest number of lanes; nearest to the ego first.
 inline constexpr std::size_t kContractLanes = 64;
-/// Greatest number of points of a lane, in driving direction, around its point nearest to the ego.
+/// Greatest number of points of a lane, in driving direction: from 40 m (at most) before its point
+/// nearest to the middle of the ego's box up to the lane's end at most.
 inline constexpr std::size_t kContractLanePoints = 20;
 inline constexpr double kContractLaneSpacing = 4.0;  ///< m between them
 /// m around the middle of the ego's box; lanes farther away are left out.
 inline constexpr double kContractLaneRadius = 60.0;
-/// Points ahead along the route; the first is beside the ego.
+/// Points ahead along the centreline of the route; the first is beside the ego, points beyond its
+/// end are straight ahead of it.
 inline constexpr std::size_t kContractRoutePoints = 50;
 inline constexpr double kContractRouteSpacing = 2.0;  ///< m between them
 inline constexpr std::size_t kContractPoses = 80;     ///< poses of a plan
@@ -27,8 +29,8 @@ inline constexpr std::size_t kContractPoses = 80;     ///< poses of a plan
 inline constexpr double kContractPoseStep = 0.1;
 /// x, y, yaw, speed, acceleration, is_known (1, or 0 if the frame is before the first state).
 inline constexpr std::size_t kContractEgoNumbers = 6;
-/// x, y, yaw, vx, vy, length, width, class (0 vehicle, 1 two-wheeler, 2 pedestrian or animal, 3
-/// static object).
+/// x, y, yaw, vx, vy (of the agent, in the ego's current frame), length, width, class (0 vehicle, 1
+/// two-wheeler, 2 pedestrian or animal, 3 static object).
 inline constexpr std::size_t kContractAgentNumbers = 8;
 inline constexpr std::size_t kContractLaneNumbers = 4;  ///< x, y, yaw, is_in_intersection (1 or 0)
 inline constexpr std::size_t kContractPoseNumbers = 3;  ///< x, y, yaw of the middle of a box
@@ -104,14 +106,14 @@ struct ModelContract {
 
 /// Contract of a learned planner.
 inline constexpr ModelContract kPlannerContract = {"planner", kContractInputs, kContractOutput};
-/// Contract of a traffic model. The output: the next pose of each agent of `agents` in their order,
-/// in the ego's current frame.
+/// Contract of a traffic model. The output: the pose of each agent of `agents` in their order,
+/// `step` seconds from now, in the ego's current frame; rows of unused entries are ignored.
 inline constexpr ModelContract kTrafficContract = {
     "traffic", kTrafficInputs, {"the output", {kContractAgents, kContractPoseNumbers, 0}, 2}};
 
 // Protocol between the test suite and the worker process that runs a model file, over one byte
 // stream. The worker first sends one reply: whether the file is usable. Then it replies to each
-// request.
+// request. Numbers are 32-bit floats in the machine's byte order.
 
 /// Request: start a new rollout and reset the planner's state. The reply has no numbers.
 inline constexpr char kRequestBegin = 'b';

@@ -13,8 +13,8 @@ namespace forge {
 struct Driving {
   /// s of scene time between two calls of plan(); a multiple of RolloutOptions::step.
   double interval = 0.0;
-  /// True: the ego follows the plan exactly, without vehicle limits. False: the kinematic bicycle
-  /// follows it.
+  /// True: the ego follows the plan exactly, interpolated between its points, without vehicle
+  /// limits. False: the kinematic bicycle follows it.
   bool is_exact = false;
 };
 

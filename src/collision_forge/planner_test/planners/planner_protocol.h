@@ -21,11 +21,11 @@ std::string beginLine(const DrivingTask& task, double interval);
 /// Returns the request for a plan, which contains the whole observation.
 std::string planLine(const Observation& observation);
 
-/// Returns the points in a response, acceleration and curvature 0 where they are missing; empty if
-/// the response has no key "points". A response with the key "error" throws its text as
-/// PlannerTimeout if its "failure" is "timed_out", as LatePlan if it is "late", else as
-/// std::runtime_error. Throws JsonLineError for a line that is not a response. Does not check times
-/// or numbers of the points.
+/// Returns the points in a response (rows as in pointsLine()), acceleration and curvature 0 where
+/// they are missing; empty if the response has no key "points". A response with the key "error"
+/// throws its text as PlannerTimeout if its "failure" is "timed_out", as LatePlan if it is "late",
+/// else as std::runtime_error. Throws JsonLineError for a line that is not a response. Does not
+/// check times or numbers of the points.
 std::vector<TrajectoryPoint> readPlanResponse(const std::string& line);
 
 /// Throws JsonLineError if the first line of a process does not announce kPlannerProtocol,
@@ -43,7 +43,8 @@ struct PlanRequest {
 /// Returns the request in a line. Throws JsonLineError for a line that is not a request.
 PlanRequest readPlanRequest(const std::string& line);
 
-/// Returns the response to planLine(): {"points": ...}, one row per point.
+/// Returns the response to planLine(): {"points": ...}, one row per point: time, x, y, yaw, speed,
+/// acceleration, curvature.
 std::string pointsLine(const std::vector<TrajectoryPoint>& points);
 /// Returns the response to beginLine(): {}.
 std::string begunLine();

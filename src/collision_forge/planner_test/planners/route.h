@@ -20,8 +20,10 @@ struct RouteOptions {
 
 /// Returns the path that a recorded ego should follow (m, global map frame): its recorded positions
 /// at least `spacing` apart, then `length_ahead` metres along LaneIndex::pathAhead() of the lane
-/// nearest to its last pose, joined `join_distance` metres ahead; straight ahead where no lane is.
-/// Has at least two points. Throws std::invalid_argument for a track without states.
+/// nearest to its last pose, joined at their first point at least `join_distance` metres ahead;
+/// straight ahead where no lane is and where lanes end early. Has at least two points; a recording
+/// that hardly moves gives its first position and the path ahead. Throws std::invalid_argument for
+/// a track without states.
 std::vector<Vector2> routeOf(const Track& recorded, const LaneIndex& lanes,
                              const RouteOptions& options);
 

@@ -20,9 +20,10 @@ struct RouteCenterlineOptions {
 };
 
 /// Returns the lane centrelines along `route` (m, global map frame) as one line. Chooses, by a
-/// shortest path over the places of the route, connected lanes with the least summed distance to
-/// it. Lane changes are smoothed over `lane_change_length` metres; without a lane nearby, uses the
-/// route itself. Throws std::invalid_argument for a route without two distinct points.
+/// shortest path over the places of the route, connected lanes with the least summed distance to it
+/// plus the costs of the options. The line begins and ends beside the ends of the route. Lane
+/// changes are smoothed over `lane_change_length` metres; without a lane nearby, uses the route
+/// itself. Throws std::invalid_argument for a route without two distinct points.
 Polyline routeCenterline(const LaneIndex& lanes, const std::vector<Vector2>& route,
                          const RouteCenterlineOptions& options);
 

@@ -13,8 +13,8 @@ namespace forge {
 struct RouteRoad {
   std::vector<Pose2> nodes;  ///< of the smoothed routeCenterline(), in driving order, about 1 m
                              ///< apart; global map frame
-  PdmMap map;  ///< lanes within PdmMapOptions::radius of the nodes; the `lanes` of roadAlong() must
-               ///< outlive it
+  PdmMap map;  ///< lanes within PdmMapOptions::radius of the nodes, with the drivable area of the
+               ///< lane map if that has one; the `lanes` of roadAlong() must outlive it
 };
 
 /// Builds the road along `route` (m, global map frame). `centerline`: how its lanes are found;

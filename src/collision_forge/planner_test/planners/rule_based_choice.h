@@ -27,10 +27,11 @@ struct RuleBasedChoice {
   std::size_t chosen = 0;                ///< index in `profiles`
 };
 
-/// Scores every speed profile of the ego along `way` and chooses one. Takes the longest with a
-/// collision probability below `options.max_probability` (if `is_on_lane` is false and `others` is
-/// not empty, the shortest); if none is below, the one with the lowest probability. Takes the first
-/// of equals. `others`: predicted boxes, each with a place for every step.
+/// Scores every speed profile of the ego along `way` and chooses one. Takes the longest (greatest
+/// distance after the last step) with a collision probability below `options.max_probability` (if
+/// `is_on_lane` is false and `others` is not empty, the shortest); if none is below, the one with
+/// the lowest probability. Takes the first of equals. `is_on_lane`: the ego matches an edge
+/// (matchedEdges()). `others`: predicted boxes, each with a place for every step.
 RuleBasedChoice chooseProfile(const DrivenBox& ego, const LaneSpline& way, bool is_on_lane,
                               const std::vector<ExpectedBox>& others,
                               const RuleBasedOptions& options);
@@ -53,8 +54,9 @@ struct RuleBasedPlan {
 };
 
 /// Runs the rule-based planner for one step. The ego takes the candidate path that stays nearest to
-/// `route`, or the first one if `route` is null. `others`: all agents but the ego; agents that are
-/// not near (isNear()) are ignored.
+/// `route` (least sum of distances to it at the steps of the longest profile), or the first one if
+/// `route` is null. `others`: all agents but the ego; agents that are not near (isNear()) are
+/// ignored.
 RuleBasedPlan planOnLanes(const DrivenBox& ego, const std::vector<DrivenBox>& others,
                           const LaneGraph& graph, const Polyline* route,
                           const RuleBasedOptions& options);

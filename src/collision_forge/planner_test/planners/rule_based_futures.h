@@ -27,7 +27,8 @@ struct ExpectedBox {
 /// `options.acceleration_shares` (of the maximum acceleration).
 std::vector<SpeedPlan> expectedSpeeds(double speed, const RuleBasedOptions& options);
 
-/// Returns the greatest distances ahead and behind that any plan drives; 0 without plans.
+/// Returns the greatest distances ahead and behind that any plan drives at any step, neither
+/// negative; 0 without plans.
 Reach reachOf(const std::vector<SpeedPlan>& plans);
 
 /// Predicts another agent's boxes at every step: one future for each path (outer loop) and speed

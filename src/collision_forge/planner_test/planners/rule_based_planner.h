@@ -13,7 +13,7 @@ namespace forge {
 /// The rule-based planner of STRIVE (Rempe et al. 2022, arXiv 2112.05077): planOnLanes() on the
 /// lane graph of the task's map. From several speed profiles along its lane it takes the longest
 /// one that is unlikely to collide with the predicted futures of other agents, else the least
-/// likely one.
+/// likely one. Red lights are ignored.
 class RuleBasedPlanner : public Planner {
  public:
   explicit RuleBasedPlanner(const RuleBasedOptions& options) : options_(options) {}

@@ -19,7 +19,7 @@ std::vector<double> spread(double first, double last, int count);
 
 /// Returns a plan of `steps` steps of `step` seconds, so `steps` + 1 elements, that changes from
 /// `speed` to `target` (m/s) by at most `acceleration` (m/s2, positive also for braking), then
-/// keeps `target`.
+/// keeps `target`; it may end before `target` is reached.
 SpeedPlan planTowards(double speed, double target, double acceleration, double step, int steps);
 
 /// A candidate of the ego: towards a middle speed in the first half of the steps (rounded down),

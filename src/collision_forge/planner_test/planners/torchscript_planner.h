@@ -13,7 +13,7 @@ namespace forge {
 /// Options of TorchscriptPlanner: config/planners.yaml, section torchscript.
 struct TorchscriptOptions : TorchscriptFileOptions {
   double interval = 0.0;  ///< s of scene time between two calls of plan()
-  /// Worker pool, shared by all planners that are created from copies of these options.
+  /// Worker pool (not null), shared by all planners that are created from copies of these options.
   std::shared_ptr<PlannerWorkers> workers = std::make_shared<PlannerWorkers>();
 };
 
@@ -31,9 +31,10 @@ class TorchscriptPlanner : public Planner {
   /// As Planner::initialize(); resets the model's state. Throws as PlannerInputs, PlannerTimeout if
   /// the worker does not respond, and std::runtime_error for a failure of the file.
   void initialize(const DrivingTask& task) override;
-  /// As Planner::plan(): the observation's ego and kContractPoses points, kContractPoseStep seconds
-  /// apart; speeds, accelerations and curvatures are derived from the poses. Throws PlannerTimeout
-  /// if the worker does not respond and std::runtime_error for a failure of the file.
+  /// As Planner::plan(): the observation's ego, then kContractPoses points, kContractPoseStep
+  /// seconds apart, the first of them one such step later; speeds, accelerations and curvatures are
+  /// derived from the poses. Throws PlannerTimeout if the worker does not respond and
+  /// std::runtime_error for a failure of the file.
   std::vector<TrajectoryPoint> plan(const Observation& observation) override;
 
  private:

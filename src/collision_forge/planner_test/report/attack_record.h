@@ -12,12 +12,14 @@
 
 namespace forge {
 
-/// Post-crash motion of the ego and the touched vehicle, as the page shows it.
+/// Post-crash motion of the ego and the touched vehicle, as the page shows it. All poses are in the
+/// global map frame.
 struct ShownCrash {
   PostCrashMotion motion;            ///< of the ego and, as attackerAt(), of the touched vehicle
   double seconds_after_stand = 0.0;  ///< s of motion shown after both vehicles have stopped
-  std::optional<Track> other = {};   ///< motion before contact of a touched vehicle other than the
-                                     ///< attacker; empty if the attacker was touched
+  /// Track of a touched vehicle other than the attacker, whose states before the contact are shown;
+  /// empty if the attacker was touched
+  std::optional<Track> other = {};
   /// secondaryContacts(): later contacts of either vehicle with other agents.
   std::vector<SecondaryContact> secondary_contacts = {};
 };
@@ -29,10 +31,12 @@ struct RecordedOutcome {
   std::optional<ShownCrash> crash = {};
 };
 
-/// Returns the page's record of an attack as one line of JSON: everything beyond its ReportRow,
-/// with times relative to t0. `attack` must be a reference to `scenario.answer` or to one of its
-/// alternatives, because only the former shows `scenario.plans`. `recorded`: nullopt if the
-/// recording is not available.
+/// Returns the page's record of an attack as one line of JSON without a line end: everything beyond
+/// its ReportRow, with times relative to t0. The program in page/ (detail.js) reads its keys.
+/// `attack` must be a reference to `scenario.answer` or to one of its alternatives, because only
+/// the former shows `scenario.plans`. `recorded`: nullopt if the recording is not available; the
+/// record then lacks the keys "recorded" and "crash". `options`: source of the shown limits of the
+/// request's limit set.
 std::string attackRecord(const Scenario& scenario, const Attack& attack,
                          const std::optional<RecordedOutcome>& recorded,
                          const VerificationOptions& options);
@@ -52,8 +56,10 @@ struct ShownTest {
   std::vector<PictureLink> pictures = {};  ///< figures of the test, picturesBeside()
 };
 
-/// Returns the page's record of one planner in one case as one line of JSON: all fields of `row`,
-/// the avoidability of the case, and the data in `shown`. `row`: an element of `result.rows`.
+/// Returns the page's record of one planner in one case as one line of JSON without a line end: all
+/// fields of `row`, the avoidability of the case, and the data in `shown`. The motions of `row` are
+/// left out without `shown.has_attack` and if dropMotions() has removed them. `row`: an element of
+/// `result.rows`.
 std::string plannerRecord(const PlannerTestResult& result, const PlannerRow& row,
                           const ShownTest& shown);
 

@@ -5,15 +5,15 @@
 #include "collision_forge/base/scene/attack.h"
 #include "collision_forge/io/json/json_line.h"
 
-/// Motions and lines as lists of integers. Each element but the first is the difference to the
-/// previous one, which compresses well.
+/// Motions and lines as lists of integers, each list made by differences(), which compresses well.
+/// Positions and yaw angles are in the frame of the arguments.
 namespace forge {
 
 /// Returns the values as multiples of `unit`, rounded to integers: the first one, then the
 /// difference of each to the one before. Empty for no values.
 std::vector<double> differences(const std::vector<double>& values, double unit);
 
-/// Writes the lists "x" and "y", in cm, into the open object. `places`: m.
+/// Writes the lists "x" and "y", in cm, one element per place, into the open object. `places`: m.
 void writePlaces(JsonLineWriter& writer, const std::vector<Vector2>& places);
 
 /// Writes an object named `key` into the open object, with the lists "t" (ms from `origin`), "x"

@@ -34,19 +34,22 @@ struct CellCoverage {
 /// Counts the results of scenario files and planner tests by the cells of catalogues.
 class Coverage {
  public:
-  /// Counts a request of a scenario file; ignores a request that was not made from a catalogue.
-  /// `name`: the case name of the scenario in planner tests, FILE:LINE.
+  /// Counts a request of a scenario file; ignores a request that was not made from a catalogue
+  /// (empty SceneRequest::name). `name`: the case name of the scenario in planner tests, FILE:LINE
+  /// (file name without folder and extension, line from 1 on).
   void add(const Scenario& scenario, const std::string& name);
-  /// Counts a test whose case name was added with a scenario before; ignores other tests and
-  /// untested cases.
+  /// Counts every row of a test whose case name was added with a scenario before; ignores other
+  /// tests and untested cases.
   void add(const PlannerTestResult& result);
 
   /// Returns true if no request was made from a catalogue.
   bool empty() const { return cells_.empty(); }
 
-  /// Returns an HTML page: each catalogue with a request, its entries of `catalogue` in their
-  /// order, and their cells with the counts. Names the reason for rejections, marks cells without a
-  /// request, and gives the reason for entries that cannot be requested.
+  /// Returns an HTML page with each catalogue that has a counted request (a cell's name begins with
+  /// the catalogue's name and '/'), by name: its entries of `catalogue` in their order, and their
+  /// cells with the counts. A counted cell that is not in `catalogue` is left out. Names the reason
+  /// for rejections, marks cells without a request, and gives the reason for entries that cannot be
+  /// requested.
   std::string page(const std::vector<CatalogueEntry>& catalogue) const;
 
  private:

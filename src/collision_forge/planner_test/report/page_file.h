@@ -18,9 +18,9 @@ class PageFile {
   /// index in the page, from 0 on. Throws as deflatedText().
   std::size_t add(const std::string& record);
 
-  /// Writes `index` (JSON, compressed) and the end of the page, and puts the file in its place.
-  /// Must be the last call. Throws as AsideFile::commit() and deflatedText(). Without commit() the
-  /// page does not appear.
+  /// Writes `index` (JSON, compressed) and the end of the page, and puts the file in its place,
+  /// over an older one. Must be the last call. Throws as AsideFile::commit() and deflatedText().
+  /// Without commit() the page does not appear.
   void commit(const std::string& index);
 
  private:

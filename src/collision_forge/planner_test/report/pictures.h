@@ -20,9 +20,10 @@ struct Picture {
 using TestPictures = std::map<std::pair<std::string, std::string>, std::vector<Picture>>;
 
 /// Returns the figures that forge test drew in the folder of the results file at `results_path`:
-/// the worst hits (worst/) and the weaknesses with their evasive manoeuvres (weaknesses/).
-/// `results`: all results of that file in its order, since the figures are numbered by
-/// worstCases(). If a figure exists as PNG and GIF, the GIF is taken; a figure without a file is
+/// the worst hits (worst/ with the names of pictureName()) and the weaknesses with their evasive
+/// manoeuvres (weaknesses/N and weaknesses/N_escape, N: line of witnesses.jsonl from 1 on), in this
+/// order per test. `results`: all results of that file in its order, since the figures are numbered
+/// by worstCases(). If a figure exists as PNG and GIF, the GIF is taken; a figure without a file is
 /// left out. A test without figures may have no element or an empty one. Throws as
 /// readWitnessedHits().
 TestPictures picturesBeside(const std::string& results_path,

@@ -21,8 +21,9 @@ struct ReportFile {
 };
 
 /// Returns the file with its kind, which the ending ".png" or else the key "format" of the first
-/// line determines. Throws std::runtime_error, naming file and line, if the file cannot be read or
-/// is of no known kind, JsonLineError for a malformed first line, and InputError as
+/// line determines ("collision_forge/scenario" or "collision_forge/planner_test"). The content of a
+/// PNG file is not checked. Throws std::runtime_error, naming file and line, if the file cannot be
+/// read or is of no known kind, JsonLineError for a malformed first line, and InputError as
 /// readInputLine().
 ReportFile openReportFile(const std::string& path, const InputLimits& limits);
 
@@ -30,9 +31,9 @@ ReportFile openReportFile(const std::string& path, const InputLimits& limits);
 /// the text without its line end, and the share (0..1) of the file's bytes read so far.
 using OnReportLine = std::function<void(const std::string& where, std::size_t line,
                                         const std::string& text, double share)>;
-/// Calls `on_line` for each line of a file, in order, on the calling thread. Throws
-/// std::runtime_error if the file cannot be read, InputError as readInputLine(), and any exception
-/// of `on_line`.
+/// Calls `on_line` for each line of a file (of a kind other than kMaps), in order, on the calling
+/// thread; never for an empty file. Throws std::runtime_error if the file cannot be read,
+/// InputError as readInputLine(), and any exception of `on_line`.
 void readReportLines(const ReportFile& file, const InputLimits& limits,
                      const OnReportLine& on_line);
 

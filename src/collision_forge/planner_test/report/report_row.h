@@ -72,9 +72,10 @@ ReportRow rowOfAttack(const Scenario& scenario, const Attack& attack,
 ReportRow rowOfTest(const PlannerTestResult& result, const PlannerRow* row,
                     const ReportRow* attack);
 
-/// Writes the object "columns" into the open object, with one column per field and one value per
-/// row: texts as a list of distinct words and an index into it per row; numbers as integer
-/// multiples of the column's "unit", with the value "missing" for nullopt.
+/// Writes the object "columns" into the open object, with one column per field, named as the field
+/// (`attacker_class`: "class"). "values" of a column has one number per row: for texts an index
+/// into the column's "words", the distinct texts; for numbers an integer multiple of the column's
+/// "unit", or the number "missing" for nullopt.
 void writeColumns(JsonLineWriter& writer, const std::vector<ReportRow>& rows);
 
 }  // namespace forge

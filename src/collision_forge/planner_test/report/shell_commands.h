@@ -22,12 +22,11 @@ struct ShellCommands {
 /// Returns the commands that reproduce an attack or a rejected request:
 /// - `forge inject`, with a figure and an animation, if `now_in_recording` is set. A scene that is
 /// not stored as a bag is converted first.
-/// - `forge generate` of this one request.
-/// `alternative`: number of the attack among the scenario's attacks, 1 for Scenario::answer, 2 for
-/// the first of its alternatives. `now_in_recording`: s from the recording's first frame to t0;
-/// nullopt if it is not known. `logs`: source of the recordings; an empty `logs.path` appears as
-/// SOURCE. `defaults`: crash definition of the configuration; conditions of the request that equal
-/// it need no option.
+/// - `forge generate` of this one request, also for an alternative. `alternative`: number of the
+/// attack among the scenario's attacks, 1 for Scenario::answer, 2 for the first of its
+/// alternatives. `now_in_recording`: s from the recording's first frame to t0; nullopt if it is not
+/// known. `logs`: source of the recordings; an empty `logs.path` appears as SOURCE. `defaults`:
+/// crash definition of the configuration; conditions of the request that equal it need no option.
 std::vector<ShellCommands> commandsOfAttack(const Scenario& scenario, int alternative,
                                             std::optional<double> now_in_recording,
                                             const LogSource& logs, const CrashDefinition& defaults);
@@ -38,7 +37,8 @@ std::vector<ShellCommands> commandsOfAttack(const Scenario& scenario, int altern
 ShellCommands commandsOfTest(const std::string& path, std::size_t line, const RowKey& row,
                              const LogSource& logs);
 
-/// Returns the page's record of the commands, as JSON.
+/// Returns the page's record of the commands, in their order, as one line of JSON without a line
+/// end.
 std::string commandsRecord(const std::vector<ShellCommands>& commands);
 
 }  // namespace forge

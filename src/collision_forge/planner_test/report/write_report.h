@@ -31,12 +31,13 @@ struct ReportSettings {
 };
 
 /// Writes FOLDER/index.html, a page of all results in the files, with progress on stderr; creates
-/// the folder. Returns the number of rows in its table. Throws std::runtime_error and the errors of
-/// the readers, naming file and line; also if recordings are given and lack the scene of a
-/// scenario.
+/// the folder and replaces an older page. Returns the number of rows in its table, 0 without files.
+/// Throws std::runtime_error and the errors of the readers, naming file and line; also if
+/// recordings are given and lack the scene of a scenario.
 /// - With recordings, the page also shows map and traffic, and attacks are replayed against the
 /// recorded ego.
-/// - Motions of planner tests are shown if their scenario file is among the inputs.
+/// - Motions of planner tests are shown if their scenario file is among the inputs; FILE:LINE, the
+/// name of a test's case, refers to it by its file name without folder and extension.
 /// - If requests were made from a catalogue, writes FOLDER/coverage.html, too: a page of its cells
 /// (Coverage).
 std::size_t writeReportPage(const ReportInputs& inputs, const std::string& folder,

@@ -31,8 +31,9 @@ struct Config : AnswerOptions {
 };
 
 /// Reads the product's files in config/. If the key non_commercial_weights is false, the paths of
-/// weights with a non-commercial licence are empty. Throws ConfigError for a missing, unknown,
-/// malformed or out-of-range value, and for an unknown file in an overlay.
+/// weights with a non-commercial licence are empty (`pattern_network`, `speed_model`,
+/// `planners.torchscript.file`). Throws ConfigError for a missing, unknown, malformed or
+/// out-of-range value, and for an unknown file in an overlay.
 Config loadConfig(const ConfigFolder& folder);
 
 /// Returns a sentence for users: whether weights with a non-commercial licence (CC BY-NC-SA 4.0)

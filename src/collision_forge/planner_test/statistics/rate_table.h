@@ -23,7 +23,7 @@ struct Measure {
 /// Rates of one measure: one row per method (or planner, or other subject), one column per group of
 /// trials (groupTrials()).
 struct RateTable {
-  Measure measure;                       ///< of all rates
+  Measure measure;                       ///< criterion or value that all rates are about
   std::vector<std::string> methods;      ///< titles of the rows
   std::vector<std::string> groups;       ///< titles of the columns
   std::vector<std::vector<Rate>> rates;  ///< rates[i][k]: of methods[i] and groups[k]
@@ -33,9 +33,10 @@ struct RateTable {
 /// trials.
 using MethodTrials = std::vector<std::pair<std::string, std::vector<Trial>>>;
 
-/// Groups the trials of each row with groupTrials() and returns the pooledRate() of each group. The
-/// columns are the groups of the last row, so all rows should have trials of the same types outside
-/// kCollisionTypes. Without rows, the table has neither rows nor columns.
+/// Groups the trials of each row with groupTrials() and returns the pooledRate() of each group,
+/// with the default StatisticsOptions. The columns are the groups of the trials of all rows
+/// together; a row without trials in a column has Rate() there. Without rows, the table has the
+/// columns of groupTrials({}) and no rows.
 RateTable tabulateTrials(const Measure& measure, const MethodTrials& trials);
 
 /// Unit in which a table shows its values.
@@ -44,8 +45,8 @@ struct TableUnit {
   double scale = 100.0;    ///< factor from the value to the shown number
 };
 
-/// Returns the rate times `scale` with one decimal and its interval, e.g. "81.2 [78, 84]"; "81.2"
-/// without an interval, "-" without trials.
+/// Returns the rate times `scale` with one decimal and its interval without decimals, e.g. "81.2
+/// [78, 84]"; "81.2" without an interval, "-" without trials.
 std::string toText(const Rate& rate, double scale);
 
 /// Returns the ends of the interval as two CSV fields, unscaled with four decimals, e.g.
@@ -53,8 +54,8 @@ std::string toText(const Rate& rate, double scale);
 std::string intervalCsv(const Rate& rate);
 
 /// Returns the table as Markdown: a line "TITLE, UNIT", cells of toText() in the unit, and a last
-/// row "of" with the number of trials (one such row per method if the numbers differ). The table
-/// must have at least one method.
+/// row "of" with the number of trials (if the methods differ in it, one row "of, METHOD" for each).
+/// A table without methods has the title and the column titles only.
 std::string toMarkdown(const RateTable& table, const TableUnit& unit = {});
 
 /// Returns "measure,method,group,trials,value,low,high", without a line end.
@@ -63,8 +64,8 @@ std::string rateCsvHeader();
 /// with a line end; values unscaled with four decimals, empty without trials.
 std::string toCsv(const RateTable& table);
 
-/// Returns the first line of a report with rates: `title`, the confidence level and kMinScenes;
-/// with a line end.
+/// Returns the first line of a report with rates: `title`, the default
+/// StatisticsOptions::confidence and kMinScenes; with a line end.
 std::string reportTitle(const std::string& title);
 
 }  // namespace forge

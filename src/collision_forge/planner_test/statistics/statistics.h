@@ -12,7 +12,7 @@ namespace forge {
 
 /// Options of the bootstrap over scenes: clips of one scene are not independent samples.
 struct StatisticsOptions {
-  int resamples = 1000;      ///< number of resampled rates
+  int resamples = 1000;      ///< number of resampled rates, > 0
   double confidence = 0.95;  ///< share 0..1 of the resampled rates within an interval
   std::uint64_t seed = 1;    ///< seed of the random resampling
 };
@@ -31,7 +31,7 @@ struct Interval {
   double high = 0.0;  ///< upper end
 };
 
-/// Minimum number of scenes for an interval; fewer do not generalise.
+/// Minimum number of distinct scenes for an interval; fewer do not generalise.
 inline constexpr std::size_t kMinScenes = 5;
 
 /// Pooled rate: successes over trials with equal weights, or the mean of the measured values.
@@ -39,18 +39,18 @@ struct Rate {
   int trials = 0;  ///< number of trials
   /// 0..1, or the mean in the unit of the values; 0 and meaningless if `trials` is 0.
   double value = 0.0;
-  std::optional<Interval> interval;  ///< empty below kMinScenes scenes
+  std::optional<Interval> interval;  ///< empty if the trials are from fewer than kMinScenes scenes
 };
 
 /// Returns the rate with a bootstrap interval over scenes: resamples the scenes with replacement
-/// `options.resamples` times and takes the middle `options.confidence` of the resampled rates, with
-/// linear interpolation between order statistics. Without trials, returns Rate(). Deterministic for
-/// the same trials and seed, independent of the order of trials (up to rounding for values other
-/// than 0 and 1).
+/// `options.resamples` times and takes the middle `options.confidence` of the resampled rates
+/// (equal shares are cut off at both ends), with linear interpolation between order statistics.
+/// Without trials, returns Rate(). Deterministic for the same trials and seed, independent of the
+/// order of trials (up to rounding for values other than 0 and 1).
 Rate pooledRate(const std::vector<Trial>& trials, const StatisticsOptions& options = {});
 
-/// Returns the `share` quantile (0: the least value, 1: the greatest) of values in ascending order,
-/// with linear interpolation. `sorted` must not be empty.
+/// Returns the `share` quantile (share from 0, the least value, to 1, the greatest) of values in
+/// ascending order, with linear interpolation. `sorted` must not be empty.
 double quantile(const std::vector<double>& sorted, double share);
 
 /// The trials of one table column.
@@ -59,11 +59,12 @@ struct TrialGroup {
   std::vector<Trial> trials;  ///< in their original order
 };
 
-/// Returns the trials grouped by type, then by TTA ("0.5-1 s", "1.5-2.5 s", "3-4.5 s", "5-6.5 s"),
-/// then all trials ("all"). Groups of the types "LC", "OD", "RE", "JC", "LTAP" are always there,
-/// even if empty; a further type of kAllCollisionTypes has a group ("sideswipe same direction",
-/// ...) only if it has trials. A TTA between two buckets belongs to the nearer one, the earlier if
-/// equal; a TTA of 0 s or less or above 7 s belongs to no bucket. Trials keep their order.
+/// Returns the trials grouped by type (in the order of kAllCollisionTypes), then again by TTA
+/// ("0.5-1 s", "1.5-2.5 s", "3-4.5 s", "5-6.5 s"), then all trials ("all"): each trial is in up to
+/// three groups. Groups of the types "LC", "OD", "RE", "JC", "LTAP" are always there, even if
+/// empty; a further type of kAllCollisionTypes has a group ("sideswipe same direction", ...) only
+/// if it has trials. A TTA between two buckets belongs to the nearer one, the earlier if equal; a
+/// TTA of 0 s or less or above 7 s belongs to no bucket. Trials keep their order.
 std::vector<TrialGroup> groupTrials(const std::vector<Trial>& trials);
 
 }  // namespace forge

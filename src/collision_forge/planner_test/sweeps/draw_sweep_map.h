@@ -7,7 +7,7 @@
 
 namespace forge {
 
-/// Draws the panels of a map as a PNG of the width of the options, with axes, a legend, and in a
+/// Draws the panels of a map as a PNG of `options.png_width` pixels, with axes, a legend, and in a
 /// grid a line between hits and avoided crashes. `title` is the first line above the panels, `note`
 /// the second. Writes to an AsideFile. Throws std::runtime_error naming `path` if it cannot be
 /// written.

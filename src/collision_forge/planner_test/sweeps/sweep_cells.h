@@ -48,7 +48,8 @@ struct SweepOutcome {
 /// their order; empty if the cell could not be tested.
 std::vector<SweepOutcome> outcomesOf(const SweepCell& cell);
 
-/// Returns the number of cells with each status, most frequent first, as "12 OK, 3 NO_CANDIDATE".
+/// Returns the number of cells with each status, most frequent first (equally frequent ones by
+/// name), as "12 OK, 3 NO_CANDIDATE".
 std::string statusCounts(const std::vector<SweepCell>& cells);
 
 /// Returns one line of sweep.jsonl (docs/sweeps.md) without a line end. `index` counts from 0, the
@@ -56,8 +57,8 @@ std::string statusCounts(const std::vector<SweepCell>& cells);
 std::string sweepLine(const SweepLayout& layout, const SweepCell& cell, std::size_t index);
 
 /// Returns the content of sweep.csv with its header: the number of the cell from 1 on, its values
-/// and the careful drivers that avoid the crash, then the columns of results.csv
-/// (plannerResultCsvRows()).
+/// and the careful drivers that avoid the crash (separated by spaces), then the columns of
+/// results.csv (plannerResultCsvRows()).
 std::string sweepCsv(const SweepLayout& layout, const std::vector<SweepCell>& cells);
 
 }  // namespace forge

@@ -15,10 +15,10 @@ struct MapAxis {
   std::string heading;  ///< SweepParameter::heading, with the unit; "" for a missing axis
   /// The values are indices into SweepParameter::words; true for a missing axis.
   bool has_words = false;
-  std::vector<double> values;       ///< distinct values of all cells, ascending
+  std::vector<double> values;  ///< distinct values of all cells, ascending; {0} for a missing axis
   std::vector<std::string> labels;  ///< SweepParameter::text() of each of `values`
-  double min = 0.0;                 ///< least of `values`
-  double max = 1.0;                 ///< greatest of `values`
+  double min = 0.0;                 ///< least of `values`; 0 for a missing axis
+  double max = 1.0;                 ///< greatest of `values`; 0 for a missing axis
 };
 
 /// A cell of a map: one cell of the sweep, or all cells with the same values on both axes, which

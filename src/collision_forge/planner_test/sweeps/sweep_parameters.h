@@ -49,9 +49,10 @@ struct SweepAxis {
   double max = 0.0;  ///< greatest value of an interval; not used with a list of values
 };
 
-/// Parses "tta=3:6:0.5" (from, to inclusive, step), "overlap=0.2,0.5" or "class=car,truck". With
-/// `takes_intervals` also "tta=3:6", an interval; without it, an interval is an error. Throws
-/// std::invalid_argument, naming the text, the wrong value and what is allowed.
+/// Parses "tta=3:6:0.5" (from 3 in steps of 0.5 to at most 6, rounded to 1e-9), "overlap=0.2,0.5"
+/// or "class=car,truck". With `takes_intervals` also "tta=3:6", an interval; without it, an
+/// interval is an error. Throws std::invalid_argument, naming the text, the wrong value and what is
+/// allowed.
 SweepAxis parseSweepAxis(const std::string& text, bool takes_intervals);
 
 /// Greatest number of cells of a grid.
@@ -64,8 +65,9 @@ std::vector<std::vector<double>> gridOf(const std::vector<SweepAxis>& axes);
 
 /// Returns `count` samples of a Latin hypercube (McKay, Beckman, Conover 1979), each with one value
 /// per axis in the order of `axes`. Each axis is divided into `count` equal strata, each stratum
-/// has one sample, uniform within it. A list of values is divided by index. The same seed gives the
-/// same samples.
+/// has one sample, uniform within it; which sample is in which stratum is random for each axis. A
+/// list of values is divided by index, so each value gets about as many samples. Empty for a
+/// `count` of 0. The same seed gives the same samples.
 std::vector<std::vector<double>> latinHypercubeOf(const std::vector<SweepAxis>& axes,
                                                   std::size_t count, std::uint64_t seed);
 

@@ -52,7 +52,7 @@ ContactCause causeOf(const ContactSide& ego, double center_offset, const Contact
                      const FaultOptions& options);
 
 /// Returns the norm of the relative velocity of the two sides, m/s. In a crash of two equal masses
-/// the speed of each changes by half of it.
+/// without rebound, the velocity of each changes by half of it.
 double impactSpeed(const ContactSide& ego, const ContactSide& other);
 
 /// Returns whether the ego is at fault: kStoppedOther and kFront are its fault, kStoppedEgo and

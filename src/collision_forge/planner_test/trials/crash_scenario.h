@@ -37,9 +37,9 @@ Track attackerTrack(const CrashScenario& scenario);
 /// others as recorded.
 std::vector<Track> agentsFromT0(const CrashScenario& scenario);
 
-/// Returns the ids of the agents, except the attacker, whose recorded boxes overlap the ego's at
-/// t0. Such overlaps occur in recordings and do not count as contacts. The recorded ego must have a
-/// state.
+/// Returns the Track::id of the agents, except the attacker, whose recorded boxes overlap the ego's
+/// at t0; agents that are not in sight then are left out. Such overlaps occur in recordings and do
+/// not count as contacts. The recorded ego must have a state.
 std::set<std::string> agentsOverlappingEgoAtT0(const CrashScenario& scenario);
 
 /// If the attacker was added to the scene, appends a track with its past states to
@@ -47,8 +47,8 @@ std::set<std::string> agentsOverlappingEgoAtT0(const CrashScenario& scenario);
 void addAttackerPast(CrashScenario& scenario);
 
 /// Throws std::invalid_argument with the reason if no rollout of the scenario is possible: no
-/// lanes, fewer than two attacker points, no ego at t0, times that do not increase, or an attacker
-/// that does not start at t0 (to 1e-5 s) or touches the ego then.
+/// lanes, fewer than two attacker points, no ego at t0, attacker points whose times do not
+/// increase, or an attacker that does not start at t0 (to 1e-5 s) or touches the ego then.
 void checkScenario(const CrashScenario& scenario);
 
 }  // namespace forge

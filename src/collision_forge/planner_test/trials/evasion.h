@@ -17,9 +17,10 @@ struct Evasion {
 
 /// Searches for an evasive manoeuvre of an ego that was hit by the setup's attacker: the ego
 /// deviates from `driven` at a start time and the attacker reacts in closed loop. Returns the
-/// manoeuvre with the latest start, out of t0 and every `interval` later; nullopt if none is found,
-/// which does not prove that there is none. `interval` and `tries`: setup.planners.avoidability.
-/// Deterministic. Throws as checkScenario(), routeOf() and makeRolloutTraffic().
+/// manoeuvre with the latest start, out of t0 and every `interval` later before the last point of
+/// `driven`; nullopt if none is found, which does not prove that there is none. `interval` and
+/// `tries`: setup.planners.avoidability. Deterministic. Throws as checkScenario(), routeOf() and
+/// makeRolloutTraffic().
 /// - `driven`: the ego in a rollout of the scenario with this setup (RolloutOutcome::driven), from
 /// t0 to contact, one point per step.
 /// - At each start, tries at most `tries` plans of EvasiveDrives that touch no agent if the
@@ -32,8 +33,8 @@ std::optional<Evasion> findEvasion(const CrashScenario& scenario,
                                    const std::vector<TrajectoryPoint>& driven,
                                    const RolloutSetup& setup);
 
-/// Returns the ego's whole motion: the points of `driven` before the start of the evasive
-/// manoeuvre, then `evasion.motion`.
+/// Returns the ego's whole motion: the points of `driven` before `evasion.start`, then
+/// `evasion.motion`.
 std::vector<TrajectoryPoint> wholeEvasion(const std::vector<TrajectoryPoint>& driven,
                                           const Avoidance& evasion);
 

@@ -27,7 +27,9 @@ struct AvoidabilityOptions {
   double min_return_distance = 3.0;  ///< m; ... but over at least this distance
   /// m kept to all agents on each side at the points of a motion, before it is verified.
   double margin = 0.1;
-  int draws = 0;           ///< number of random plans in addition to the grid
+  int draws = 0;           ///< number of random plans in addition to the grid: all demands uniform,
+                           ///< accelerations within the strict limits, offsets up to the largest of
+                           ///< `offsets` to either side, `duration` up to the longest
   std::uint64_t seed = 1;  ///< of the random plans
   int tries = 0;  ///< greatest number of motions per start time that are simulated against an
                   ///< adaptive attacker
@@ -70,11 +72,13 @@ double speedOf(const AgentState& state);
 class Obstacles {
  public:
   /// `others` as in EvasiveDrives::verify(): `ego` is an agent, too. Samples all tracks every
-  /// `step` seconds from `start` to `end` (s, scene clock), both included.
+  /// `step` seconds from `start` to `end` (s, scene clock), both included; the last interval may be
+  /// shorter.
   Obstacles(const Future& others, double start, double end, double step);
 
   /// Returns whether a box of `size` (m) at the points (its middle) touches no agent. Point i must
-  /// be at sample i of the constructor; agents that are not in sight there do not count.
+  /// be at sample i of the constructor; agents that are not in sight there do not count, nor do
+  /// points beyond the last sample.
   bool areClearOf(const std::vector<TrajectoryPoint>& points, const BoxSize& size) const;
 
  private:
@@ -95,17 +99,20 @@ class Obstacles {
 /// or parallel to it. Keeps references to `scenario` and `options`.
 class EvasiveDrives {
  public:
-  /// `attack`: strict limits and tolerances; the speed limit is raised to the recorded ego's top
-  /// speed. Throws as routeOf().
+  /// `route`: of routeOf(). `attack`: strict limits and tolerances (copied); the speed limit is
+  /// raised to the recorded ego's top speed. Throws as routeOf().
   EvasiveDrives(const CrashScenario& scenario, const AvoidabilityOptions& options,
                 const RouteOptions& route, const AttackOptions& attack);
 
-  /// Returns all plans to try, gentler ones first: the grid of the options and the random plans
-  /// together, sorted by accelerations and offset.
+  /// Returns all plans to try, gentler ones first: the grid of the options (second phase at
+  /// constant speed and the same offset) and the random plans together, sorted by the sum of both
+  /// absolute accelerations (share of the total limit) and the first absolute offset (share of the
+  /// widest).
   const std::vector<EvasivePlan>& plans() const { return plans_; }
 
   /// Simulates `plan` from a state of the ego (middle of the box) to the scenario's end within the
-  /// limits; replaces the content of `points` by a point every step and one at the end.
+  /// limits, without reversing; replaces the content of `points` by a point every step from
+  /// `from.time` on and one at the end.
   void drive(const AgentState& from, const EvasivePlan& plan,
              std::vector<TrajectoryPoint>& points) const;
 
@@ -113,8 +120,8 @@ class EvasiveDrives {
   BoxSize wideBox() const;
 
   /// Returns whether the ego's box is on the road at the first point and has a corner off the
-  /// drivable area at a later one; false if the map has no drivable area. `points` must not be
-  /// empty.
+  /// drivable area at a later one; false if the map has no drivable area, and if the ego starts off
+  /// the road. `points` must not be empty.
   bool leavesRoad(const std::vector<TrajectoryPoint>& points) const;
 
   /// Runs verifyDrive() on the ego's motion with the strict limits. The roles are exchanged:

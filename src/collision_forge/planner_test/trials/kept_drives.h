@@ -15,9 +15,10 @@ class KeptDrives {
   /// file cannot be read or is empty.
   explicit KeptDrives(const std::string& path);
 
-  /// Returns the row of `key`, with its motions, in the case `one`. `index`: of the case in the
-  /// run, so its line is `index` + 1. Throws JsonLineError as readPlannerResultLine(), and
-  /// std::out_of_range if the file has no such row or line.
+  /// Returns the row of `key`, with its motions, in the case `one`, from which the attackers get
+  /// class, size and past. `index`: of the case in the run, so its line is `index` + 1. Throws
+  /// JsonLineError as readPlannerResultLine(), and std::out_of_range if the file has no such row or
+  /// line.
   PlannerRow rowOf(const PlannerCase& one, std::size_t index, const RowKey& key) const;
 
  private:

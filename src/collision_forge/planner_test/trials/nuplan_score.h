@@ -40,15 +40,19 @@ struct NuplanScore {
   /// static object, else 1.
   double no_at_fault_collision = 1.0;
   double drivable_area = 1.0;  ///< 0 if a corner of the box leaves the drivable area, else 1
-  /// 1, 0.5 or 0 by the distance driven off the route's lanes within direction_window.
+  /// 1, wrong_way_score or 0 by the greatest distance driven off the route's lanes within
+  /// direction_window (wrong_way_distance, max_wrong_way_distance of PdmScoringOptions).
   double driving_direction = 1.0;
   double making_progress = 1.0;  ///< 1 if `progress` exceeds min_progress_share, else 0
-  /// 0 if a collision was nearer than ttc_horizon at any step, else 1.
+  /// 0 if a collision was nearer than ttc_horizon at any step, else 1. Counts agents ahead, and
+  /// beside the ego while it is in several lanes or in an intersection; not while the ego stands.
   double time_to_collision = 1.0;
-  double comfort = 1.0;   ///< 1 if all limits of PdmComfortOptions are kept, else 0
-  double progress = 1.0;  ///< share of the recorded ego's progress along the route, at most 1
-  std::optional<double> speed_limit;  ///< 1 minus mean overspeed / max_overspeed, at least 0; empty
-                                      ///< if no lane driven on has a limit
+  double comfort = 1.0;  ///< 1 if all limits of PdmComfortOptions are kept, else 0
+  /// Share of the recorded ego's progress along the route, at most 1 (both raised to
+  /// least_progress); 0 for an ego more than least_progress behind its start
+  double progress = 1.0;
+  std::optional<double> speed_limit;  ///< 1 minus mean overspeed over all steps / max_overspeed, at
+                                      ///< least 0; empty if no lane driven on has a limit
   /// Product of the first four terms times the weighted mean of progress, time_to_collision,
   /// comfort and, if known, speed_limit.
   double total = 1.0;
@@ -59,7 +63,8 @@ struct NuplanPart {
   const char* name;            ///< e.g. "drivable_area"
   double NuplanScore::*value;  ///< the member
 };
-/// Returns all terms but the speed limit; the total is last.
+/// Returns all terms but the speed limit, in the order of NuplanScore up to `progress`; the total
+/// is last.
 const std::array<NuplanPart, 8>& nuplanParts();
 
 /// The ego's contact, as the score needs it.
@@ -82,8 +87,9 @@ class NuplanJudge {
   void addStep(const TrajectoryPoint& ego, const std::vector<Track>& agents,
                const std::set<std::string>& ignored);
 
-  /// Returns the score of the steps so far. `contact`: the ego's first contact; nullopt if there is
-  /// none. `driven` and `recorded`: progress of the ego and the recorded ego along the route, m.
+  /// Returns the score of the steps so far (at least one). `contact`: the ego's first contact;
+  /// nullopt if there is none. `driven` and `recorded`: progress of the ego and the recorded ego
+  /// along the route, m.
   NuplanScore score(const std::optional<NuplanContact>& contact, double driven,
                     double recorded) const;
 

@@ -20,13 +20,13 @@ struct Criterion {
 /// attacker hits the ego".
 std::vector<std::string> measureDescriptions();
 
-/// Returns the criterion in "MEASURE RELATION NUMBER". Throws std::invalid_argument, for an unknown
-/// measure with the known ones.
+/// Returns the criterion in "MEASURE RELATION NUMBER"; spaces around the relation are optional.
+/// Throws std::invalid_argument, for an unknown measure with the known ones.
 Criterion parseCriterion(const std::string& text);
 
-/// Returns one criterion, or with "@FILE" the criterion on each line of a file, except empty lines
-/// and comments (#). Throws as parseCriterion(), naming file and line, and std::invalid_argument
-/// for a file that cannot be read or has no criterion.
+/// Returns the one criterion in `text`, or with "@FILE" the criteria in a file, one per line in
+/// order; empty lines are skipped, and "#" begins a comment. Throws as parseCriterion(), naming
+/// file and line, and std::invalid_argument for a file that cannot be read or has no criterion.
 std::vector<Criterion> parseCriteria(const std::string& text);
 
 /// A criterion applied to all tested cases of one row name.
@@ -48,9 +48,9 @@ std::vector<CriterionVerdict> judge(const std::vector<Criterion>& criteria,
 /// line end each.
 std::string verdictText(const std::vector<CriterionVerdict>& verdicts);
 
-/// Returns Criterion::text of the first criterion by which a row alone contributes to a failure: it
-/// is counted by a measure that counts, or its own value meets the condition. Empty if there is
-/// none.
+/// Returns Criterion::text of the first criterion by which a row alone contributes to a failure: a
+/// measure that counts cases counts the row (whatever the bound), or the row's own value of another
+/// measure meets the condition. Empty if there is none.
 std::string failedBy(const std::vector<Criterion>& criteria, const PlannerRow& row);
 
 }  // namespace forge

@@ -28,9 +28,10 @@ class PublishedProtocol {
 
 /// A crash that planners are tested in, from any source.
 struct PlannerCase {
-  std::string name;          ///< of the clip, or of the scenario's line; unique
-  std::string source;        ///< data set or scenario file; tables have one row per source
-  std::string scene;         ///< name of the scene; confidence intervals are clustered by it
+  std::string name;    ///< of the clip, or of the scenario's line; unique
+  std::string source;  ///< data set, or scenario file without folder and extension; tables have one
+                       ///< row per source
+  std::string scene;   ///< name of the scene; confidence intervals are clustered by it
   CollisionRequest request;  ///< request of the attack
   Status status;             ///< kOk, or why the case cannot be tested
   CrashScenario scenario;    ///< valid with kOk; `snapshot.now` always

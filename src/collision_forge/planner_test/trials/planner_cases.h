@@ -22,8 +22,9 @@ class PlannerCases {
   /// Returns a text that changes if any case changes; a resumed run compares it. May throw any
   /// std::exception, which ends the run.
   virtual std::string fingerprint() const = 0;
-  /// Returns the case with an index into names(), with its name. Throws any std::exception if the
-  /// case cannot be read; the run then records it as kUnreadable and continues.
+  /// Returns the case with an index into names() (which must be below their number), with its name.
+  /// Throws any std::exception if the case cannot be read; the run then records it as kUnreadable
+  /// and continues.
   virtual PlannerCase at(std::size_t index) const = 0;
 };
 
@@ -33,10 +34,11 @@ std::set<std::string> readScenes(const std::vector<std::string>& paths, const In
 
 /// Opens the lines of scenario files as cases named FILE:LINE (line from 1 on), with FILE (no
 /// folder, no extension) as source, in the order of `paths`. `scenes_kept`: number of scenes held
-/// in memory. `options` must outlive the result. `on_progress`: called while nuScenes tables are
-/// loaded. Throws std::runtime_error if a file cannot be read or has no lines, if two files have
-/// the same FILE, and if the source `logs` cannot be read; InputError as readInputLine(). at()
-/// throws for a malformed line and for a scene missing in the source.
+/// in memory. `options`: input limits, crash definition and history of the cases; must outlive the
+/// result. `on_progress`: called while nuScenes tables are loaded. Throws std::runtime_error if a
+/// file cannot be read or has no lines, if two files have the same FILE, and if the source `logs`
+/// cannot be read; InputError as readInputLine(). at() throws for a malformed line and for a scene
+/// missing in the source.
 std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& paths,
                                                 const LogSource& logs, std::size_t scenes_kept,
                                                 const AnswerOptions& options,

@@ -14,11 +14,13 @@ struct RowComparison {
   int cases = 0;                       ///< number of cases tested in both runs
   std::vector<std::string> newly_hit;  ///< names of cases that the attacker hits in the second run
                                        ///< only, in order of the first run
-  std::vector<std::string> newly_avoided;  ///< hit in the first run only; the second may end in a
-                                           ///< failure or another contact
-  std::vector<std::string> newly_failed;   ///< failure of the planner in the second run only
-  int still_hit = 0;                       ///< number of cases hit in both runs
-  /// Mean of nuPlan's score (NuplanScore::total) in the first run, 0 to 1.
+  std::vector<std::string> newly_avoided;  ///< names of cases hit in the first run only; the second
+                                           ///< may end in a failure or another contact
+  /// Names of cases with a failure of the planner in the second run only
+  std::vector<std::string> newly_failed;
+  int still_hit = 0;  ///< number of cases hit in both runs
+  /// Mean of nuPlan's score (NuplanScore::total) in the first run over these cases, failures
+  /// included, 0 to 1.
   double score_before = 0.0;
   double score_after = 0.0;  ///< in the second run
 };

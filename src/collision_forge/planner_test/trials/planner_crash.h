@@ -15,9 +15,9 @@ struct PlannerCrash {
 };
 
 /// Returns the crash of a rollout that still has its motions; `outcome.attacker` needs id, class
-/// and size, too. `ego_size`: m. `recorded`: the agents that replay their recording, from t0 on;
-/// the touched vehicle is looked up in `outcome.others` first. nullopt without a contact, and if
-/// the touched vehicle is unknown or has no state at contact.
+/// and size, too. `ego_size`: m. `recorded`: the agents that replay their recording, from t0 on; a
+/// touched vehicle other than the attacker is looked up in `outcome.others` first. nullopt without
+/// a contact, and if the touched vehicle is unknown or has no state at contact.
 std::optional<PlannerCrash> crashOf(const RolloutOutcome& outcome, const BoxSize& ego_size,
                                     const std::vector<Track>& recorded,
                                     const SeverityOptions& options);

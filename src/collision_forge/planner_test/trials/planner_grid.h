@@ -29,8 +29,8 @@ PlannerValues readPlannerValues(const std::string& path, const std::string& text
                                 const PlannerGrid& grid);
 
 /// Returns `text` (content of planners.yaml) with these values inserted; everything else, comments
-/// included, stays as written. Throws as readPlannerValues(), and ConfigError for a number in
-/// quotes.
+/// included, stays as written (the last line gets a line end). Throws as readPlannerValues(), and
+/// ConfigError for a number in quotes.
 std::string withPlannerValues(const std::string& path, const std::string& text,
                               const PlannerValues& values);
 

@@ -14,16 +14,18 @@ struct PlannerTable {
   TableUnit unit;   ///< in which the table shows it
 };
 
-/// Returns the tables of results, one per measure, with confidence intervals over scenes. Tables
-/// about rollouts have one row for each of `rows` (rowName(); and source, if there are several),
-/// tables about cases one row per condition; one column per type and TTA (groupTrials()).
-/// docs/planners.md defines every measure. Untested cases are not counted; rollouts that ended with
-/// a planner failure count only in the failure table.
+/// Returns the tables of results, one per measure, with confidence intervals over scenes. The
+/// tables about rollouts come first and have one row for each of `rows` (rowName()) in their order;
+/// the tables about cases have one row per condition. With several sources in the results, each row
+/// is split into one per source, titled "ROW / SOURCE". The tables have one column per type and TTA
+/// (groupTrials()). docs/planners.md defines every measure. Untested cases are not counted (except
+/// unfit clips in "published_hit"); rollouts that ended with a planner failure count only in the
+/// table "failure".
 std::vector<PlannerTable> plannerTables(const std::vector<PlannerTestResult>& results,
                                         const std::vector<std::string>& rows);
 
-/// Returns Markdown lines, with line ends: the number of all and of tested cases, then the number
-/// of other cases by status.
+/// Returns Markdown lines, with line ends: the number of all and of tested cases, then one line per
+/// other status, by name, with its number of cases.
 std::string describeCases(const std::vector<PlannerTestResult>& results);
 
 /// Identifies a rollout in a list of results.

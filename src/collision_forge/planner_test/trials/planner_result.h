@@ -17,11 +17,12 @@ namespace forge {
 /// Summary of an Avoidability or of findEvasion().
 struct AvoidabilitySummary {
   bool is_avoidable = false;               ///< a witness is known
-  std::vector<EvasiveManoeuvre> from_now;  ///< kinds that work from t0; not set for findEvasion()
+  std::vector<EvasiveManoeuvre> from_now;  ///< kinds that work from t0, in the order of
+                                           ///< Avoidability::from_now; empty for findEvasion()
   EvasiveManoeuvre last = EvasiveManoeuvre::kKeeping;  ///< kind of the witness with the latest
                                                        ///< start; valid if avoidable
   double last_after = 0.0;  ///< s after t0, start of this witness; valid if avoidable
-  /// Of this witness: share 0..1 of the box off the drivable area, mean.
+  /// Of this witness: share 0..1 of the box off the drivable area, mean; valid if avoidable.
   double off_road_share = 0.0;
 };
 
@@ -143,10 +144,13 @@ std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind 
                                              const PredictionModels& models,
                                              const AnswerOptions& options);
 
-/// Returns the result of the planner of a row in a case that evaluateCase() found OK. `models`: of
-/// adaptive attackers. Throws std::invalid_argument for an unknown planner, PlannerFileError if the
-/// file of a planner or of a traffic model cannot be used, and std::runtime_error, naming the file,
-/// for a failure of a traffic model; failures of the planner are in the outcome.
+/// Returns the result of the planner of a row in a case that evaluateCase() found OK: rollout(),
+/// after a hit by the attacker findEvasion() and fairness, and for a clip the published protocol.
+/// `models`: of adaptive attackers. `options`: verification, crash definition, adaptive attackers,
+/// fairness; `trials`: planners, traffic and rollouts. Throws std::invalid_argument for an unknown
+/// planner, PlannerFileError if the file of a planner or of a traffic model cannot be used, and
+/// std::runtime_error, naming the file, for a failure of a traffic model; failures of the planner
+/// are in the outcome.
 PlannerRow testPlanner(const PlannerCase& one, const RowKey& key, const PredictionModels& models,
                        const AnswerOptions& options, const TrialOptions& trials);
 

@@ -28,7 +28,10 @@ void writeAvoidability(JsonLineWriter& writer, const char* key, const Avoidabili
 /// object. `now`: t0, s, scene clock; times in the file are relative to it.
 void writePlannerRow(JsonLineWriter& writer, const PlannerRow& row, double now);
 
-/// Returns the header of results.csv, without a line end.
+/// Returns the header of results.csv, without a line end. Columns of the case and its avoidability
+/// come first, then planner, attacker, evasive manoeuvre, contact, measures of the rollout,
+/// "nuplan_PART" and "published_hit". Units as in results.jsonl (docs/planners.md), but headings in
+/// degrees; flags are 1 or 0.
 std::string plannerResultCsvHeader();
 /// Returns the lines of results.csv of a case, one per row, without line ends; a case without rows
 /// has one line with empty columns.

@@ -26,17 +26,18 @@ struct PlannerSummary {
   std::optional<Impact> worst;  ///< the hit with the greatest speed; empty if there is none
 };
 
-/// Returns one summary for each name of `rows` (rowName()), in their order.
+/// Returns one summary for each name of `rows` (rowName()), in their order; all numbers are 0 for a
+/// name without rows.
 std::vector<PlannerSummary> summarizePlanners(const std::vector<PlannerTestResult>& results,
                                               const std::vector<std::string>& rows);
 
-/// Returns a line with the number of cases in which the verdict (hit by the attacker, contact with
-/// another agent, failure or no contact) of a planner depends on the background, in total and for
-/// each planner and policy; "" for a plan with one background.
+/// Returns a line (with its line end) with the number of cases in which the verdict (hit by the
+/// attacker, contact with another agent, failure or no contact) of a planner depends on the
+/// background, in total and for each planner and policy; "" for a plan with one background.
 std::string backgroundText(const std::vector<PlannerTestResult>& results, const TestPlan& plan);
 
 /// Returns a table for a terminal: a title line, then one line per summary. `milliseconds`: mean
-/// computing time of a call by row name; "-" if a row is missing in it.
+/// computing time of a call of plan(), ms, by row name; "-" if a row is missing in it.
 std::string summaryText(const std::vector<PlannerSummary>& summaries,
                         const std::map<std::string, double>& milliseconds);
 

@@ -20,8 +20,9 @@ struct PlannerVariant {
   TrialOptions options;  ///< of planners.yaml with these values
 };
 
-/// Returns the defaults, then every other combination of the grid's values; the last key (in order
-/// of names) changes fastest. Throws std::invalid_argument for a grid with more than 10,000.
+/// Returns the defaults (values of planners.yaml, which need not be in the grid), then every other
+/// combination of the grid's values; the last key (in order of names) changes fastest. Throws
+/// std::invalid_argument for a grid with more than 10,000.
 std::vector<PlannerValues> combinationsOf(const PlannerGrid& grid, const PlannerValues& defaults);
 
 /// Returns one variant per combination, the default first. `text`: content of planners.yaml;
@@ -36,8 +37,8 @@ void checkHeldOut(const std::set<std::string>& train, const std::set<std::string
 
 /// Tests all variants of one planner in one case against a fixed attacker: one row per variant,
 /// with PlannerVariant::name as its planner. `trials` (untuned) decides whether the case is
-/// avoidable; with `only_avoidable` an unavoidable case has no rows, and rows have no motions.
-/// Throws as testPlanner().
+/// avoidable. If `only_avoidable` is true, an unavoidable case has no rows, and the rows of other
+/// cases have no motions. Throws as testPlanner().
 PlannerTestResult testVariants(const PlannerCase& one, const std::string& planner,
                                const std::vector<PlannerVariant>& variants, bool only_avoidable,
                                Background background, const AnswerOptions& options,
@@ -50,8 +51,9 @@ bool isCollision(const RolloutOutcome& outcome);
 
 /// Score of a variant in the avoidable crashes.
 struct VariantScore {
-  Rate collision;         ///< share of isCollision(); no trials if no crash was avoidable
-  double progress = 0.0;  ///< m along the route, mean
+  Rate collision;  ///< share of isCollision(); no trials if no crash was avoidable
+  /// m along the route, mean over the rollouts that count in `collision`; 0 without
+  double progress = 0.0;
 };
 
 /// Returns the score of each variant, in the order of `variants`. `results`: of testVariants().
@@ -59,21 +61,22 @@ std::vector<VariantScore> scoreVariants(const std::vector<PlannerTestResult>& re
                                         const std::vector<PlannerVariant>& variants);
 
 /// Returns the index in `scores` of the lowest collision rate; of equals the one with the most
-/// progress, then the first (the default). nullopt if no crash was avoidable.
+/// progress, then the first (the default). nullopt if no variant has trials.
 std::optional<std::size_t> bestVariant(const std::vector<VariantScore>& scores);
 
 /// Returns the table of collisions (isCollision()) in avoidable crashes for results with rows
-/// "default" and "tuned": both rates and "tuned - default", their paired difference. Cases without
-/// either row are left out.
+/// "default" and "tuned": both rates and "tuned - default", their paired difference. Only cases
+/// with both rows count.
 RateTable comparisonTable(const std::vector<PlannerTestResult>& results);
 
 /// Returns a Markdown table of the keys with their values before and after. `after` must have the
 /// keys of `before`.
 std::string describeValues(const PlannerValues& before, const PlannerValues& after);
 
-/// Returns a CSV text: a header, then one line per variant with its name, values, number of
-/// avoidable crashes, collision rate with interval, progress, and 1 if it is the best. `variants`
-/// must not be empty; `scores`: in their order; `best`: index of the best variant.
+/// Returns a CSV text: the header "variant,KEYS,avoidable,collision,low,high,progress,best" (a
+/// column per key), then one line per variant with its name, values, number of avoidable crashes,
+/// collision rate with interval, progress (m), and 1 if it is the best, else 0. `variants` must not
+/// be empty; `scores`: in their order; `best`: index of the best variant.
 std::string scoresCsv(const std::vector<PlannerVariant>& variants,
                       const std::vector<VariantScore>& scores, std::size_t best);
 

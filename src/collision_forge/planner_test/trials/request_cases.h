@@ -17,10 +17,11 @@ namespace forge {
 
 /// Options of RequestCases.
 struct RequestDraw {
-  RequestListOptions list;                ///< times, TTAs and types of the requests
-  std::size_t tries = 0;                  ///< number of requests to draw, without repetition
-  std::uint64_t seed = 0;                 ///< of the random draw
-  std::vector<CatalogueCell> cells = {};  ///< to draw from in place of `list.types`; may be empty
+  RequestListOptions list;  ///< times, TTAs and types of the requests
+  std::size_t tries = 0;    ///< number of requests to draw, without repetition
+  std::uint64_t seed = 0;  ///< of the random draw, in which each possible request is equally likely
+  /// Cells to draw from in place of `list.types`; empty: draws from `list.types`
+  std::vector<CatalogueCell> cells = {};
   /// Called by the constructor, on its thread, after each readable scene: number of scenes
   /// processed, number of all scenes. May be empty.
   std::function<void(std::size_t, std::size_t)> on_scene = {};
@@ -29,8 +30,8 @@ struct RequestDraw {
 /// Cases from random requests in recorded scenes: `tries` distinct ones (or all, if fewer) of all
 /// times, types, TTAs, manoeuvres and attackers (recorded or added) that the road permits.
 /// Attackers start as in history mode, even with a low score. The source is "until_hit"; names are
-/// SCENE/SECONDS/TYPE/TTA/MANOEUVRE/ATTACKER, seconds from the scene's first frame, and the cell of
-/// a catalogue.
+/// SCENE/SECONDS/TYPE/TTA/MANOEUVRE/ATTACKER, with seconds from the scene's first frame to t0 and
+/// the TTA in s, followed by /CELL for a cell of a catalogue.
 class RequestCases : public PlannerCases {
  public:
   /// `method`: makes the attack method of each request. `scenes` and `options` must outlive the

@@ -20,13 +20,14 @@ namespace forge {
 /// the rollout.
 struct RolloutSetup {
   const TrialOptions& planners;  ///< steps, traffic, score and the car that follows the plans
-  const AttackOptions& attack;   ///< contact tolerance; motion estimation at the start
+  const AttackOptions& attack;   ///< contact tolerance, severity, off_road_interval; bound of the
+                                 ///< curvature at the start
   const CrashDefinition& crash;  ///< to classify contacts (typeOf())
   Background background = Background::kReplay;  ///< motion of the other agents
   /// If false, the ego continues through contacts until the end; only the first one is reported.
   bool ends_at_contact = true;
-  /// Policy that drives the attacker, starting with the scenario's trajectory; the rollout uses a
-  /// copy. Null: the attacker follows that trajectory unchanged.
+  /// Policy that drives the attacker, starting with the scenario's trajectory at t0; the rollout
+  /// uses a copy. Null: the attacker follows that trajectory unchanged.
   const AttackerPolicy* attacker = nullptr;
 };
 
@@ -39,7 +40,8 @@ enum class PlannerFailure {
   kUnordered,  ///< times do not increase
   kLate,       ///< a trajectory that does not span from the call to the next call, or LatePlan
   kTimedOut,   ///< threw PlannerTimeout: an external planner did not respond
-  kOffMap,     ///< the whole box is off the drivable area after it was on it
+  kOffMap,     ///< the whole box is off the drivable area after a part was on it, tested every
+               ///< VerificationOptions::off_road_interval
 };
 /// Returns "none", "error", "empty", "not_finite", "unordered", "late", "timed_out" or "off_map".
 const char* toString(PlannerFailure failure);
@@ -78,18 +80,22 @@ struct RolloutOutcome {
   std::vector<CarefulDrive> careful_drivers;
   double duration = 0.0;     ///< s from t0 to the last point of `driven`
   double max_braking = 0.0;  ///< m/s2, hardest braking of the ego, >= 0
-  /// s in which the ego brakes harder than RolloutOptions::hard_braking.
+  /// s in which the ego brakes harder than RolloutOptions::hard_braking, summed.
   double hard_braking = 0.0;
-  /// Share 0..1 of the box off the drivable area, mean over the rollout.
+  /// Share 0..1 of the box off the drivable area, mean over the poses every
+  /// VerificationOptions::off_road_interval after t0; 0 without a drivable area.
   double off_road_share = 0.0;
-  double progress = 0.0;           ///< m along the route from t0 to the end
-  double recorded_progress = 0.0;  ///< m along the route, of the recorded ego in the same time
-  NuplanScore nuplan;              ///< of the steps up to the end
-  /// Middle of the ego's box at every step from t0 on, scene clock; the last point is at the
-  /// contact, the failure or the end.
+  double progress = 0.0;  ///< m along the route from t0 to the end, between the nearest places of
+                          ///< the route; negative for an ego that drove back
+  /// m along the route, of the recorded ego in the same time (at most to its last state)
+  double recorded_progress = 0.0;
+  /// Of the steps up to the end, without the step of a contact that ends the rollout
+  NuplanScore nuplan;
+  /// Middle of the ego's box at every RolloutOptions::step from t0 on, scene clock; the last point
+  /// is at the contact, the failure or the end.
   std::vector<TrajectoryPoint> driven;
-  std::vector<Track> others;  ///< motions of all agents but ego and attacker, one state per step;
-                              ///< empty with Background::kReplay
+  std::vector<Track> others;  ///< motions of all agents but ego and attacker, one state per step in
+                              ///< which the agent is in sight; empty with Background::kReplay
   /// From t0 on: as driven up to the end of the rollout, and as planned after it.
   AttackerTrajectory attacker;
   AttackerPhase phase = AttackerPhase::kCommitted;  ///< of the attacker at the end of the rollout
@@ -113,10 +119,11 @@ std::unique_ptr<AttackerPolicy> makeRolloutAttacker(const CrashScenario& scenari
 /// failure of the planner or the end of the attacker's trajectory. Deterministic (apart from
 /// planning_seconds). Throws as checkScenario(), routeOf(), makeRolloutTraffic() and
 /// Traffic::advance(); exceptions of the planner become a PlannerFailure.
-/// - Calls planner.initialize() once, then plan() every `driving.interval` seconds; the ego follows
-/// the plan as `driving` says.
+/// - Calls planner.initialize() once, then plan() every `driving.interval` seconds from t0 on; the
+/// ego follows the plan as `driving` says.
 /// - The start is the recorded state at t0 with the speed from estimateMotion() of the past.
-/// - The attacker's policy observes every step before it moves.
+/// - The attacker's policy observes every step before it moves. The last step ends with the
+/// attacker's trajectory, so it may be shorter than the others (or 1 ms longer).
 /// - Within a step all boxes move linearly; contacts are found to
 /// VerificationOptions::overlap_tolerance. Agents that overlap the ego at t0, except the attacker,
 /// are ignored.

@@ -19,10 +19,12 @@ struct StepMetrics {
                                        ///< touch; empty if the attacker is not in sight
   std::optional<double> attacker_ttc;  ///< s until ego and attacker touch at constant velocities;
                                        ///< empty if there is no contact within kTtcHorizon
-  std::string nearest;  ///< id of the agent with the smallest gap; "" if there is none
+  std::string nearest;  ///< id of the agent with the smallest gap, the attacker included; "" if
+                        ///< there is none
   /// m between the boxes of the ego and that agent; empty if there is none.
   std::optional<double> nearest_gap;
-  /// Lane::id of the nearest lane along the ego's heading; "" if no lane is near.
+  /// Lane::id of the nearest lane whose centreline is within half kLaneWidth of the ego's middle
+  /// and 45 degrees of its heading; "" if there is none.
   std::string lane;
   /// The whole box is on the drivable area; empty if the map has none.
   std::optional<bool> on_road;
@@ -35,9 +37,9 @@ inline constexpr double kTtcHorizon = 10.0;
 /// `scenario` with its motions; without them the result is empty.
 std::vector<StepMetrics> stepMetrics(const CrashScenario& scenario, const PlannerRow& row);
 
-/// Returns the CSV file of all rollouts of a case, with a header and a row per rollout and step;
-/// times relative to t0. `result`: of the case `one`, with motions; an untested case gives the
-/// header alone.
+/// Returns the CSV file of all rollouts of a case, with a header (columns: docs/planners.md) and a
+/// row per rollout and step, in the order of `result.rows`; times relative to t0. `result`: of the
+/// case `one`, with motions; an untested case gives the header alone.
 std::string stepsCsv(const PlannerCase& one, const PlannerTestResult& result);
 
 }  // namespace forge

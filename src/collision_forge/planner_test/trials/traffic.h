@@ -22,10 +22,11 @@ const char* toString(Background background);
 std::optional<Background> backgroundFromString(const std::string& name);
 
 /// Simulates all agents except the ego, step by step. The attacker's policy observes every step
-/// before it moves the attacker; other agents replay their recorded tracks. With kIdm, a vehicle
-/// that moves in the recording drives its recorded path at its own time: the intelligent driver
-/// model delays it behind the ego, the attacker or another agent, and it catches up no faster than
-/// the model accelerates. No agent is ever ahead of its recording. With kModel, the learned model
+/// before it moves the attacker; other agents replay their recorded tracks. With kIdm, a motor
+/// vehicle that moves at least 2 m in the recording drives its recorded path at its own time: the
+/// intelligent driver model delays it behind the ego, the attacker or another agent, and it catches
+/// up no faster than the model accelerates. No agent is ever ahead of its recording; each such
+/// vehicle is in sight until it has driven all of its recorded path. With kModel, the learned model
 /// moves every agent but static objects from its first recorded state after t0 on; an agent that is
 /// not among those nearest to the ego keeps its velocity.
 class Traffic {
@@ -42,9 +43,10 @@ class Traffic {
 
   /// Returns the current time, s, scene clock; t0 at first.
   double time() const { return time_; }
-  /// Returns the agents in sight at time(), the ego excluded, each with its states of the last
-  /// `history` seconds, the newest at time(). Velocities are estimated from past states only; the
-  /// attacker's come from its trajectory. The reference is valid until the next advance().
+  /// Returns the agents in sight at time(), the ego excluded, the attacker (if in sight) first,
+  /// each with its states of the last `history` seconds, the newest at time(). Velocities are
+  /// estimated from past states only; the attacker's come from its trajectory. The reference is
+  /// valid until the next advance().
   const std::vector<Track>& agents() const { return agents_; }
 
   /// Returns the attacker's policy, as of time().

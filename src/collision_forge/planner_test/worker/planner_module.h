@@ -18,11 +18,12 @@ class PlannerModule {
   /// ego), and all numbers 1 (all inputs filled). `device`: "cpu", "cuda" or "auto" (CUDA if there
   /// is a device). `contract` must outlive the module. Sets libtorch's global state: one thread,
   /// deterministic algorithms. Throws std::runtime_error with the reason, which names the tensor,
-  /// if the file cannot be loaded or does not match the contract.
+  /// if the file cannot be loaded or does not match the contract, if an output for a test input is
+  /// not finite, and for "cuda" without a device.
   PlannerModule(const std::string& file, const std::string& device, const ModelContract& contract);
 
-  /// Starts a new rollout: restores the module's state after loading and reseeds libtorch's random
-  /// numbers.
+  /// Starts a new rollout; must be called before plan(). Restores the module's state after loading
+  /// and reseeds libtorch's random numbers.
   void begin();
   /// Runs forward() on the concatenated numbers of the contract's inputs, `contract.numbers()`
   /// many; returns the numbers of its output, row by row. State that the module keeps lasts until

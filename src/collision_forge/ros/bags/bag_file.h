@@ -16,8 +16,9 @@ inline std::string bagTopic(const char* name) { return std::string("/") + name; 
 /// A bag opened for reading. Threads may read different bags at the same time.
 class OpenedBag {
  public:
-  /// Throws BagError for a missing file and a damaged bag (checkBag()), and rosbag::BagException
-  /// like rosbag::Bag::open(), BagUnindexedException for a bag without an index.
+  /// Opens the bag at `path`. Throws BagError for a missing file and a damaged bag (checkBag()),
+  /// and rosbag::BagException like rosbag::Bag::open(), BagUnindexedException for a bag without an
+  /// index.
   explicit OpenedBag(const std::string& path);
   ~OpenedBag();
   OpenedBag(const OpenedBag&) = delete;
@@ -35,14 +36,16 @@ class OpenedBag {
 /// time.
 class NewBag {
  public:
-  /// Throws BagError if the bag cannot be created, and std::runtime_error if `path` exists and is
-  /// no file.
+  /// `path`: file name with extension, in an existing folder; an existing file is replaced by
+  /// commit(). Throws BagError if the bag cannot be created, and std::runtime_error if `path`
+  /// exists and is no file.
   explicit NewBag(const std::string& path);
   ~NewBag();
   NewBag(const NewBag&) = delete;
   NewBag& operator=(const NewBag&) = delete;
 
-  /// Writes a message with `time` as its record time. `topic`: with leading slash, see bagTopic().
+  /// Writes a message with `time`, which must not be 0, as its record time; times may come in any
+  /// order. `topic`: with leading slash, see bagTopic().
   /// `message`: a ROS message, or a rosbag::MessageInstance to copy. `header`: header of the
   /// connection; null: default. Throws BagError.
   template <typename Message>

@@ -54,11 +54,12 @@ class BagFrames {
   }
 
   /// Returns the pose of `frame` in the map frame, interpolated: the identity for the map frame
-  /// itself; nullopt if no chain of the added transforms connects the two at `time`.
+  /// itself; nullopt if no chain of the added transforms connects the two at `time`, as before the
+  /// first and after the last transform of a moving frame (nothing is extrapolated).
   std::optional<Eigen::Isometry3d> poseOf(const std::string& frame, const ros::Time& time) const;
 
-  /// Returns true if no further transform can change poseOf() at `time`, because newer transforms
-  /// have replaced the transforms of that time.
+  /// Returns true if no further transform can change poseOf() at `time`, because `time` is more
+  /// than `cache` s before the newest used transform, and the transforms of that time were dropped.
   bool isPast(const ros::Time& time) const;
 
   /// Returns the frames of all added transforms, also unused ones, as "map -> odom, odom ->

@@ -12,10 +12,11 @@
 namespace forge {
 
 /// Reads /tf (map -> base_link), /agents, /lane_map (the last message), /traffic_lights and
-/// /ego_vehicle of a bag into a scene named after the file (without extension), equal to the scene
-/// in the live nodes: agents sorted by id, velocities derived from the positions. Times are header
-/// stamps, s; the ego's track holds box centres. The last two topics may be missing; without
-/// /ego_vehicle the ego has the size in `options`.
+/// /ego_vehicle (the last valid size) of the bag at `path` into a scene named after the file
+/// (without folder and extension), equal to the scene in the live nodes: agents sorted by id,
+/// velocities derived from the positions. Times are header stamps, s; the ego's track holds box
+/// centres. The last two topics may be missing; without /ego_vehicle the ego has the size in
+/// `options`.
 ///
 /// In a bag with an attack only the recorded frames of agents are read, not the frames between.
 /// Drops unusable messages and agents (stamp not after the previous one, non-finite values, no
@@ -26,9 +27,9 @@ namespace forge {
 Scene readBag(const std::string& path, const DataOptions& options,
               std::vector<std::string>* warnings = nullptr);
 
-/// Like readBag(), but agents are in order of appearance, their velocities are those in the bag
-/// (derived only for an agent whose velocities are all zero), and times are rounded to microseconds
-/// as in nuScenes tables.
+/// Like readBag(), but agents are in order of appearance, their velocities come from the bag (only
+/// for an agent whose velocities are all zero they are derived), and times are rounded to
+/// microseconds as in nuScenes tables.
 Scene readBagAsWritten(const std::string& path, const DataOptions& options,
                        std::vector<std::string>* warnings = nullptr);
 
@@ -36,11 +37,12 @@ Scene readBagAsWritten(const std::string& path, const DataOptions& options,
 /// Throws BagError like readBag(), and InputError like checkMap().
 std::shared_ptr<const LaneMap> readLaneMap(const std::string& path, const InputLimits& limits);
 
-/// Returns request and attack, without alternatives and plans, from a bag of `forge inject`. Times
-/// are header stamps, s; the scene is named after the file. `crash`: definition for the fields that
-/// the recorded request leaves empty. Throws BagError like readBag(), for a bag without an
-/// attack, for one that another version of this package wrote and for an invalid request or attack;
-/// InputError like checkTrajectory() and checkPattern().
+/// Returns request, attack (without alternatives and plans) and ego vehicle (size from
+/// /ego_vehicle, else as readBag()) from a bag of `forge inject`; the last messages on /attack and
+/// /attack_request count. Times are header stamps, s; the scene is named after the file. `crash`:
+/// definition for the fields that the recorded request leaves empty. Throws BagError like
+/// readBag(), for a bag without an attack, for one that another version of this package wrote and
+/// for an invalid request or attack; InputError like checkTrajectory() and checkPattern().
 Scenario readAttack(const std::string& path, const DataOptions& options,
                     const CrashDefinition& crash);
 

@@ -48,12 +48,15 @@ class MadeTopic {
 /// Generates the additional topics of an MCAP file from the messages of its bag: map and frames of
 /// agents as 3D scenes (collision_forge/map, collision_forge/scene), with the attack from its t0
 /// on, and the speeds of ego and attacker, m/s (collision_forge/ego_speed, .../attacker_speed). A
-/// frame waits until the ego's pose at its stamp is known. Maps, attacks, agents and ego poses
-/// outside the input limits are skipped and counted. Not thread-safe.
+/// frame waits until the ego's pose at its stamp is known; a frame without one is never shown. The
+/// ego's speed is its mean since the previous pose, left out after a gap above kMaxGap; the
+/// attacker's is its velocity in the frame, from t0 on. Maps, attacks, agents and ego poses outside
+/// the input limits are skipped and counted. Not thread-safe.
 class CrashTopics {
  public:
-  /// `agents`: topic of the frames in the bag, with its leading slash. `file` must outlive the
-  /// object.
+  /// `agents`: topic of the frames in the bag, with its leading slash. `ego`: size of the shown ego
+  /// and offset from base_link to the box centre; /ego_vehicle in the bag is not used. `file` must
+  /// outlive the object.
   CrashTopics(McapMessages& file, const EgoVehicle& ego, const InputLimits& limits,
               std::string agents);
 
@@ -62,7 +65,8 @@ class CrashTopics {
   /// time; messages of other topics are ignored. Throws as readMessage() and McapMessages.
   void take(const rosbag::MessageInstance& instance);
 
-  /// Returns one line per topic with the number of entries that were skipped.
+  /// Returns one line per topic with the number of entries that were skipped, sorted by topic; none
+  /// if no entry was skipped.
   std::vector<std::string> warnings() const;
 
  private:

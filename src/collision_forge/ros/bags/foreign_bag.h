@@ -16,11 +16,12 @@ namespace forge {
 /// lacks are derived (deriveVelocities()).
 ///
 /// Drops unusable data and appends one line per kind to `warnings`, if given: messages without a
-/// stamp, with a decreasing one or without transforms at it, non-finite poses and agents, agents
-/// without size or id, duplicate ids and the ego's id. A non-finite velocity becomes zero. Throws
-/// BagError with path, topic and field for a truncated bag, a file that is no bag, a bag that
-/// contradicts `mapping` (missing topic or field, wrong type or frame_id), a bag without a usable
-/// ego pose or frame, and two different poses of the ego at one time.
+/// stamp, with one not after the previous message's or without transforms at it, non-finite poses
+/// and agents, agents without size or id, with the id of an earlier agent of the frame, or with the
+/// ego's id. A non-finite velocity becomes zero. Throws BagError with path, topic and field for a
+/// truncated bag, a file that is no bag, a bag that contradicts `mapping` (missing topic or field,
+/// wrong type or frame_id), a bag without a usable ego pose or frame, and two different poses of
+/// the ego at one time.
 NuScenesRecording readForeignBag(const std::string& path, const TopicMapping& mapping,
                                  const EgoVehicle& ego,
                                  std::vector<std::string>* warnings = nullptr);

@@ -17,9 +17,10 @@ struct ForeignBags {
 };
 
 /// Opens the bag, or the folder of bags, at path `bags`: one scene per bag, named after its file,
-/// read by readForeignBag() when asked for. `reading` selects the scenes. The result is
-/// thread-safe. Throws BagError if there is no bag, std::runtime_error if a wanted scene is
-/// missing. recording() and read() throw like readForeignBag(), readLaneMap(), readMapFile() and
+/// (*.bag, without extension), read by readForeignBag() when asked for. `reading` selects the
+/// scenes and gives the options of reading. A map file is read once, with the first scene. The
+/// result is thread-safe. Throws BagError if there is no bag, std::runtime_error if a wanted scene
+/// is missing. recording() and read() throw like readForeignBag(), readLaneMap(), readMapFile() and
 /// keepWithin(), and BagError for a bag without a map if neither `map` nor `without_lanes` is set.
 std::unique_ptr<SceneReader> openForeignBags(const std::string& bags, ForeignBags how,
                                              SceneReading reading);

@@ -6,9 +6,10 @@
 
 namespace forge {
 
-/// Returns the format of bags of `forge convert`: one bag or a folder of bags; each is a scene
-/// named after its file, read by readBagAsWritten(). SceneReader::recording() always throws,
-/// because such a bag holds a flat scene. The object lives until the program ends.
+/// Returns the format of bags of `forge convert`: one bag or a folder of bags (*.bag, not in its
+/// subfolders, sorted by name); each is a scene named after its file without extension, read by
+/// readBagAsWritten(). SceneReader::recording() always throws, because such a bag holds a flat
+/// scene. The object lives until the program ends.
 const LogFormat& bagFormat();
 
 /// Returns the log source at `path` and detects its format: a bag or a folder of bags, a

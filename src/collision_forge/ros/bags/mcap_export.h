@@ -19,7 +19,8 @@ struct McapExport {
 
 /// Converts the bag at path `in` to the MCAP file `out`, written to a temporary file and renamed.
 /// Keeps topic and record time of each message; in profile ros1 also its bytes and the header of
-/// its connection, as metadata of the channel. Adds CrashTopics. Memory: one chunk of each file and
+/// its connection, as metadata of the channel. Adds CrashTopics, for the agents on injected_agents
+/// if the bag has this topic (recorded live), else on agents. Memory: one chunk of each file and
 /// the bag's index. `options`: ego vehicle and input limits for CrashTopics. `on_progress` receives
 /// the completed share 0..1 before each message and 1 at the end, in the calling thread. Throws
 /// BagError with `in` for a truncated, damaged or empty bag, a file that is no bag, and a message

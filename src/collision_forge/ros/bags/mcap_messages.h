@@ -39,7 +39,8 @@ class McapMessages {
   /// topic if there is one, as of several publishers. `type`: package/Type; `definition`: its ROS 1
   /// text with nested types. `header`: fields of the connection, with `latching` "1" for a latched
   /// topic, which becomes transient local in ROS 2. A definition that cannot be converted is no
-  /// error: the messages of the topic are left out. Throws std::length_error after 65,535 topics.
+  /// error: the topic still gets a number, and its messages are left out. Throws std::length_error
+  /// after 65,535 topics.
   std::size_t addTopic(const std::string& topic, const std::string& type,
                        const std::string& definition, std::map<std::string, std::string> header);
 
@@ -53,8 +54,8 @@ class McapMessages {
   /// Returns the topics in the file, in the order of addTopic(), without those whose definition
   /// cannot be converted.
   std::vector<Topic> topics() const;
-  /// Returns one line per topic that was left out, wholly or in part, with the number of messages
-  /// and the reason.
+  /// Returns one line per topic that was left out, wholly or in part, in the order of addTopic(),
+  /// with the number of messages left out and the first reason; none if nothing was left out.
   std::vector<std::string> warnings() const;
 
  private:

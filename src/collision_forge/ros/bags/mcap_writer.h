@@ -40,7 +40,7 @@ std::string mcapProfileOf(const std::string& path);
 
 /// Writes an MCAP file (mcap.dev/spec): messages in chunks, each an LZ4 frame, with their indexes,
 /// and a summary with its offsets. A CRC-32 covers each chunk, the data and the summary. Keeps one
-/// chunk and the summary in memory. Check the stream for write errors.
+/// chunk (about 1 MiB) and the summary in memory. The caller checks the stream for write errors.
 class McapWriter {
  public:
   /// Writes the header. `stream` must be binary, at the beginning of a file, and outlive the
@@ -50,11 +50,13 @@ class McapWriter {
   /// Adds a schema, unless an equal one exists, and returns its number, from 1. Throws
   /// std::length_error after 65,535 schemas.
   std::uint16_t addSchema(McapSchema schema);
-  /// Adds a channel and returns its number, from 0. Throws like addSchema().
+  /// Adds a channel, also if an equal one exists, and returns its number, from 0. Throws like
+  /// addSchema().
   std::uint16_t addChannel(McapChannel channel);
 
   /// Writes the bytes `message` to the channel with the number `channel` (addChannel()). `time`:
-  /// ns, both publish and log time; may decrease. Throws std::runtime_error if LZ4 fails.
+  /// ns, both publish and log time; may decrease from call to call. Throws std::runtime_error if
+  /// LZ4 fails.
   void write(std::uint16_t channel, std::uint64_t time, std::string_view message);
 
   /// Writes the last chunk and the summary. Must be called once, as the last call.

@@ -41,7 +41,7 @@ struct MessageField {
 
   // Size of one serialised element.
   std::size_t min_size = 0;    ///< bytes of the shortest element, 4 for a string
-  bool is_fixed_size = false;  ///< every element has min_size bytes
+  bool is_fixed_size = false;  ///< true: every element has min_size bytes
 };
 
 /// A message type with the sizes of its serialised messages.

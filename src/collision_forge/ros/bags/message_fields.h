@@ -22,7 +22,7 @@ using FieldValue = std::variant<double, std::int64_t, std::string>;
 /// A field by its path from the message: "header.stamp", "objects[].size[0]". `[0]` is the first
 /// element of an array, `[]` is each element. An array of uint8 read as kText has neither.
 struct FieldPath {
-  std::string path;
+  std::string path;  ///< names of nested fields from the message inwards, separated by dots
   FieldKind kind = FieldKind::kNumber;  ///< type to which the values are converted
 };
 

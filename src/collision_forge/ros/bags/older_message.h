@@ -16,8 +16,8 @@ namespace forge {
 
 /// Converts the serialised message `bytes` of type `from` to another version `to` of the type and
 /// returns its bytes. Fields of one name, type and shape are copied (nested types field by field),
-/// other fields of `to` are 0 or empty, other fields of `from` are dropped. Throws BagError,
-/// without a path, if `bytes` ends within a field.
+/// other fields of `to` are 0 or empty, other fields of `from` and bytes after its last field are
+/// dropped. Throws BagError, without a path, if `bytes` ends within a field.
 std::vector<std::uint8_t> convertMessage(const MessageType& from, const MessageType& to,
                                          const std::vector<std::uint8_t>& bytes);
 

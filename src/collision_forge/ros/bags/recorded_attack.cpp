@@ -16,7 +16,7 @@ template <typename Message>
 std::optional<Message> firstOn(const char* topic, const rosbag::Bag& bag) {
   for (const rosbag::MessageInstance& instance :
        rosbag::View(bag, rosbag::TopicQuery(bagTopic(topic)))) {
-    if (const auto message = instance.instantiate<Message>()) return *message;
+    if (const auto message = readMessage<Message>(instance)) return *message;
   }
   return std::nullopt;
 }

@@ -13,8 +13,9 @@ struct RecordedAttack {
   std::string source;  ///< file name of the bag without the attack; empty if unknown
 };
 
-/// Returns the attack in the bag at `path`; nullopt for a bag without a tested_report (no attack).
-/// Throws BagError if the bag cannot be read.
+/// Returns the attack in the bag at `path` (the first tested_report and attack_request); nullopt
+/// for a bag without a tested_report of this version (no attack). Throws BagError if the bag cannot
+/// be read.
 std::optional<RecordedAttack> readRecordedAttack(const std::string& path);
 
 /// Returns the error text for a request for another attack in the bag at `path`, which already has

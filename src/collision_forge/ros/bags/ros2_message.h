@@ -33,8 +33,8 @@ class Ros2Message {
   const std::string& definition() const { return text_; }
 
   /// Returns a serialised ROS 1 message as CDR, from the encapsulation header of 4 bytes on, as
-  /// MCAP files store it. Throws ros::serialization::StreamOverrunException
-  /// if `bytes` ends within a field, and BagError if it continues after the last one.
+  /// MCAP files store it. Throws ros::serialization::StreamOverrunException if `bytes` ends within
+  /// a field, and BagError if it continues after the last one.
   std::string cdrOf(std::string_view bytes) const;
 
  private:
@@ -59,9 +59,9 @@ class Ros2Message {
   const Plan* plan_ = nullptr;  ///< of the whole message, in `plans_`
 };
 
-/// Returns the types of kRos2Package in `definition` (as ros2msg): the text of each by its name
-/// without package; empty if there are none. `type`: package/msg/Type, the type at the beginning of
-/// the text.
+/// Returns the types of kRos2Package in `definition` (Ros2Message::definition()): the text of each
+/// type's fields, as in a .msg file, by its name without package; empty if there are none. `type`:
+/// package/msg/Type, the type at the beginning of the text.
 std::map<std::string, std::string> ownRos2Types(const std::string& type,
                                                 const std::string& definition);
 

@@ -22,17 +22,19 @@ struct SensorCounts {
 /// sensor_msgs/CompressedImage on /cam_front/image_rect_compressed with
 /// sensor_msgs/CameraInfo on /cam_front/camera_info, as other converters of nuScenes name them.
 /// Stamp and record time are the file's timestamp. Files that are missing or unreadable are counted
-/// and left out. A file without a path is simulated (simulateSweep()).
+/// and left out. A file with an empty path is a sweep that is simulated (simulateSweep()) at the
+/// first ego pose at or after its timestamp.
 class SensorWriter {
  public:
   /// All three must outlive the writer. `recording`: of the same scene, for simulated sweeps.
   SensorWriter(const NuScenesSensorScene& sensors, const NuScenesRecording& recording, NewBag& bag)
       : sensors_(sensors), recording_(recording), bag_(bag) {}
 
-  /// Writes /tf_static from base_link to every sensor, latched; `start`: stamp and record time.
+  /// Writes /tf_static from base_link to every sensor, also a radar, latched; `start`: stamp and
+  /// record time.
   void writeMounting(const ros::Time& start);
-  /// Writes the files with timestamps up to `timestamp_us` that were not written yet. Throws
-  /// BagError.
+  /// Writes the files with timestamps up to `timestamp_us` (us, inclusive) that were not written
+  /// yet, in the order of NuScenesSensorScene::files. Throws BagError if the bag cannot be written.
   void writeUpTo(std::int64_t timestamp_us);
 
   /// Returns the counts of the files up to the last writeUpTo().

@@ -8,8 +8,8 @@
 
 #include "collision_forge/base/scene/track.h"
 
-/// Mapping from the message fields of a foreign bag to ego and agents. Each key is described in
-/// config/topics_autoware.yaml.
+/// Mapping from the message fields of a foreign bag to ego and agents. docs/foreign_bags.md
+/// describes the keys of the file and their defaults. Paths are as in FieldPath.
 namespace forge {
 
 /// Source of a number: the path of a field (FieldPath::path), or a constant for all messages.
@@ -39,7 +39,7 @@ struct EgoMapping {
   TopicFields fields;
   PoseFields pose;                                   ///< pose of `reference`
   EgoReference reference = EgoReference::kBaseLink;  ///< point that the pose describes
-  std::string child_frame_id;  ///< tf frame of the ego, whose pose is given; not empty
+  std::string child_frame_id;                        ///< tf frame of `reference`; not empty
   bool in_transforms = false;  ///< the pose is in the transforms of `fields.topic`; `pose` is empty
 };
 
@@ -56,11 +56,12 @@ struct VelocityFields {
 /// Fields of the agents; paths with `[]` give one agent per element.
 struct AgentsMapping {
   TopicFields fields;
-  std::string id;              ///< path of a number, a text or an array of uint8
+  std::string id;              ///< path of an integer, a text or an array of uint8
   std::string classification;  ///< path of the class, an integer or a text
   /// Path of a number per class of an agent; the class with the greatest is used; empty: the first.
   std::string probability;
-  std::map<std::string, AgentClass> classes;  ///< by the value of `classification` as text
+  std::map<std::string, AgentClass>
+      classes;  ///< by the value of `classification` as text (decimal)
   AgentClass default_class = AgentClass::kStaticObject;  ///< for a value that `classes` lacks
   PoseFields pose;                                       ///< centre of the box
   std::array<NumberSource, 3> size;                      ///< length, width, height, m
@@ -78,8 +79,9 @@ struct TopicMapping {
   std::string transformTopic() const { return ego.in_transforms ? ego.fields.topic : "/tf"; }
 };
 
-/// Reads the mapping file at `path` (YAML). Throws ConfigError with file, key and value for a
-/// missing file, and for a missing, unknown or malformed key.
+/// Reads the mapping file at `path` (YAML), with the defaults of missing optional keys. Throws
+/// ConfigError with file, key and value for a missing file, and for a missing, unknown or malformed
+/// key.
 TopicMapping readTopicMapping(const std::string& path);
 
 }  // namespace forge

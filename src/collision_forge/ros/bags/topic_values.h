@@ -65,13 +65,13 @@ class TopicValues {
     values_ = readers_.at(instance.getConnectionHeader())->read(bytes_.data(), bytes_.size());
   }
 
-  // The functions below read the message of the last take(). Their paths must have been requested;
-  // `row` counts from 0, and a row beyond the last has no values.
+  // The functions below read the message of the last take(), which must have been called. Their
+  // paths must have been requested; `row` counts from 0, and a row beyond the last has no values.
 
   /// Returns the number of rows of a field (FieldRows).
   std::size_t rows(const std::string& path) const { return values_[columns_.at(path)].size(); }
 
-  /// Returns all values in a row; none if it has none.
+  /// Returns all values in a row, none if it has none; valid until the next take().
   const std::vector<FieldValue>& all(const std::string& path, std::size_t row) const {
     static const std::vector<FieldValue> none;
     const FieldRows& rows = values_[columns_.at(path)];

@@ -19,8 +19,8 @@ namespace forge {
 /// thread-safe.
 class AttackerInjector {
  public:
-  /// `trajectory`: map frame. After the end of the trajectory the attacker brakes to a standstill,
-  /// by the limits `options` (brakingFromEnd()).
+  /// `trajectory`: map frame; not checked. After the end of the trajectory the attacker brakes to a
+  /// standstill, by the limits `options` (brakingFromEnd()). No frame is remembered yet.
   AttackerInjector(collision_forge::AttackerTrajectory trajectory,
                    const DriveLimitOptions& options);
 
@@ -39,10 +39,11 @@ class AttackerInjector {
   void remember(const collision_forge::AgentArray& recorded);
 
   /// Returns `agents` with the attacker at the time of their stamp. Up to the trajectory's start
-  /// (t0), only an added attacker is inserted, in frames within its past. Later, the attacker has
-  /// pose and velocity of its trajectory, or after the contact of its crash, also if it is missing
-  /// in the recorded frame. Other agents are unchanged. Throws MessageError like fromMessage() for
-  /// an invalid trajectory, in frames after t0.
+  /// (t0, inclusive; always for a trajectory without points), only an added attacker is inserted,
+  /// in frames within its past. Later, the attacker has pose and velocity of its trajectory, or
+  /// after the contact of its crash, also if it is missing in the recorded frame. Other agents are
+  /// unchanged. Throws MessageError like fromMessage() for an invalid trajectory, in frames after
+  /// t0.
   collision_forge::AgentArray inject(collision_forge::AgentArray agents);
 
  private:

@@ -8,7 +8,8 @@ namespace forge {
 
 inline constexpr double kSameTime = 1e-3;  ///< s; frames closer in time than this count as one
 
-/// Interpolates x, y and z of a point or vector linearly; `ratio` 0 returns `before`, 1 `after`.
+/// Interpolates x, y and z of a point or vector linearly; `ratio` 0 returns `before`, 1 `after`; a
+/// ratio outside of [0, 1] extrapolates.
 template <typename Message>
 Message between(const Message& before, const Message& after, double ratio) {
   Message message;
@@ -32,9 +33,9 @@ std::vector<collision_forge::Agent> agentsAt(const std::vector<collision_forge::
                                              const ros::Time& stamp);
 
 /// Returns the recorded frame `newest` with the stamp `stamp` (later) and its agents extrapolated
-/// to it like shownPose(). Their motion is derived from their poses in `before`, the recorded frame
-/// before `newest`. Agents that are not in `before` stand still, as do all if it is null. The
-/// velocity of each agent is that in `newest`, rotated with its box.
+/// to it like shownPose(), so by kLongestGuess at most. Their motion is derived from their poses in
+/// `before`, the recorded frame before `newest`. Agents that are not in `before` stand still, as do
+/// all if it is null. The velocity of each agent is that in `newest`, rotated with its box.
 collision_forge::AgentArray frameAfter(const collision_forge::AgentArray* before,
                                        const collision_forge::AgentArray& newest,
                                        const ros::Time& stamp);

@@ -17,12 +17,14 @@
 
 namespace forge {
 
-/// Content of an attacked bag after the contact with the recorded ego.
+/// Content of an attacked bag after the contact with the recorded ego. Without such a contact each
+/// value means the content of kDriveOn.
 enum class AfterContact {
   kStop,     ///< ego and attacker move by PostCrashMotion; /tf and odom are rewritten; the bag ends
              ///< when both have stood for AttackedBagOptions::seconds_after_stand
   kEnd,      ///< the bag ends AttackedBagOptions::end_time after the contact
-  kDriveOn,  ///< the ego moves as recorded, the attacker by its whole trajectory
+  kDriveOn,  ///< the ego moves as recorded, the attacker by its whole trajectory, then it brakes;
+             ///< the bag ends like the recording
 };
 
 /// Returns "stop", "end" or "drive_on".
@@ -63,8 +65,8 @@ struct RecordingContext {
   const AttackedBagOptions& options;
 };
 
-/// Throws BagError with the topic if the bag at `path` already has an attack, and if the bag cannot
-/// be read.
+/// Throws BagError with the topic if the bag at `path` already has an attack (a message on a topic
+/// of attacked bags), and if the bag cannot be read; else does nothing.
 void requireNoAttack(const std::string& path);
 
 /// Copies the bag at `in`, which must not contain an attack, to `out` and inserts `attack`:
@@ -72,7 +74,8 @@ void requireNoAttack(const std::string& path);
 ///   present from the first state of its past). After t0 there are additional frames at
 ///   AttackedBagOptions::frame_rate, with caller id names::kInBetween, and one at the contact.
 /// - Attack, request and the paths of attacker and recorded ego: added, latched, at t0.
-/// - Report against the recording: added at the contact, or at the end of the trajectory.
+/// - Report against the recording: added at the contact, or without one at the end of the
+///   trajectory; at the latest with the last message.
 /// - Markers of map (every second), ego and attack: added.
 /// - /agent_objects: written with every frame of agents; replaces an existing topic.
 /// - /tf, odom: rewritten after the contact if `after_contact` is kStop; one message is added at

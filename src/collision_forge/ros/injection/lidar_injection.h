@@ -49,9 +49,11 @@ class LidarInjection {
     std::function<tf2_msgs::TFMessage(const tf2_msgs::TFMessage&)> moved;
   };
 
-  /// Reads all transforms of the bag, and learns from some of its clouds how vehicles return rays
-  /// (SurfaceReturns) and what is behind them (BackgroundMap). Throws BagError for a topic without
-  /// clouds, and, if kAllClouds was asked for, for a bag without clouds.
+  /// Reads all transforms of the bag, and learns from some of its clouds (40 to 79 per topic,
+  /// evenly spaced, or all if there are fewer) how vehicles return rays (SurfaceReturns) and, with
+  /// Setup::vacated, what is behind them (BackgroundMap). `source` is used only here, `setup` is
+  /// kept. Throws BagError for a topic without clouds, and, if kAllClouds was asked for, for a bag
+  /// without clouds.
   LidarInjection(const rosbag::Bag& source, Setup setup);
 
   /// Returns true for the topics whose clouds are changed.
@@ -63,10 +65,11 @@ class LidarInjection {
   /// read; warnings() counts the last two.
   bool edit(const std::string& topic, sensor_msgs::PointCloud2& message);
 
-  /// Returns one line per topic with the numbers of clouds and points that edit() changed, and one
-  /// line on the model of returns.
+  /// Returns one line per topic with the numbers of clouds and points that edit() changed so far,
+  /// and one line on the model of returns.
   std::vector<std::string> summary() const;
-  /// Returns one line per topic and kind of problem, with the number of clouds that had it.
+  /// Returns one line per topic and kind of problem, with the number of clouds that had it so far;
+  /// none without problems.
   std::vector<std::string> warnings() const;
 
  private:

@@ -25,7 +25,8 @@ class LiveAttacker {
   LiveAttacker(Publish publish, bool keeps_attack, double kept_for)
       : publish_(std::move(publish)), keeps_attack_(keeps_attack), kept_for_(kept_for) {}
 
-  /// Publishes an attack with a fixed trajectory; ends the adaptive one, if any.
+  /// Publishes an attack with a fixed trajectory; ends the adaptive one, if any, without publishing
+  /// its end.
   void start(const collision_forge::Attack& attack);
 
   /// Creates the adaptive attacker of `task`, publishes `attack`, which is the message of its first
@@ -38,9 +39,10 @@ class LiveAttacker {
   /// played bag. Returns true if this object had an attack, fixed or adaptive.
   bool end();
 
-  /// Keeps a new frame, received at `clock` (s, ROS time), and passes it to the adaptive attacker.
-  /// If the replay steps back, but not to the attack's t0 or before it, the attacker stops
-  /// replanning, with a warning in the log.
+  /// Keeps a new frame, received at `clock` (s, ROS time), and passes it to the adaptive attacker
+  /// if it is after the attack's t0; publishes the attack if that changes it. If the replay steps
+  /// back, but not to the attack's t0 or before it, the attacker stops replanning, with a warning
+  /// in the log.
   void addFrame(const Frame& frame, double clock);
 
   /// Call periodically; `clock`: s, ROS time. If no frame arrived since the last call and for

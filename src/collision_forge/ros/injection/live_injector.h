@@ -36,7 +36,8 @@ class LiveInjector {
   using Publish = std::function<void(const collision_forge::AgentArray&)>;
 
   /// `after_contact`: kStop or kDriveOn. `publish` is called inside addFrame(), addEgo() and
-  /// setAttack(), once per frame, in the order of publication.
+  /// setAttack(), once per frame, in the order of publication. `config`: frame rate, limits,
+  /// severity, and the ego's size until setEgoSize(); copied.
   LiveInjector(const Config& config, AfterContact after_contact, Publish publish);
 
   /// Replaces the attack; an update of the same attack (AttackerInjector::change()) keeps its
@@ -44,9 +45,10 @@ class LiveInjector {
   /// of the trajectory and InputError as checkTrajectory(); nothing changes then.
   void setAttack(const collision_forge::Attack& attack);
 
-  /// Adds a recorded frame of agents (map frame) and publishes all frames for which the injector
-  /// need not wait any more. A frame more than kRestart older than its predecessor means that the
-  /// replay stepped back; waiting frames are then dropped.
+  /// Adds a recorded frame of agents (map frame, not null) and publishes all frames for which the
+  /// injector need not wait any more; of more than 10,000 waiting frames the oldest is dropped. A
+  /// frame more than kRestart older than its predecessor means that the replay stepped back;
+  /// waiting frames are then dropped.
   void addFrame(const collision_forge::AgentArray::ConstPtr& recorded);
 
   /// Sets the size of the ego's box for all later poses, m.

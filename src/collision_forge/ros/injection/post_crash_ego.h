@@ -38,9 +38,10 @@ class PostCrashEgo {
   /// after the contact; before it the message is kept.
   nav_msgs::Odometry changed(nav_msgs::Odometry message);
 
-  /// Returns an additional message at the contact if `next`, which is yet to be passed to
-  /// changed(), is the first message after the contact. Returns nullopt if it is not, without an
-  /// earlier message, and if either message has the stamp of the contact.
+  /// Returns an additional message at the contact, with only the transform map -> base_link at the
+  /// ego's pose there, if `next`, which is yet to be passed to changed(), is the first message
+  /// after the contact. Returns nullopt if it is not, without an earlier message, and if either
+  /// message has the stamp of the contact.
   std::optional<EgoBetween<tf2_msgs::TFMessage>> atContact(const tf2_msgs::TFMessage& next);
   /// Does the same for odometry; the twist is interpolated between the two messages.
   std::optional<EgoBetween<nav_msgs::Odometry>> atContact(const nav_msgs::Odometry& next);

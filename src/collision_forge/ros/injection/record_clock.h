@@ -21,7 +21,7 @@ class RecordClock {
   /// Without messages the clocks are equal.
   ros::Time recordedAt(const ros::Time& stamp) const;
 
-  /// The inverse of recordedAt().
+  /// Returns the stamp for a record time: the inverse of recordedAt().
   ros::Time stampAt(const ros::Time& recorded) const;
 
  private:

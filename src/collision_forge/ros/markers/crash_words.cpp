@@ -35,7 +35,7 @@ std::string countdownWords(const collision_forge::Attack& attack, const ros::Tim
   if (!attack.report.contact) return "no contact predicted";
   const double left = (attack.report.contact_time - now).toSec();
   return left > 0.0 ? formatted("contact in %.1f s", left)
-                    : formatted("contact predicted %.1f s ago", -left);
+                    : formatted("contact predicted %.1f s ago", std::abs(left));
 }
 
 std::string outcomeWords(const collision_forge::CollisionReport& tested) {

@@ -11,8 +11,8 @@
 namespace forge {
 
 /// Returns `tested` if it belongs to `attack` (same t0 and attacker) and its outcome is known at
-/// `now`: from the contact on, or without one from the end of the trajectory on. Otherwise returns
-/// null; `tested` may be null.
+/// `now`: from the contact in `tested` on, or if it has none from the end of the trajectory on.
+/// Otherwise, and if `tested` is null or the trajectory has no points, returns null.
 const collision_forge::CollisionReport* verdictBy(const ros::Time& now,
                                                   const collision_forge::Attack& attack,
                                                   const collision_forge::CollisionReport* tested);
@@ -22,18 +22,21 @@ inline constexpr const char* kContactWords = "contact; verification follows";
 
 /// Returns "contact in 4.4 s" before the contact that the attack's report predicts, later "contact
 /// predicted 0.2 s ago": if the ego departs from the prediction, the contact comes later or never.
-/// Returns "no contact predicted" for a report without a contact.
+/// Times are rounded to 0.1 s; exactly at the contact the text is the second one. Returns "no
+/// contact predicted" for a report without a contact.
 std::string countdownWords(const collision_forge::Attack& attack, const ros::Time& now);
 
-/// Returns "contact as requested", "contact not as requested: REASON" or "no contact".
+/// Returns "contact as requested" for a verified report, "contact not as requested: REASON" with
+/// the first violated condition (type, time, limits, other agents), or "no contact".
 std::string outcomeWords(const collision_forge::CollisionReport& tested);
 
 /// Returns two or three lines: outcomeWords(); the impact speed, if there is a contact; plausible,
 /// or the reason why not.
 std::string verdictWords(const collision_forge::CollisionReport& tested);
 
-/// Returns verdictWords() unless `verdict` is null, else countdownWords(), for an adaptive attacker
-/// followed by a line with its phase and last decision.
+/// Returns verdictWords() of `verdict` (result of verdictBy()) unless it is null, else
+/// countdownWords(); only the latter is followed, for an adaptive attacker, by a line with its
+/// phase and last decision.
 std::string crashWords(const collision_forge::Attack& attack,
                        const collision_forge::CollisionReport* verdict, const ros::Time& now);
 

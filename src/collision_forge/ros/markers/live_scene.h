@@ -22,7 +22,7 @@ struct LiveScene {
   const collision_forge::SceneSnapshot* scene = nullptr;      ///< the newest; must not be null
   ros::Time now;                                              ///< time of the picture
   const collision_forge::Attack* attack = nullptr;            ///< null without a running attack
-  const collision_forge::CollisionReport* verdict = nullptr;  ///< outcome; null while unknown
+  const collision_forge::CollisionReport* verdict = nullptr;  ///< verdictBy(); null while unknown
   /// Recorded ego's box middle at `now`, from /tf; empty: extrapolated from the scene.
   std::optional<Pose2> ego = {};
   /// Motion of ego and attacker after the contact; empty before a contact. Needs `attack`.
@@ -30,21 +30,27 @@ struct LiveScene {
   std::vector<OrientedBox> words_obstacles = {};  ///< as WordsPlace::obstacles
 };
 
-/// Returns the areas (sweptBox()) that the other agents cover at constant velocity from `live.now`
-/// until kCrashView after the contact, predicted or not. Texts of the attack should not cover them:
+/// Returns the areas (sweptBox()) that the other agents of the newest frame cover at constant
+/// velocity from `live.now` until kCrashView after the contact that the attack's report predicts;
+/// until kCrashView after `live.now` if that contact is past, no contact is predicted, or
+/// `live.crash` is set. Texts of the attack should not cover these areas:
 /// LiveScene::words_obstacles. `live.attack` must not be null unless `live.crash` is set.
 std::vector<OrientedBox> coveredByOthers(const LiveScene& live);
 
-/// Returns ego and agents, extrapolated from the newest frame (shownPose()), with trails; without
-/// an attacker in the picture also ids (namespace "ids"). During an attack also the attacker as
-/// driven (namespace "attacker") and as recorded ("recorded"), and the countdown or verdict
-/// ("words"). After the contact ego and attacker move by `crash`, with a mark at the contact point
-/// ("contact"), and the recorded ego continues ("recorded").
+/// Returns ego ("ego") and agents ("agents") that have a state in the newest frame, extrapolated
+/// from it (shownPose()), with trails ("trails"); names in parentheses are namespaces. Without an
+/// attacker in the picture also the ids ("ids") of the agents within 40 m of the ego that can
+/// attack (canAttackClass()). From the attack's t0 on also the attacker as driven ("attacker") and
+/// as recorded ("recorded"), and the countdown or verdict ("words"). After the contact ego and
+/// attacker move by `crash`, with a mark at the contact point ("contact"), and the recorded ego
+/// continues ("recorded").
 visualization_msgs::MarkerArray liveMarkers(const LiveScene& live);
 
-/// Returns the part of the map to show. During an attack it contains the ego, the attacker and the
-/// predicted contact; for kCrashView seconds after a contact both vehicles up to standstill; else
-/// the ego with its surroundings. Returns nullopt if the ego has no state in the newest frame.
+/// Returns the part of the map to show. From t0 of an attack until its verdict it contains the ego,
+/// the attacker, the predicted contact if there is one, and the text; for kCrashView seconds after
+/// a contact both vehicles up to standstill, and the text; else the ego with its surroundings
+/// (kUsualWidth). Returns nullopt if the ego has no state in the newest frame, except for
+/// kCrashView seconds after a contact.
 std::optional<ShownArea> shownArea(const LiveScene& live);
 
 }  // namespace forge

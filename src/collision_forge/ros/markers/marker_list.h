@@ -16,7 +16,7 @@ namespace forge {
 /// Builds a MarkerArray. It starts with DELETEALL, so that it replaces all earlier markers. Skips
 /// non-finite markers and markers without extent, which RViz rejects; of lines and triangles only
 /// the non-finite ones. Positions are in the header's frame, m; heights `z` are m above ground.
-/// `name_space`: namespace of the marker; ids are unique in the array.
+/// `name_space`: namespace of the marker; ids count from 0 over the whole array.
 class MarkerList {
  public:
   /// `header`: frame and stamp of all markers.
@@ -29,7 +29,7 @@ class MarkerList {
   /// Adds a flat box whose bottom is at height `z` (m).
   void addSlab(const std::string& name_space, const OrientedBox& box, double z,
                const colors::MarkerColor& color);
-  /// Adds a flat disc. `diameter` in m.
+  /// Adds a flat disc whose middle is at height `z`. `diameter` in m, above 0.
   void addDisc(const std::string& name_space, const Vector2& center, double diameter, double z,
                const colors::MarkerColor& color);
   /// Adds a text that faces the viewer, centred at `center`. `letter_height` in m. Adds nothing for

@@ -37,13 +37,14 @@ inline constexpr float kContactAlpha = 0.45F;    // of the vehicles at contact
 BoxSize sizeOf(const geometry_msgs::Vector3& size);
 
 /// Returns true if agents of this class (constant of Agent.msg) can attack in a request that names
-/// no attacker: motor vehicles.
+/// no attacker: motor vehicles (isMotorVehicle()). Returns false for an unknown constant.
 bool canAttackClass(std::uint8_t agent_class);
 
 /// Adds the short form of an agent's id (namespace "ids") beside `shown`, the agent's box in the
 /// picture. The side is chosen beside `framed`, the box in the newest frame, so that it changes
-/// only with a new frame. Adds no text if it would cover an element of `obstacles` on every side;
-/// else appends the text's box to `obstacles`. `scale`: letterScale().
+/// only with a new frame. Adds no text if it would cover an element of `obstacles` at every place
+/// of the first kNearRings rings; else appends the text's box to `obstacles`. `scale`:
+/// letterScale().
 void addId(const std::string& id, const OrientedBox& framed, const OrientedBox& shown, double scale,
            std::vector<OrientedBox>& obstacles, MarkerList& markers);
 
@@ -55,30 +56,32 @@ void addWords(const std::string& name_space, const std::string& words, const Vec
 /// Place of the text of an attack: beside `box`, on the side where the text covers the fewest of
 /// `obstacles` and of the boxes on both vehicles' paths to the contact.
 struct WordsPlace {
-  OrientedBox box;
-  std::vector<OrientedBox> obstacles;
+  OrientedBox box;                     ///< usually the attacker at contact
+  std::vector<OrientedBox> obstacles;  ///< may be empty
 };
 
-/// Returns the box around the text of an attack, for the size that most texts have. `scale`, also
-/// of addAttackWords(): letterScale().
+/// Returns the box around the text of an attack, for the size that most texts have, whatever the
+/// present text is. `scale`, also of addAttackWords(): letterScale().
 OrientedBox wordsBox(const collision_forge::Attack& attack, const WordsPlace& place, double scale);
 
 /// Adds `words`, the countdown or verdict of an attack, at wordsBox() (namespaces "words" and
-/// "words_plate"), and on the opposite side, above or below the box `attacker`, the short form of
-/// the attacker's id ("ids"). The sides depend only on `attack` and `place`, so that texts do not
-/// jump. The id is omitted while it overlaps the text.
+/// "words_plate"), and on the opposite side, above or below the box `attacker` (the attacker in the
+/// picture), the short form of the attacker's id ("ids"). The sides depend only on `attack` and
+/// `place`, so that texts do not jump. The id is omitted while it overlaps the text.
 void addAttackWords(const collision_forge::Attack& attack, const WordsPlace& place,
                     const OrientedBox& attacker, const std::string& words, double scale,
                     MarkerList& markers);
 
-/// Adds a vehicle's path along `points` up to `end` (s, clock of the points) with a ghost of `size`
-/// every 0.5 s from the first point on, in the namespaces NAME_path, NAME_ghosts and
-/// NAME_ghost_outlines.
+/// Adds a vehicle's path along the points up to `end` (s, clock of the points; inclusive, infinity:
+/// all) with a ghost of `size` at the first point and then at the first point after each further
+/// 0.5 s, in the namespaces NAME_path, NAME_ghosts and NAME_ghost_outlines. Adds nothing without
+/// points up to `end`.
 void addPath(const std::string& name, const std::vector<TrajectoryPoint>& points, double end,
              const BoxSize& size, const colors::MarkerColor& color, MarkerList& markers);
 
 /// Adds the boxes of both vehicles at contact ("contact_boxes"), below the boxes of moving
-/// vehicles, and a disc ("contact") at touchPoint(), which is returned. `ego` has the ego's colour.
+/// vehicles, and a disc ("contact") at touchPoint(), which is returned. `ego` gets the ego's
+/// colour, `other` gets `other_color`.
 Vector2 addContact(const OrientedBox& ego, const OrientedBox& other,
                    const colors::MarkerColor& other_color, MarkerList& markers);
 

@@ -11,11 +11,11 @@ namespace forge {
 /// jumps back or Reset is pressed, and receives a latched message only once. Not thread-safe.
 class RepeatedMarkers {
  public:
-  static constexpr double kInterval = 1.0;  ///< s of the wall clock between two repeat()
+  static constexpr double kInterval = 1.0;  ///< s of the wall clock between two calls of repeat()
 
   /// Has no topic; assign an object with a topic before publish(). repeat() does nothing.
   RepeatedMarkers() = default;
-  /// Advertises `topic`, resolved by `node`.
+  /// Advertises `topic`, resolved by `node`, as latched; publishes nothing yet.
   RepeatedMarkers(ros::NodeHandle& node, const char* topic)
       : publisher_(node.advertise<visualization_msgs::MarkerArray>(topic, 1, true)) {}
 

@@ -18,7 +18,7 @@ namespace forge {
 
 inline constexpr char kSceneUpdateType[] = "foxglove_msgs/SceneUpdate";
 inline constexpr char kSceneUpdateMd5[] = "59bc58a3679e8fc3874b14b39276e03a";  ///< MD5 of the type
-/// Returns the definition text with all nested types, as in a connection's header.
+/// Returns the definition text of SceneUpdate with all nested types, as in a connection's header.
 const std::string& sceneUpdateDefinition();
 
 /// CubePrimitive and SpherePrimitive, which have the same fields: a cuboid or an ellipsoid.
@@ -61,7 +61,8 @@ struct SceneUpdate {
   std::vector<SceneEntity> entities;
 };
 
-/// Returns the message as ROS 1 serialises it.
+/// Returns the message as ROS 1 serialises it: one deletion of all entities, then the entities, in
+/// their order, without an end of their lifetime.
 std::string toRosBytes(const SceneUpdate& update);
 
 }  // namespace forge

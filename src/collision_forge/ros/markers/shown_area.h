@@ -24,10 +24,10 @@ struct ShownArea {
 ShownArea areaAround(const std::vector<OrientedBox>& boxes, double shortest_width);
 
 /// Returns the factor for letter heights that keeps texts at the same size on a screen that shows
-/// `area`: 1 for an area of width kUsualWidth, and within [0.6, 3].
+/// `area`: its width (1.4 times its height if that is more) over kUsualWidth, within [0.6, 3].
 double letterScale(const ShownArea& area);
 
-/// Returns the four corners, counterclockwise from `lowest`, as float32.
+/// Returns the four corners, counterclockwise from `lowest`, as float32, with z 0.
 geometry_msgs::PolygonStamped toMessage(const ShownArea& area, const std_msgs::Header& header);
 
 inline constexpr double kUsualWidth = 80.0;  // m, of an area around the ego alone

@@ -39,8 +39,10 @@
 /// fromMessage() returns the core's type, toMessage() the message. Poses and points are in the map
 /// frame, and messages with a header get this frame; units as in the types. Poses are planar: z,
 /// roll and pitch are dropped, and 0 in messages. Stamps are seconds on the scene's clock; times
-/// (s) become stamps by stampOf(). `now`: t0, s; the stamp of the header. Numbers are not checked
-/// unless a comment says so; functions without a comment on exceptions throw only as stampOf().
+/// (s) become stamps by stampOf(). `now`: t0, s; the stamp of the header. Lists keep their order,
+/// an empty list stays empty. Numbers are not checked unless a comment says so; functions without a
+/// comment on exceptions throw only as stampOf(). The message definitions (msg/, srv/) document the
+/// fields.
 namespace forge {
 
 /// Thrown for an invalid message; the text has field and value.
@@ -57,7 +59,7 @@ void requireMapFrame(const std_msgs::Header& header, const char* topic);
 /// toSec() would then differ. Throws std::runtime_error as ros::Time for a time out of its range.
 ros::Time stampOf(double time);
 
-/// The yaw is NaN for a quaternion that is not finite; the quaternion need not be normalised.
+/// The yaw is in [-pi, pi], and NaN for a quaternion that is not finite. A Pose2D's yaw is copied.
 Pose2 fromMessage(const geometry_msgs::Pose& message);
 Pose2 fromMessage(const geometry_msgs::Pose2D& message);
 Pose2 fromMessage(const geometry_msgs::Transform& message);
@@ -73,7 +75,8 @@ std::optional<BoxSize> egoSizeOf(const collision_forge::EgoVehicle& message);
 TrajectoryPoint fromMessage(const collision_forge::TrajectoryPoint& message);
 collision_forge::TrajectoryPoint toMessage(const TrajectoryPoint& point);
 
-/// Throws MessageError for an unknown kind of map feature.
+/// A speed limit of 0 or less is none; any driving side but DRIVE_LEFT is right. Throws
+/// MessageError for an unknown kind of map feature.
 LaneMap fromMessage(const collision_forge::LaneMap& message);
 /// `stamp`: stamp of the header. Corners of polygons become float32, relative to the message's
 /// `origin`: an error below 1 mm within 6 km of it.
@@ -106,19 +109,20 @@ collision_forge::Future toMessage(const Future& future);
 Snapshot fromMessage(const collision_forge::SceneSnapshot& message);
 /// The message has no map.
 collision_forge::SceneSnapshot toMessage(const Snapshot& snapshot);
-/// `encoding`: the encoding of `snapshot`.
+/// `encoding`: the encoding of `snapshot`; EncodedScene.msg documents the axes of the tensors.
 collision_forge::EncodedScene toMessage(const Snapshot& snapshot, const SceneEncoding& encoding);
 
-/// Returns the request, or a Status with kUnknownType or kInvalidInput and the field and value at
-/// fault; checkRequest() checks the numbers. An empty mode is history; `believable` and `limits`,
-/// if empty, and the rest of the crash definition come from `crash`. Ranges with both bounds 0
-/// allow any value. Adaptive requests have no minimum confidence, because only the first plan is
-/// known.
+/// Returns the request, or a Status with kUnknownType (also for an empty type) or kInvalidInput and
+/// the field and value at fault; checkRequest() checks the numbers. An empty mode is history; a
+/// seed or number of alternatives of 0 is the default of CollisionRequest; `believable` and
+/// `limits`, if empty, and the rest of the crash definition come from `crash`. Ranges with both
+/// bounds 0 allow any value. Adaptive requests have no minimum confidence, because only the first
+/// plan is known.
 std::variant<CollisionRequest, Status> fromMessage(const collision_forge::CollisionRequest& message,
                                                    const CrashDefinition& crash);
-/// Returns `request` with the message's mode (empty: history) and the other fields that the message
-/// sets to something else than empty or 0; the type stays, whatever the message has. Returns
-/// kInvalidInput as fromMessage().
+/// Returns `request` with the message's mode (empty: history; adaptive: minimum confidence 0) and
+/// the other fields that the message sets to something else than empty or 0; the type stays,
+/// whatever the message has. Returns kInvalidInput as fromMessage().
 std::variant<CollisionRequest, Status> withFieldsOf(
     const collision_forge::CollisionRequest& message, CollisionRequest request);
 /// Writes every field that a request sets, defaults included (an unset constraint is "" or 0); of
@@ -130,7 +134,8 @@ collision_forge::CollisionRequest toMessage(const CollisionRequest& request);
 collision_forge::CollisionRequest requestIn(
     const collision_forge::GenerateCollision::Request& message);
 
-/// Throws MessageError for an unknown collision type.
+/// The time is the stamp of the header plus `tta`. Throws MessageError for an unknown collision
+/// type.
 CollisionPattern fromMessage(const collision_forge::CollisionPattern& message);
 collision_forge::CollisionPattern toMessage(const CollisionPattern& pattern, double now);
 
@@ -139,7 +144,8 @@ collision_forge::CollisionPattern toMessage(const CollisionPattern& pattern, dou
 ReferencePath fromMessage(const collision_forge::AttackerPath& message);
 collision_forge::AttackerPath toMessage(const ReferencePath& way, const std::string& attacker_id);
 
-/// Returns true for the empty attack, which is published when an attack has ended.
+/// Returns true for the empty attack (without an attacker's id), which is published when an attack
+/// has ended.
 inline bool isNone(const collision_forge::Attack& attack) {
   return attack.trajectory.attacker_id.empty();
 }
@@ -162,14 +168,17 @@ collision_forge::CollisionReport toMessage(const CollisionReport& report,
 /// `verified` and `believable`, which follow from the other fields.
 CollisionReport fromMessage(const collision_forge::CollisionReport& message);
 
-/// Returns an attack with kOk and without alternatives. Throws like fromMessage() of pattern,
+/// Returns an attack with kOk and without alternatives; the fields about plans (adaptive, phase,
+/// decision, decided, plans) have no counterpart. Throws like fromMessage() of pattern,
 /// trajectory and report, and MessageError for an unknown role of a support vehicle.
 Attack fromMessage(const collision_forge::Attack& message);
 /// `answer` must have the status kOk; its alternatives are left out. `method`: name of the method.
+/// The attack is not marked as adaptive (setPlans()).
 collision_forge::Attack toMessage(const Attack& answer, const std::string& method, double now);
 
-/// Marks an attack as adaptive and sets its phase, its last decision with its time, and the number
-/// of plans, from AttackerPolicy::plans(). `plans` must not be empty.
+/// Marks an attack as adaptive and sets its phase, its last decision (also in its report) with its
+/// time, and the number of plans, from `plans`, the result of AttackerPolicy::plans() in order of
+/// time. `plans` must not be empty.
 void setPlans(const std::vector<AttackerPlan>& plans, collision_forge::Attack& message);
 
 }  // namespace forge

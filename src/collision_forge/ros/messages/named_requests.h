@@ -17,12 +17,14 @@ struct NamedRequest {
 };
 
 /// Returns the requests that a message means, in the order in which the caller tries them until one
-/// has an attack: the cells of the scenario `message.name`, else exactly one, from `message.text`
-/// or from the other fields. Other fields of the message override the fields that a cell or text
-/// sets. For a text, sets `understood` and `not_understood` of `response`; the rest of it stays.
+/// has an attack: the cells of the scenario `message.name` (at least one), else exactly one, from
+/// `message.text` or, if both are empty, from the other fields. Other fields of the message
+/// override the fields that a cell or text sets. `vocabulary`: catalogue and words for names and
+/// texts. For a text, sets `understood` and `not_understood` of `response`; the rest of it stays.
 /// `crash`: definition for all requests, as in fromMessage(). Returns kInvalidInput for an unknown
 /// or impossible name, for a text that readPhrase() rejects, and if more than one of name, text and
-/// collision_type is set; else the status of fromMessage(). Throws nothing.
+/// collision_type is set; else the status of fromMessage() or withFieldsOf(). Throws nothing for
+/// invalid messages.
 std::variant<std::vector<NamedRequest>, Status> requestsOf(
     const collision_forge::GenerateCollision::Request& message, const RequestVocabulary& vocabulary,
     const CrashDefinition& crash, collision_forge::GenerateCollision::Response& response);

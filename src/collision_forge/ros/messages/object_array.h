@@ -38,7 +38,8 @@ struct ObjectArray {
 std::uint32_t objectId(const std::string& agent_id);
 
 /// Converts a frame of agents; header and order are kept. A class that derived_object_msgs lacks
-/// becomes "other vehicle" (bus, trailer, construction and emergency vehicle) or "unknown".
+/// becomes "other vehicle" (bus, trailer, construction and emergency vehicle) or "unknown" (animal,
+/// static object, unknown constant). Nothing is checked.
 ObjectArray toObjects(const collision_forge::AgentArray& agents);
 
 }  // namespace forge

@@ -15,7 +15,8 @@ namespace forge {
 nav_msgs::Path toPath(const std::vector<TrajectoryPoint>& points);
 
 /// Returns the known states of `track` from `begin` to `end` (s, clock of the track), with
-/// interpolated states at both unless the track has none there (stateAt()).
+/// interpolated states at both unless the track has none there (stateAt()). Requires `begin` <
+/// `end`.
 nav_msgs::Path toPath(const Track& track, double begin, double end);
 
 }  // namespace forge

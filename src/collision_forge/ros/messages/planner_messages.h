@@ -15,9 +15,10 @@
 /// Message conversions for planner tests.
 namespace forge {
 
-/// Returns the input of an external planner; its stamp is the time of the call. `test`: number of
-/// the test, which the planner copies into its response; `interval`: s to the next call of the
-/// planner.
+/// Returns the input of an external planner (PlanningState.msg); its stamp is the time of the call,
+/// that is of the observed ego. `observation` gives ego, agents and red lanes, `task` ego size,
+/// wheelbase and the poses along the route. `test`: number of the test, which the planner copies
+/// into its response; `interval`: s to the next call of the planner.
 collision_forge::PlanningState toMessage(const Observation& observation, const DrivingTask& task,
                                          std::uint32_t test, double interval);
 
@@ -27,7 +28,8 @@ collision_forge::PlanningState toMessage(const Observation& observation, const D
 std::vector<TrajectoryPoint> fromMessage(const collision_forge::PlannedTrajectory& message);
 
 /// Returns the result of a planner test for the topic planner_outcome, in frame `map` with t0 as
-/// stamp. `planner`: name of the planner; `policy`: of the attacker. `trial.outcome.driven` must
+/// stamp; fields that PlannerOutcome.msg marks as valid only if collided or avoidable are else 0 or
+/// empty. `planner`: name of the planner; `policy`: of the attacker. `trial.outcome.driven` must
 /// not be empty.
 collision_forge::PlannerOutcome toMessage(const PlannerTrial& trial, const std::string& planner,
                                           PolicyKind policy);

@@ -17,7 +17,8 @@
 namespace forge {
 
 /// Detects the transforms of /tf that move the ego: their child is the first frame, going from
-/// `base_frame` to its parents, that /tf_static does not fix to its parent.
+/// `base_frame` to its parents, that /tf_static does not fix to its parent; `base_frame` itself
+/// before the first addFixed().
 class EgoMovers {
  public:
   explicit EgoMovers(std::string base_frame = names::kBaseFrame)
@@ -61,7 +62,7 @@ class PosedFrames {
   /// A message with the ego's pose at its stamp.
   struct PosedFrame {
     Pointer message;
-    geometry_msgs::Transform pose;  ///< base_link in the map frame, interpolated
+    geometry_msgs::Transform pose;  ///< base_link in the map frame, interpolated (tf2)
     std::size_t dropped = 0;        ///< number of dropped frames before it, without a transform
   };
 
@@ -94,8 +95,9 @@ class PosedFrames {
     if (waiting_.size() > kQueue) waiting_.pop_front();
   }
 
-  /// Removes and returns the first queued frame whose transform is known; drops the frames queued
-  /// before it. Returns nullopt, and drops nothing, if no transform is known.
+  /// Removes and returns the first queued frame whose transform (map to base_link at its stamp,
+  /// never extrapolated) is known; drops the frames queued before it. Returns nullopt, and drops
+  /// nothing, if there is no such frame.
   std::optional<PosedFrame> next() {
     for (std::size_t i = 0; i < waiting_.size(); ++i) {
       const ros::Time stamp = waiting_[i]->header.stamp;

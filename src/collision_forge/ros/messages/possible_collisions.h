@@ -16,8 +16,9 @@ namespace forge {
 /// Returns one request per type and time to attack (s from t0), in the order of `types`, then of
 /// `ttas`; the other fields come from `request`. `types`: names, "any" means all; empty: the
 /// type of the request's manoeuvre, or without one the five types of kCollisionTypes. Empty `ttas`:
-/// `usual_ttas`. Returns kInvalidInput if `request` has a type or a time, kUnknownType for an
-/// unknown type, else the status of the failed conversion. `crash`: as in fromMessage().
+/// `usual_ttas`. A type named twice has its requests twice. Returns kInvalidInput if `request` has
+/// a type or a time, kUnknownType for an unknown type, else the status of the failed conversion.
+/// `crash`: as in fromMessage().
 std::variant<std::vector<CollisionRequest>, Status> requestsForEach(
     collision_forge::CollisionRequest request, const std::vector<std::string>& types,
     std::vector<double> ttas, const std::vector<double>& usual_ttas, const CrashDefinition& crash);
@@ -29,8 +30,10 @@ collision_forge::CollisionAnswer toMessage(const CollisionRequest& request, cons
 
 /// Appends a summary of each attack of `answers` and of its alternatives to `collisions`: in the
 /// order of the answers, and within each answer by descending confidence. Skips failures that
-/// depend on the scene (dependsOnScene()); stops at and returns the first other failure. Otherwise
-/// returns kOk, with the most frequent reason of rejection as message if `collisions` is empty.
+/// depend on the scene (dependsOnScene()); stops at the first other failure and returns its code
+/// and message. Otherwise returns kOk, with the most frequent reason of rejection (of several the
+/// one that comes first) as message if `collisions` is then empty; the message is "" without
+/// answers.
 Status listPossible(const std::vector<collision_forge::CollisionAnswer>& answers,
                     std::vector<collision_forge::PossibleCollision>& collisions);
 

@@ -8,11 +8,11 @@
 namespace forge {
 
 /// Returns the result of verification, as "crash as requested, 4.02 s after t0, ...", with the
-/// violated conditions; "no contact" without a contact.
+/// violated conditions of limits, other agents and plausibility; "no contact" without a contact.
 std::string lineOf(const collision_forge::CollisionReport& report);
 
-/// Returns collision type, attacker and confidence of an attack, followed by lineOf() its report.
-/// The attack must not be empty (isNone()).
+/// Returns collision type, attacker (full id, added or recorded, class) and confidence of an
+/// attack, followed by lineOf() its report. The attack must not be empty (isNone()).
 std::string summaryOf(const collision_forge::Attack& attack);
 
 }  // namespace forge

@@ -5,7 +5,8 @@
 
 namespace forge {
 
-/// Returns true if two times in us differ by at most 1 us, the rounding error of stamps.
+/// Returns true if two times in us (of one clock) differ by at most 1 us, the rounding error of
+/// stamps.
 inline bool isSameInstant(std::int64_t a_us, std::int64_t b_us) {
   const std::int64_t apart = a_us - b_us;
   return apart >= -1 && apart <= 1;

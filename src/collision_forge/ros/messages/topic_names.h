@@ -1,9 +1,9 @@
 #pragma once
 
 /// Names of topics, services and frames, in one place, each with its message or service type.
-/// Relative: they follow a node's namespace; bagTopic() returns the name in a bag. Types without a
-/// package are of collision_forge, MarkerArray is visualization_msgs/MarkerArray. Poses are in the
-/// map frame.
+/// Names without a leading slash are relative: they follow a node's namespace; bagTopic() returns
+/// the name in a bag. Types without a package are of collision_forge, MarkerArray is
+/// visualization_msgs/MarkerArray. Poses are in the map frame.
 namespace forge::names {
 
 // As recorded.
@@ -13,11 +13,11 @@ inline constexpr char kEgoVehicle[] =
     "ego_vehicle";  // EgoVehicle, latched, of recordings that contain the ego's box
 inline constexpr char kTrafficLights[] = "traffic_lights";        // TrafficLightArray, latched
 inline constexpr char kLightMarkers[] = "traffic_light_markers";  // MarkerArray, latched
-inline constexpr char kOdometry[] = "odom";  // nav_msgs/Odometry, in bags alone
+inline constexpr char kOdometry[] = "odom";  // nav_msgs/Odometry of base_link, in bags alone
 inline constexpr char kAnnotationMarkers[] =
-    "annotation_markers";  // visualization_msgs/MarkerArray
+    "annotation_markers";  // MarkerArray, in bags alone: boxes of the agents (annotationMarkers())
 inline constexpr char kAgentObjects[] =
-    "agent_objects";                               // derived_object_msgs/ObjectArray, in bags
+    "agent_objects";  // derived_object_msgs/ObjectArray, in bags alone: the agents (toObjects())
 inline constexpr char kTf[] = "/tf";               // tf2_msgs/TFMessage
 inline constexpr char kStaticTf[] = "/tf_static";  // tf2_msgs/TFMessage, latched
 
@@ -36,8 +36,8 @@ inline constexpr char kInjectedAgents[] =
     "injected_agents";  // AgentArray: agents with the attacker on its trajectory
 inline constexpr char kInjectedObjects[] =
     "injected_objects";                               // derived_object_msgs/ObjectArray: the same
-inline constexpr char kMapMarkers[] = "map_markers";  // MarkerArray, latched
-inline constexpr char kSceneMarkers[] = "scene_markers";      // MarkerArray
+inline constexpr char kMapMarkers[] = "map_markers";  // MarkerArray, latched: mapMarkers()
+inline constexpr char kSceneMarkers[] = "scene_markers";      // MarkerArray: liveMarkers()
 inline constexpr char kPatternMarkers[] = "pattern_markers";  // MarkerArray, latched
 inline constexpr char kAttackMarkers[] = "attack_markers";    // MarkerArray, latched
 inline constexpr char kAttackPath[] = "attack_path";          // nav_msgs/Path, latched: attacker
@@ -47,9 +47,11 @@ inline constexpr char kSensorsMatchUntil[] =
     "sensors_match_until";  // std_msgs/Time, latched, in bags with changed clouds: the contact
 inline constexpr char kShownArea[] =
     "shown_area";  // geometry_msgs/PolygonStamped: corners of the part of the map to show
-inline constexpr char kPlannerOutcome[] = "planner_outcome";             // PlannerOutcome, latched
-inline constexpr char kPlannerMarkers[] = "planner_markers";             // MarkerArray, latched
-inline constexpr char kPlannerSceneMarkers[] = "planner_scene_markers";  // MarkerArray
+inline constexpr char kPlannerOutcome[] = "planner_outcome";  // PlannerOutcome, latched
+inline constexpr char kPlannerMarkers[] =
+    "planner_markers";  // MarkerArray, latched: plannerMarkers()
+inline constexpr char kPlannerSceneMarkers[] =
+    "planner_scene_markers";  // MarkerArray: rolloutMarkers()
 inline constexpr char kPlannerTestShown[] =
     "planner_test_shown";  // std_msgs/Bool, latched: true while a planner test is animated
 inline constexpr char kPlannerPath[] = "planner_path";      // nav_msgs/Path, latched: driven ego
@@ -68,9 +70,11 @@ inline constexpr char kPlayerPosition[] =
     "player/position";  // std_msgs/Float64, s from the bag's first frame of agents
 inline constexpr char kPlayerLength[] = "player/length";  // std_msgs/Float64, s, latched
 inline constexpr char kPlayerPause[] = "player/pause";    // service, std_srvs/SetBool; true: pause
-inline constexpr char kPlayerStep[] = "player/step";      // service, std_srvs/Trigger
-inline constexpr char kPlayerBackToNow[] = "player/back_to_now";  // as step
-inline constexpr char kPlayerSeek[] = "player/seek";              // service, Seek
+inline constexpr char kPlayerStep[] =
+    "player/step";  // service, std_srvs/Trigger: to the next frame of agents
+inline constexpr char kPlayerBackToNow[] =
+    "player/back_to_now";  // service, std_srvs/Trigger: to t0 of the newest attack
+inline constexpr char kPlayerSeek[] = "player/seek";  // service, Seek
 
 // Made by an external planner.
 inline constexpr char kPlannedTrajectory[] = "planned_trajectory";  // PlannedTrajectory

@@ -31,29 +31,33 @@ class AttackFinder {
 
   /// Returns the available methods; valid as long as this object.
   const MethodRegistry& methods() const { return methods_; }
-  /// Returns the name of the method that answer() uses if none is requested.
+  /// Returns the name of the method that answer() uses if none is requested
+  /// (forge::defaultMethod()).
   const std::string& defaultMethod() const { return default_method_; }
   /// Returns the models of the configuration; valid as long as this object.
   const PredictionModels& models() const { return models_; }
 
-  /// Returns the moment at the t0 of `scene`: of the recording if it has a frame at that time with
-  /// the same ego position, else with the newest lane_map. Returns kNoScene without a usable
-  /// lane_map, for which it waits as LaneMapSubscriber::lanesOfScene(). Throws MessageError and
-  /// InputError for an unusable scene.
+  /// Returns the moment at the t0 of `scene`. If the recording has a frame at that time (to 1 ms)
+  /// with the same ego position (to 0.1 m), the moment comes from the recording, with its future
+  /// and map; else it has the scene's states, no future, and the newest lane_map. In the second
+  /// case returns kNoScene without a usable lane_map, for which the function waits as
+  /// LaneMapSubscriber::lanesOfScene(). Throws MessageError and InputError for an unusable scene.
   std::variant<Moment, Status> momentOf(const collision_forge::SceneSnapshot& scene) const;
 
-  /// Returns the attack for `request`, or a status with the reason of rejection. `method`: a name
-  /// of methods(); empty: the default. Only with the default method `on_prediction` is called, with
-  /// each response of predict_pattern, in the calling thread. Throws MessageError and InputError
-  /// for an unusable response of a service.
+  /// Returns the attack for `request`, or a status with the reason of rejection: kInvalidInput for
+  /// an unknown method, kNoRecording and kBeyondRecording as the class comment says, else the
+  /// status of generateCollision(). `method`: a name of methods(); empty: the default. Only with
+  /// the default method `on_prediction` is called, with each response of predict_pattern, in the
+  /// calling thread. Throws MessageError and InputError for an unusable response of a service.
   Attack answer(
       const Moment& moment, const CollisionRequest& request, const std::string& method,
       const PatternPredictorService::OnPrediction& on_prediction = [](const auto&) {}) const;
 
-  /// Returns true if the replayed bag already contains an attack.
+  /// Returns true if the replayed bag already contains an attack; false without a recording.
   bool isRecordingAttacked() const { return !attack_in_recording_.empty(); }
 
  private:
+  /// Sets `recording_` and `attack_in_recording_` from the bag at `path`; logs a failure.
   void loadRecording(const std::string& path);
   /// Runs the method without a check of the recording.
   Attack find(const Moment& moment, const CollisionRequest& request, const std::string& method,

@@ -35,9 +35,10 @@ class ExternalPlanner : public Planner {
   /// planned_trajectory; throws PlannerTimeout if none does within ExternalOptions::timeout.
   void initialize(const DrivingTask& task) override;
   /// Publishes the observation and blocks until the plan arrives; returns its points as
-  /// Planner::plan(). Throws PlannerTimeout if none arrives within ExternalOptions::timeout (s,
-  /// wall clock) or the planner's node disconnects after the first tick, LatePlan for a plan of
-  /// another tick, MessageError like fromMessage(), InputError like checkPlan().
+  /// Planner::plan() (an empty plan is valid). initialize() must have been called. Throws
+  /// PlannerTimeout if none arrives within ExternalOptions::timeout (s, wall clock) or the
+  /// planner's node disconnects after the first tick, LatePlan for a plan of another tick,
+  /// MessageError like fromMessage(), InputError like checkPlan().
   std::vector<TrajectoryPoint> plan(const Observation& observation) override;
 
  private:
@@ -50,7 +51,7 @@ class ExternalPlanner : public Planner {
   DrivingTask task_;
   std::uint32_t test_ = 0;  // number of the test, from 1
   ros::Time first_;         // stamp of the first tick of the test; zero before it
-  ros::Time current_;       // stamp of the current tick
+  ros::Time current_;       // stamp of the current tick, the time of its observation
   std::deque<collision_forge::PlannedTrajectoryConstPtr> answers_;  // plans for `test_`, unread
   ros::CallbackQueue queue_;                                        // served inside plan()
   ros::Publisher publisher_;

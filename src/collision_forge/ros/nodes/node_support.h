@@ -26,7 +26,8 @@ namespace forge {
 /// Queue size of subscriptions, messages: a bag may be played as fast as it can be read.
 inline constexpr int kTopicQueue = 10000;
 
-/// Returns the package's config/ folder, overlaid with the folder `overlay` unless that is empty.
+/// Returns the package's config/ folder, overlaid with the folder at path `overlay` unless that is
+/// empty; reads no file.
 ConfigFolder packageConfig(const std::string& overlay);
 
 /// Loads the configuration of a node with packageConfig(); its private parameter `config_dir`
@@ -51,7 +52,7 @@ auto loadLogged(const char* what, Load load) {
 class LaneMapSubscriber {
  public:
   /// Calls `on_map` after each valid map, in the thread that received it, when lanes() already
-  /// returns the map. `limits`: for checkMap().
+  /// returns the map. `limits`: for checkMap(). `node` resolves the topic; its queue receives.
   LaneMapSubscriber(
       ros::NodeHandle& node, const InputLimits& limits, std::function<void()> on_map = [] {});
 
@@ -83,9 +84,10 @@ struct CheckedRequest {
 };
 
 /// Converts both messages and checks them with checkSnapshot() and checkRequest(). Returns the
-/// status of the first failed check: of fromMessage(), kUnknownType for type "any", kNoScene if
-/// `map` has no map (lanesOfScene()), or of checkRequest(). Throws MessageError as fromMessage()
-/// and InputError as checkSnapshot().
+/// status of the first failed check, in this order: of fromMessage(), kUnknownType for type "any",
+/// kNoScene if `map` has no map (lanesOfScene()), or of checkRequest(). `config`: crash definition,
+/// input limits and prediction options. Throws MessageError as fromMessage() and InputError as
+/// checkSnapshot().
 std::variant<CheckedRequest, Status> checkedRequest(
     const LaneMapSubscriber& map, const collision_forge::SceneSnapshot& scene,
     const collision_forge::CollisionRequest& request, const Config& config);

@@ -11,18 +11,20 @@
 
 namespace forge {
 
-/// Animates the rollout of a planner test in a loop at wall-clock speed, on the topics
-/// `planner_markers`, `planner_scene_markers` and `shown_area`. Meanwhile `planner_test_shown` is
-/// true, and other nodes leave the picture unchanged. The animation ends on stop() and when a
-/// paused replay (with /clock) continues; over a running replay it plays once. Thread-safe.
+/// Animates the rollout of a planner test, from t0 to ShownRollout::standTime(), in a loop at
+/// wall-clock speed with a pause of 3 s at the end, on the topics `planner_markers`,
+/// `planner_scene_markers` and `shown_area`. Meanwhile `planner_test_shown` is true, and other
+/// nodes leave the picture unchanged. The animation ends on stop() and when a paused replay (with
+/// /clock) continues; over a running replay it plays once. Thread-safe.
 class PlannerPlayback {
  public:
   /// Publishes from wall timers of `node`, in its callback queue. `severity`: for the motion after
   /// a contact.
   PlannerPlayback(ros::NodeHandle node, const SeverityOptions& severity);
 
-  /// Shows a test, in place of the one shown before. `trial`: the test of the planner named
-  /// `planner` in `scenario`.
+  /// Shows a test from its begin, in place of the one shown before. `trial`: the test of the
+  /// planner named `planner` in `scenario`; all three are copied. `trial.outcome.driven` must not
+  /// be empty.
   void play(const PlannerTrial& trial, const CrashScenario& scenario, const std::string& planner);
   /// Ends the animation and deletes its markers; does nothing if no test is shown.
   void stop();

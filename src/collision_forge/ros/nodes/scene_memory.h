@@ -33,9 +33,10 @@ class SceneMemory {
   std::variant<Scene, Status> newest(double clock) const;
 
   /// Returns the newest scene whose stamp is at or before `asked`, rounded by stampOf() like the
-  /// scenes' stamps. Blocks up to LiveOptions::wait_for wall-clock seconds until a scene with this
-  /// or a later stamp arrives; returns kStaleScene if none does, kNoScene if there is no scene at
-  /// all. Returns kNoScene for a stamp before the oldest kept scene.
+  /// scenes' stamps. Unless a scene with this or a later stamp is kept, blocks up to
+  /// LiveOptions::wait_for wall-clock seconds until one arrives; returns kStaleScene if none does,
+  /// kNoScene if there is no scene at all. Returns kNoScene for a stamp before the oldest kept
+  /// scene.
   std::variant<Scene, Status> at(const ros::Time& asked) const;
 
  private:

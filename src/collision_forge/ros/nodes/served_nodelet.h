@@ -6,8 +6,8 @@
 
 namespace forge {
 
-/// A nodelet with its own callback queue, which outlives the members of derived classes. Something
-/// must serve the queue: Served does.
+/// A nodelet with its own callback queue, which outlives the members of derived classes. Callbacks
+/// run only if the queue is served: Served does this.
 class QueuedNodelet : public nodelet::Nodelet {
  protected:
   /// Called by the nodelet loader; calls start() with a handle whose callbacks go to the queue.

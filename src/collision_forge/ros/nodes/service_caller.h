@@ -22,13 +22,14 @@ namespace forge {
 class ServiceCaller {
  public:
   /// `resolved_name`: of the service, with its namespace. `answer_within`: timeout of one attempt,
-  /// s of the wall clock.
+  /// s of the wall clock; a call makes up to two. Makes no connection yet.
   ServiceCaller(std::string resolved_name, double answer_within)
       : name_(std::move(resolved_name)), answer_within_(answer_within) {}
 
   /// Sends `service.request`, blocks, and fills `service.response`. Returns the status in the
-  /// response; kNodeUnavailable if neither a kept nor a new connection gets a response in time.
-  /// Makes at most two attempts. `Service`: a generated service type.
+  /// response (`code`, `message`); kNodeUnavailable, with the response unspecified, if neither of
+  /// two attempts, the first with a kept connection if there is one, the second with a new one,
+  /// gets a response in time. `Service`: a generated service type.
   template <typename Service>
   Status call(Service& service) {
     if (isAnswered(keptConnection<Service>(), service) ||

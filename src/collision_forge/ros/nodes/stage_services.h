@@ -22,10 +22,11 @@ class PatternPredictorService : public PatternPredictor {
                           OnPrediction on_prediction)
       : caller_(caller), limits_(limits), on_prediction_(std::move(on_prediction)) {}
 
-  /// Returns patterns, future and status of the service; a failed service may return no future.
-  /// Status kNodeUnavailable: no response. `lanes` is not sent: the service's node has its own map.
-  /// Throws MessageError as fromMessage() and InputError as checkFuture() and checkPattern() for an
-  /// invalid response.
+  /// Returns patterns, future and status of the service; if the status is not kOk, the service may
+  /// return no future, and then patterns and future are empty. `recorded`: the recorded future,
+  /// sent to the service; null: none, as in history mode. Status kNodeUnavailable: no response.
+  /// `lanes` is not sent: the service's node has its own map. Throws MessageError as fromMessage()
+  /// and InputError as checkFuture() and checkPattern() for an invalid response.
   PatternPrediction predict(const Snapshot& snapshot, const LaneIndex& lanes,
                             const CollisionRequest& request, const Future* recorded) const override;
 

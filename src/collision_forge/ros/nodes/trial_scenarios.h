@@ -15,8 +15,8 @@
 
 namespace forge {
 
-/// Thrown when a planner test is impossible: a code of TestPlanner.srv (its own constants or a
-/// StatusCode) and a message with field and value.
+/// Thrown when a planner test is impossible; what() names field and value. `refusal_code`: a code
+/// of TestPlanner.srv (one of its own constants or a StatusCode).
 struct TestRefusal : std::runtime_error {
   TestRefusal(std::uint8_t refusal_code, const std::string& message)
       : std::runtime_error(message), code(refusal_code) {}
@@ -38,16 +38,16 @@ class TrialScenarios {
   /// in readBag().
   TrialScenarios(TrialSources sources, const Config& config, std::vector<std::string>* warnings);
 
-  /// Returns the case for one line of a scenario file: `line` is its number from 1 in
-  /// TrialSources::scenarios, or the line itself, which begins with '{'. Throws TestRefusal, also
-  /// for a line without an attack and a scene that `logs` lacks, and other exceptions as
-  /// SceneSource::at() for a scene that cannot be read.
+  /// Returns the case (caseOfScenario()) for one line of a scenario file: `line` is its number from
+  /// 1 in TrialSources::scenarios, or the line itself, which begins with '{'. Throws TestRefusal:
+  /// NO_SCENARIO for a number without a line, UNREADABLE for a line or a scene that cannot be read
+  /// and a scene that `logs` lacks, and the code of the case's status if the line has no attack.
   PlannerCase ofLine(const std::string& line);
 
   /// Returns the case for a trajectory (scene clock, map frame) over the recording; t0 is the frame
   /// at which it starts. `type`: type of the crash. Only `scenario` and `scene` of the case are
-  /// filled in. `trajectory` must have points. Throws TestRefusal without a recording and if no
-  /// frame is at the trajectory's start (to 1 ms).
+  /// filled in. `trajectory` must have points. Throws TestRefusal: NO_RECORDING without a
+  /// recording, NO_SCENE if no frame is at the trajectory's start (to 1 ms).
   PlannerCase ofTrajectory(const AttackerTrajectory& trajectory, CollisionType type) const;
 
  private:

@@ -19,16 +19,19 @@ class FitViewDisplay : public rviz::Display {
   Q_OBJECT
 
  public:
-  /// Called by RViz for each picture; `wall_dt`: s of the wall clock since the last call.
+  /// Called by RViz for each picture; `wall_dt`: s of the wall clock since the last call; `ros_dt`
+  /// is not used. Moves the view a step towards the newest area (FollowingView); does nothing
+  /// before the first area and for a view that canFit() rejects.
   void update(float wall_dt, float ros_dt) override;
   /// Called when the user presses Reset or time jumps back: drops the user's zoom and offset.
   void reset() override;
 
  protected:
-  void onEnable() override;
-  void onDisable() override;
+  void onEnable() override;   ///< subscribes to the topic
+  void onDisable() override;  ///< unsubscribes; drops the area and the user's zoom and offset
 
  private:
+  /// Keeps the area; ignores one with fewer than three points.
   void receive(const geometry_msgs::PolygonStampedConstPtr& area);
   /// Returns true for a TopDownOrtho view whose target frame is the fixed frame.
   bool canFit(rviz::ViewController& view) const;

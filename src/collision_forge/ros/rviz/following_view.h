@@ -14,8 +14,9 @@ struct TopView {
   double scale = 1.0;  ///< pixels per metre
 };
 
-/// Returns the view that contains `area` (m, target frame) as large as possible in a picture of
-/// `width` x `height` pixels. `area` must have points and an extent along x and y.
+/// Returns the view that shows the bounding rectangle (along x and y) of the points of `area` (m,
+/// target frame) in the middle and as large as possible in a picture of `width` x `height` pixels.
+/// The points must have an extent along x and along y.
 TopView viewOf(const geometry_msgs::Polygon& area, int width, int height);
 
 /// Moves a view smoothly (exponentially, with a time constant of 0.35 s) to a changing area. Zoom
@@ -23,9 +24,9 @@ TopView viewOf(const geometry_msgs::Polygon& area, int width, int height);
 class FollowingView {
  public:
   /// Returns the view to show now, `duration` seconds after the last call. `shown` is the present
-  /// view in the picture: its difference to the last result is a change by the user. `goal` is
-  /// viewOf() the area. The first call returns `goal`; the view jumps to a goal that is more than
-  /// 150 m away.
+  /// view in the picture: its difference to the last result (more than 1 cm, or 0.1 % of the scale)
+  /// is a change by the user. `goal` is viewOf() the area. The first call returns `goal`; if the
+  /// goal is more than 150 m from the view without the user's offset, the view jumps there.
   TopView next(const TopView& shown, const TopView& goal, double duration);
   /// Drops the user's zoom and offset; the next call returns its goal.
   void reset() { set_.reset(); }

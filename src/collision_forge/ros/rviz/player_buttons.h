@@ -19,8 +19,9 @@ class QSlider;
 
 namespace forge {
 
-/// Controls of the node `player`: pause, step, back to now, a slider for the position in the bag,
-/// and a clock. Disabled without a player.
+/// Controls of the node `player`: pause or play, step (to the next frame of agents), back to now
+/// (t0 of the newest attack), a slider for the position in the bag, and a clock. Disabled while no
+/// player is there (isThere(), checked every 0.5 s).
 class PlayerButtons : public QWidget {
   Q_OBJECT
 
@@ -31,15 +32,16 @@ class PlayerButtons : public QWidget {
   void pause();
 
  Q_SIGNALS:
-  /// Emitted when the user starts or steps the player or moves it to another time.
+  /// Emitted when the user starts or steps the player or moves it to another time, before the
+  /// player responds; not when the user pauses it.
   void moved();
   /// Emitted with the reason when the player rejects a command or does not respond.
   void failed(const QString& problem);
 
  private:
   void createLayout();
-  void setPaused(bool is_paused);            // calls player/pause
-  void trigger(const char* service);         // calls player/step or player/back_to_now
+  void setPaused(bool is_paused);            // calls player/pause; true: pause, false: play
+  void trigger(const char* service);         // calls player/step or player/back_to_now by its name
   void showProblem(const QString& problem);  // emits failed() unless empty
   void seek();                               // calls player/seek with the slider's position
   void showPosition(const std_msgs::Float64& position);  // of player/position
@@ -55,8 +57,8 @@ class PlayerButtons : public QWidget {
   QPushButton* back_ = nullptr;
   QSlider* slider_ = nullptr;  ///< position in the bag, in steps of 0.1 s
   QLabel* clock_ = nullptr;    ///< "12.3 s of 19.5 s"
-  QLabel* said_ = nullptr;     ///< state of the player
-  bool is_paused_ = false;     ///< newest player/paused
+  QLabel* said_ = nullptr;     ///< "Paused.", "Plays.", or that there is no player
+  bool is_paused_ = false;     ///< newest player/paused; false before the first
   double position_ = 0.0;      ///< newest player/position, s from the bag's first frame of agents
 
   ros::NodeHandle node_;

@@ -8,8 +8,8 @@
 
 namespace forge {
 
-/// Table of feasible collisions, one per row: type, time to attack, attacker, confidence,
-/// manoeuvre.
+/// Table of feasible collisions, one per row: type, requested time to attack (s), attacker (class
+/// and short id; "added" for an added one), confidence (percent), manoeuvre. Empty at first.
 class PossibleTable : public QTableWidget {
   Q_OBJECT
 
@@ -20,7 +20,7 @@ class PossibleTable : public QTableWidget {
   void setCollisions(std::vector<collision_forge::PossibleCollision> collisions);
   /// Returns the collisions in the order of the rows.
   const std::vector<collision_forge::PossibleCollision>& collisions() const { return collisions_; }
-  /// Selects a row (index from 0) without emitting chosen().
+  /// Selects a row (index from 0, must exist) without emitting chosen().
   void mark(int row);
 
  Q_SIGNALS:
@@ -30,7 +30,7 @@ class PossibleTable : public QTableWidget {
  private:
   /// Emits chosen() for the selected row, if any.
   void choose();
-  /// Fills the row with this index.
+  /// Fills the row with the index `row`, which must exist, with the texts of `collision`.
   void addRow(int row, const collision_forge::PossibleCollision& collision);
 
   std::vector<collision_forge::PossibleCollision> collisions_;  ///< index: row

@@ -21,15 +21,15 @@ class ServiceCall {
   /// The response; empty if the call failed.
   using Answer = std::optional<typename Service::Response>;
 
-  /// `then` is called once per call of start() that was made, in the GUI thread, with the response,
-  /// or with an empty Answer if the call failed.
+  /// `then` is called once for each start() that began a call, in the GUI thread, with the
+  /// response, or with an empty Answer if the call failed.
   explicit ServiceCall(std::function<void(const Answer&)> then) {
     QObject::connect(&watcher_, &QFutureWatcherBase::finished,
                      [this, then = std::move(then)] { then(watcher_.result()); });
   }
 
   /// Calls the service `name` (relative to the node's namespace) without waiting. Does nothing
-  /// while another call runs: `request` is then dropped.
+  /// while another call runs: `request` is then dropped, and `then` is not called for it.
   void start(const std::string& name, typename Service::Request request) {
     if (watcher_.isRunning()) return;
     watcher_.setFuture(QtConcurrent::run(&caller_, [name, request]() mutable -> Answer {

@@ -20,7 +20,8 @@ struct EvaluationArguments {
   // Clips only:
   std::string collide;        ///< folder of the clips
   std::string split = "val";  ///< train, val or test
-  bool by_scene = false;      ///< redistribute published train and val so that they share no scene
+  bool by_scene = false;      ///< true: redistribute published train and val so that they share no
+                              ///< scene (listCollideClipsByScene()); false: use them as published
   std::size_t limit = 0;      ///< number of clips, from the first on; 0: all
   // Requests only:
   std::string requests;  ///< path of the request list; empty: evaluate clips
@@ -36,9 +37,9 @@ struct EvaluationArguments {
   int jobs = 1;         ///< threads
 };
 
-// Run the evaluation; resume an interrupted one. Print the tables and write
-// OUT/results.csv, OUT/table.md and OUT/table.csv. Return an exit code; throw ConfigError and
-// std::runtime_error.
+// Run the evaluation; resume an interrupted one. Print the tables and write OUT/results.csv,
+// OUT/table.md and OUT/table.csv. Return kExitOk; all failures throw: ConfigError,
+// std::runtime_error, and std::invalid_argument for an unknown method.
 /// Evaluates the clips of `split` in `collide`; ignores the fields for requests.
 int evaluateClips(const EvaluationArguments& arguments);
 /// Evaluates `requests`, which must not be empty; ignores the fields for clips.
@@ -51,7 +52,8 @@ struct EvaluationRun {
   Protocol protocol = Protocol::kStrict;  ///< determines the columns of results.csv
   RowsOf rows_of = RowsOf::kClips;        ///< determines the columns of results.csv
   std::string of;                         ///< plural noun for the items in messages, as "clips"
-  std::vector<std::string> items;         ///< names of the items, the column `name` of their rows
+  std::vector<std::string> items;         ///< names of the items, the column `name` of their rows,
+                                          ///< in the order of results.csv
   std::size_t rows_per_item = 1;          ///< number of rows that rowsOf() returns for each item
   int jobs = 1;                           ///< threads
   /// Returns the rows of items[index]; called from worker threads, once per item that no earlier
@@ -63,8 +65,8 @@ struct EvaluationRun {
 /// order of the items. Throws the exceptions of carryOut().
 std::vector<ResultRow> runEvaluation(const EvaluationRun& evaluation);
 
-/// Writes the rates of all tables (toCsv()), below one header, to FOLDER/table.csv. Throws
-/// std::runtime_error if the file cannot be written.
+/// Writes the rates of all tables (toCsv()), below one header, to FOLDER/table.csv, replacing it.
+/// Throws std::runtime_error if the file cannot be written.
 void writeRates(const std::vector<RateTable>& tables, const std::string& folder);
 
 }  // namespace forge

@@ -11,7 +11,7 @@ namespace forge {
 
 /// Returns the type with its heading band at contact narrowed to `heading` +- `spread` (rad), or
 /// less if the type's own band is narrower. A band that would exceed the type's own band is shifted
-/// into it. The nominal heading becomes `heading`.
+/// into it. `heading`, within the type's own band, becomes the nominal heading.
 TypeDefinition narrowedAbout(const TypeDefinition& definition, double heading, double spread);
 
 /// Returns a relative heading at contact (rad), uniformly distributed over the type's heading band,

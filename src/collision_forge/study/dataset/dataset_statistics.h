@@ -14,8 +14,8 @@ struct DatasetClip {
   std::string scene;     ///< name of the scene
   std::string location;  ///< name of the map
   CollisionType type = CollisionType::kRearEnd;
-  int length = 0;                 ///< frames (2 Hz) from begin to impact
-  double relative_heading = 0.0;  ///< rad, attacker's heading relative to the ego's at contact
+  int length = 0;                 ///< Attempt::length(), frame intervals from begin to impact
+  double relative_heading = 0.0;  ///< rad (-pi, pi], attacker's yaw minus ego's at contact
   double off_road_share = 0.0;    ///< 0..1, mean share of the attacker's box off the drivable area
 };
 
@@ -25,14 +25,16 @@ struct Attempts {
   std::size_t valid = 0;  ///< requests for which a clip was found, before balancing
 };
 
-/// Returns the text of statistics.csv, "group,value,train,val,test,all,share": one row per type,
-/// TTA (s, from t0 to the impact), location, and a last row "all,scenes" with the number of scenes.
-/// `share` is the share of all clips, 0..1, empty for scenes. Each line ends with "\n".
+/// Returns the text of statistics.csv, "group,value,train,val,test,all,share", with the numbers of
+/// clips in each split and in all: one row per type, then per TTA (s, from t0 to the impact), then
+/// per location, each ascending, and a last row "all,scenes" with the numbers of scenes. Values
+/// without a clip have no row. `share` is the share of all clips, 0..1, empty for scenes. Each line
+/// ends with "\n".
 std::string datasetCsv(const std::vector<DatasetClip>& clips);
 
 /// Returns the text of statistics.md: the tables of datasetCsv(), and for each type the clips
 /// tried, valid and kept, and the mean |relative heading| (degrees) and off-road share (%) of the
-/// kept ones.
+/// kept ones (0 if none is kept).
 std::string datasetMarkdown(const std::vector<DatasetClip>& clips,
                             const std::map<CollisionType, Attempts>& attempts);
 

@@ -11,11 +11,12 @@ namespace forge {
 
 /// Writes the data set to `folder`: per split the clips in COLLIDE's layout (CollideExporter) and
 /// the scenario file scenarios/SPLIT.jsonl, then statistics.csv and statistics.md. Splits the
-/// scenes by options.split. Returns the text of statistics.md.
+/// scenes of the chosen attempts by options.split (splitByScene()); a split without clips gets no
+/// files. Returns the text of statistics.md.
 ///
 /// `path` is attempts.jsonl, with one line per element of `attempts`; `chosen` are the ascending
-/// indices of the attempts to write, all valid. `scenes` provides the recordings. Throws
-/// std::runtime_error if a file cannot be written.
+/// indices into `attempts` of the attempts to write, all valid. `limits`: of the values in `path`.
+/// `scenes` provides the recordings. Throws std::runtime_error if a file cannot be written.
 std::string writeDataset(const std::string& folder, const std::string& path,
                          const std::vector<Attempt>& attempts,
                          const std::vector<std::size_t>& chosen, const DatasetOptions& options,

@@ -30,7 +30,7 @@ struct DatasetOptions {
   AttackerChoice choice = AttackerChoice::kAny;  ///< vehicles that may be the attacker
   std::map<CollisionType, int> attempts;  ///< number of lengths tried per begin, for each type
   double heading_spread = 0.0;            ///< rad to either side of the drawn relative heading
-  double time_tolerance = 0.0;      ///< s, largest difference between contact and requested time
+  double time_tolerance = 0.0;            ///< s, largest |contact time - (t0 + TTA)|
   double max_off_road_share = 0.0;  ///< 0..1, largest mean share of the attacker's box off the
                                     ///< drivable area from t0 to contact
   BalanceOptions balance;           ///< balance of types and lengths

@@ -29,9 +29,11 @@ enum class ClipAttacks {
 };
 
 /// Returns the test case of a COLLIDE clip, with the data set's box sizes. Attackers made by
-/// `method` use the type rules of clips, the relative heading only (withClipRules()). The case has
-/// the status of the method if it finds no attack. `lanes`: map of the clip's city. `method` and
-/// `answers` are not used for kRecorded. Methods use models trained without the clip's scene.
+/// `method` use the type rules of clips, the relative heading only (withClipRules()). If it finds
+/// no attack, PlannerCase::status is its rejection, and attacker and pattern are empty. For
+/// kRecorded, the pattern is the recorded relative pose at t0 + TTA, and `method` and `answers` are
+/// not used. `lanes`: map of the clip's city, not null. `answers`: the attacks of the method that
+/// count. Methods use models trained without the clip's scene.
 PlannerCase caseOfClip(const CollideClip& clip, ClipAttacker attacker,
                        std::shared_ptr<const LaneIndex> lanes, const MethodMaker& method,
                        const StudyOptions& study, ClipAttacks answers = ClipAttacks::kVerified);

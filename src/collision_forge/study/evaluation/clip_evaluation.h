@@ -14,13 +14,16 @@ namespace forge {
 /// Defines an evaluation: protocol, method, mode and seeds.
 struct EvaluationPlan {
   Protocol protocol = Protocol::kStrict;  ///< protocol that judges the attacks
-  std::string method = "recorded";  ///< name in clipMethods(), for requests in the MethodRegistry
+  /// Method to measure: a name in clipMethods(), for requests in the MethodRegistry.
+  std::string method = "recorded";
   bool is_seeded = true;  ///< MethodRegistry::Entry::is_seeded of `method`; unused for baselines
   Mode mode = Mode::kHistory;  ///< in which `method` runs
-  int seeds = 1;               ///< number of runs of a seeded method, with seeds 0 to seeds - 1
+  int seeds = 1;  ///< number of runs of a seeded method: on clips with seeds 0 to seeds - 1, for
+                  ///< requests with the request's seed and the following ones
   /// Requests only, as in CrashDefinition; clips are judged by withClipRules().
   LimitSet limits = LimitSet::kDrivable;
-  bool believable = true;  ///< requests only: attackers must be plausible
+  /// Requests only: attackers must be plausible.
+  bool believable = true;
   /// Clips only. True: use models trained on all scenes, including the clip's own, as if splits
   /// shared scenes. False: use models trained without the clip's scene.
   bool seen_scenes = false;
@@ -39,8 +42,9 @@ std::vector<std::string> methodsOf(const EvaluationPlan& plan);
 std::size_t rowsPerClip(const EvaluationPlan& plan);
 
 /// Evaluates all methods of the plan on a clip against its recorded future. Returns one row per
-/// method of methodsOf(), in that order; for seeded methods one per seed, ascending. The row of a
-/// method without an attack has the status and meets no measure. `lanes`: map of the clip's city.
+/// method of methodsOf(), in that order; for each method but the baselines, if `plan.is_seeded`,
+/// one row per seed, ascending. The row of a method without an attack has the status and meets no
+/// measure. `lanes`: map of the clip's city.
 ///
 /// - Collision types are judged by the relative heading only (withClipRules()), at any confidence.
 /// - Mode adaptive: the attack of a method, found with drivable limits, is the first plan of an

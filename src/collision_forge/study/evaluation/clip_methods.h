@@ -11,8 +11,9 @@ namespace forge {
 /// - "constant_velocity": constantVelocityAttacker(), replaces the entry of `methods`;
 /// - all other entries of `methods`, in their order.
 ///
-/// The methods read `clip`, which must outlive them; it may be null if only names are needed.
-/// `evaluation` gives the size of the attacker's box.
+/// The first two methods read `clip`, which must outlive them, and return an attack with an empty
+/// report; `clip` may be null if only names are needed. They are not seeded. `evaluation` gives the
+/// size of the attacker's box.
 MethodRegistry clipMethods(const MethodRegistry& methods, const CollideClip* clip,
                            const EvaluationOptions& evaluation);
 

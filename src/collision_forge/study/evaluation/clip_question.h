@@ -32,7 +32,8 @@ MethodMaker clipMethod(const std::string& name, const CollideClip& clip,
 /// future is the clip's. The const members are thread-safe.
 class ClipQuestion {
  public:
-  /// `lanes`: map of the clip's city. `mode`: kHistory or kReplay.
+  /// Keeps no reference to `clip` and `study`. `lanes`: map of the clip's city, not null. `mode`:
+  /// kHistory or kReplay, the mode of request().
   ClipQuestion(const CollideClip& clip, std::shared_ptr<const LaneIndex> lanes, Mode mode,
                const StudyOptions& study);
 
@@ -45,8 +46,8 @@ class ClipQuestion {
   /// moment().
   const Scene& recording() const { return recording_; }
 
-  /// Returns the status of checkRequest() for a seeded method (MethodMaker::isSeeded()), kOk for
-  /// any other.
+  /// Returns the status of checkRequest() for request() if the method is seeded
+  /// (MethodMaker::isSeeded()), kOk for any other method.
   Status check(const MethodMaker& maker) const;
   /// Runs the method with `seed` and returns its attack, verified or not, or its rejection.
   Attack ask(const AttackMethod& method, std::uint64_t seed) const;

@@ -18,25 +18,27 @@ struct VehicleInCloud {
 };
 
 /// A recorded vehicle compared with the body that replaced it. "Points" are the returns in the
-/// vehicle's box and 0.1 m around it, from 0.2 m above the ground on. "Recorded" is the original
-/// cloud, "injected" the cloud with the body.
+/// vehicle's box and up to 0.1 m beside and above it, from 0.2 m above the ground on. "Recorded" is
+/// the original cloud, "injected" the cloud with the body.
 struct ReplacedVehicle {
   std::string id;  ///< VehicleInCloud::id
   AgentClass agent_class = AgentClass::kCar;
   double range = 0.0;  ///< m from the cloud's origin to the ground below the middle of the box
   std::size_t recorded = 0;   ///< number of recorded points
   std::size_t injected = 0;   ///< number of injected points
-  double ring_overlap = 0.0;  ///< 0..1, intersection of the two normalised histograms of points
-                              ///< over the rings; 1: equal
-  /// recorded points over the number of rays that meet the body; may exceed 1.
+  double ring_overlap = 0.0;  ///< 0..1, intersection of the normalised histograms of recorded and
+                              ///< injected points over the rings of the lidar; 1: equal, 0 without
+                              ///< injected points
+  /// Recorded points over the number of rays that meet the body (taken as 1 if there are none); may
+  /// exceed 1.
   double recorded_share = 0.0;
   double injected_share = 0.0;  ///< injected points over the same number of rays
-  double distance = 0.0;  ///< m, Chamfer distance of recorded and injected points; infinite without
-                          ///< injected points
+  double distance = 0.0;  ///< m, Chamfer distance of recorded and injected points; infinite with
+                          ///< fewer than two injected points
   double floor = 0.0;  ///< m, Chamfer distance of the two halves of the recorded points: the best
                        ///< possible `distance`
   double recorded_brightness = 0.0;  ///< median intensity of the recorded points, in the cloud's
-                                     ///< unit; 0 without a field for it
+                                     ///< unit; 0 without points or without an intensity field
   double injected_brightness = 0.0;  ///< the same of the injected points
 };
 
@@ -47,13 +49,13 @@ struct ReplacementOptions {
   std::uint64_t seed = 0;         ///< seed of all random draws
 };
 
-/// Takes each vehicle out of the cloud and puts a body of its box in its place, one at a time, and
-/// compares both. Returns one element per vehicle with at least `least_points` recorded points, in
-/// the order of `vehicles`. Return and intensity of each ray that meets the body are drawn from
-/// the returns of the other vehicles in the cloud. The Chamfer distances compare every second
-/// recorded point with every second point of the other kind, so that `distance` and `floor` use
-/// equally many recorded samples: the mean over both directions of the mean distance to the nearest
-/// point.
+/// Takes each vehicle out of the cloud and puts a body of its box in its place, one at a time from
+/// the original cloud, and compares both. `timing`: the times of the cloud's rays. Returns one
+/// element per vehicle with at least `least_points` recorded points, in the order of `vehicles`.
+/// Return and intensity of each ray that meets the body are drawn from the returns of the other
+/// vehicles in the cloud. The Chamfer distances compare every second recorded point with every
+/// second point of the other kind, so that `distance` and `floor` use equally many recorded
+/// samples: the mean over both directions of the mean distance to the nearest point.
 std::vector<ReplacedVehicle> replaceVehicles(const PointCloud& cloud, const SweepTiming& timing,
                                              const std::vector<VehicleInCloud>& vehicles,
                                              const ReplacementOptions& options);

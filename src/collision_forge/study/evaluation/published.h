@@ -17,11 +17,11 @@ struct PublishedOutcome {
     kEgoOther,       ///< ego and another agent collide: a miss
   };
   Event event = Event::kNone;  ///< the first collision, which ends the clip
-  int step = 0;  ///< index of the event's step in publishedSteps(), 0 at frame 0; unset with kNone
+  int step = 0;  ///< index of the event's step in publishedSteps(), 0 at frame 0; 0 with kNone
   std::string other_id;  ///< the attacker with kHit, else the other agent; empty with kNone
   /// rad in [0, pi], |angle| between the headings of ego and attacker; only with kHit.
   double relative_heading = 0.0;
-  bool similar = false;  ///< a hit that is similar by rule 4 of publishedOutcome()
+  bool similar = false;  ///< true: a hit that is similar by rule 4 of publishedOutcome()
 
   /// Returns true if ego and attacker are the first to collide.
   bool isHit() const { return event == Event::kHit; }
@@ -42,13 +42,13 @@ struct PublishedOutcome {
 /// 4. A hit is similar if its |relative heading| differs by less than `similar_heading` from the
 ///    angle in the file name.
 ///
-/// `attacker`: its pose (map frame) in each frame, 0 to collision_frame, as recorded up to t0.
-/// Throws std::invalid_argument for another number of poses.
+/// `attacker`: its pose (map frame) in each frame of the clip, 0 to collision_frame, as recorded up
+/// to t0. Throws std::invalid_argument for another number of poses.
 PublishedOutcome publishedOutcome(const CollideClip& clip, const std::vector<Pose2>& attacker,
                                   const PublishedOptions& options);
 
-/// Evaluates a clip with another ego motion: `ego` is its pose at each step of publishedSteps().
-/// Throws std::invalid_argument for another number of poses of either vehicle.
+/// Evaluates a clip with another ego motion: `ego` is its pose (map frame) at each step of
+/// publishedSteps(). Throws std::invalid_argument for another number of poses of either vehicle.
 PublishedOutcome publishedOutcome(const CollideClip& clip, const std::vector<Pose2>& attacker,
                                   const std::vector<Pose2>& ego, const PublishedOptions& options);
 

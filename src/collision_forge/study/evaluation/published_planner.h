@@ -14,12 +14,13 @@ namespace forge {
 // COLLIDE clips with an ego driven by a planner, for publishedOutcome().
 
 /// Returns the clip with the ego's frames replaced by `driven` (box centres, map frame, clip's
-/// clock), interpolated, from the time of its first point on; frames after the last point repeat
-/// its pose. Throws std::invalid_argument for an empty `driven`.
+/// clock), interpolated (stateAt()), from the time of its first point on. Frames after the last
+/// point, and between points more than kMaxGap apart, have the pose and speed of the last point.
+/// Throws std::invalid_argument for an empty `driven`.
 CollideClip withEgo(CollideClip clip, const std::vector<TrajectoryPoint>& driven);
 
-/// Returns the clip with the attacker's frames after t0 replaced by `trajectory`; speeds are mean
-/// speeds since the previous frame.
+/// Returns the clip with the attacker's frames after t0 replaced by poses of `trajectory`
+/// (poseAt(), clamped to its ends); speeds are mean speeds since the previous frame.
 CollideClip withAttacker(CollideClip clip, const AttackerTrajectory& trajectory);
 
 /// One step of an ego driven by IDM (Intelligent Driver Model).
@@ -36,8 +37,9 @@ struct PublishedIdmStep {
 ///    the centres, with the attacker's position at the end of the step, and the attacker's recorded
 ///    speed (column V) in the last frame before, from the last frame on in the frame before the
 ///    last.
-/// 3. It moves with that speed in the direction of the recorded ego in the same step, and stays if
-///    the recorded ego stands still. Its heading is the recorded one, held between frames.
+/// 3. It moves with that speed for `idm.step` s in the direction of the recorded ego in the same
+///    step, and stays if the recorded ego stands still. Its heading is the recorded one, held
+///    between frames.
 ///
 /// Deviation from the original: an agent that is missing in a frame is absent, while the original
 /// uses a row of zeros as its position. No hit is known to depend on it.

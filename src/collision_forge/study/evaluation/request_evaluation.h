@@ -13,7 +13,7 @@ namespace forge {
 // Evaluation of requests over logs by the strict protocol (attack/verify/strict_outcome.h) against
 // the recording.
 
-/// Returns the values of the column `method` in the rows of a request, in order:
+/// Returns the values of the column `method` in the rows of a request, in order, each once:
 ///
 /// | plan's method | rows |
 /// |---|---|
@@ -66,9 +66,9 @@ class RequestEvaluator {
   RequestEvaluator(SceneSource& scenes, const StudyOptions& study, const PredictionModels& models,
                    const MethodRegistry& methods, const EvaluationPlan& plan);
 
-  /// Evaluates one request; `name` is the column `name` of its rows. Ignores mode and crash
-  /// definition of the request, which the plan and the options give. Throws the exceptions of
-  /// SceneSource::at().
+  /// Evaluates one request; `name` is the column `name` of its rows, in results.csv the line of the
+  /// request in its list, from 1. Ignores mode and crash definition of the request, which the plan
+  /// and the options give. Throws the exceptions of SceneSource::at().
   EvaluatedRequest evaluate(const std::string& name, const SceneRequest& asked) const;
 
  private:

@@ -15,13 +15,14 @@ namespace forge {
 /// Returns the tables of an evaluation of requests, from all its rows, one row per method of
 /// requestRowMethods(), in this order:
 ///
-/// 1. For each measure of the strict protocol by full definitions, the rate of each method, over
-///    all requests and over the requests that the road allows.
+/// 1. For each measure of measuresOf(kStrict) but the two by angle bands, two tables: the rate of
+///    each method over all requests, and over the requests that the road allows.
 /// 2. For a seeded method outside replay mode: all conditions over the requests that replay mode
-///    solves with any seed (recall against replay mode).
+///    solves with any seed (recall against replay mode), without the row "replay"; then the same
+///    over the requests that the road allows.
 /// 3. The share of requests that the road allows, and for a seeded method the share of the others
-///    for which it returned an attack.
-/// 4. The share of plausible attacks among the attacks that touch the ego.
+///    for which it returned an attack, verified or not.
+/// 4. The share of plausible attacks among the attacks that touch the recorded ego.
 std::vector<RateTable> requestTables(const std::vector<ResultRow>& rows,
                                      const EvaluationPlan& plan);
 

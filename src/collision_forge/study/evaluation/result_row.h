@@ -34,21 +34,23 @@ struct RequestFacts {
 
 /// The result of one method on one clip or request: a row of results.csv.
 struct ResultRow {
-  std::string name;   ///< clip name, or line of the request in its list
+  std::string name;   ///< clip name, or line of the request in its list, from 1
   std::string scene;  ///< name of the scene
   CollisionType type = CollisionType::kRearEnd;
   double tta = 0.0;         ///< s, requested; for clips at the nominal 2 Hz
   std::string method;       ///< methodsOf() for clips, requestRowMethods() for requests
-  std::uint64_t seed = 0;   ///< seed of the method's run
+  std::uint64_t seed = 0;   ///< seed of the method's run; 0, or the request's, for a method that
+                            ///< is not seeded
   std::string status;       ///< "OK", or the status code of the rejection
-  std::vector<bool> meets;  ///< one per measure of measuresOf()
+  std::vector<bool> meets;  ///< one per measure of measuresOf(), all false without an attack
   /// s from t0 to the contact of ego and attacker, in the published protocol to the first collision
   /// of either; negative before t0, empty without.
   std::optional<double> contact_after;
   /// rad, attacker's yaw minus ego's at contact, in the published protocol its magnitude; empty
   /// without contact.
   std::optional<double> relative_heading;
-  /// CollisionReport::confidence, 0..1; empty for methods without one.
+  /// CollisionReport::confidence, 0..1; empty without an attack and for methods that are not
+  /// seeded.
   std::optional<double> confidence;
   /// Mean share, 0..1, of the attacker's box off the drivable area from t0 to contact; strict
   /// protocol only, empty without contact.
@@ -60,16 +62,19 @@ struct ResultRow {
 /// The items whose rows results.csv has.
 enum class RowsOf { kClips, kRequests };
 
-// Header and line of results.csv, without line ends. Times have three decimals, shares four,
-// headings are in degrees with two. toCsv() throws std::runtime_error for a name or scene with
-// commas or line ends; commas and line ends in other texts are replaced.
+// Header and line of results.csv, without line ends. Columns: name, scene, type, tta, method, seed,
+// status, the measures of measuresOf() (1 or 0), contact_after, relative_heading, confidence,
+// off_road_share, for requests road_allows, believable (1 or 0), attacker, class, and last note.
+// Empty values are empty cells. Times have three decimals, shares four, headings are in degrees
+// with two. toCsv() throws std::runtime_error for a name or scene with commas or line ends; commas
+// and line ends in other texts are replaced.
 /// Returns the header: the names of all columns.
 std::string csvHeader(Protocol protocol, RowsOf rows_of = RowsOf::kClips);
 /// Returns the line of a row.
 std::string toCsv(const ResultRow& row);
 
-/// Parses a line of toCsv(), of a request if it has the columns of requests. Returns nullopt for a
-/// malformed or truncated line.
+/// Parses a line of toCsv(), without its line end, of a request if it has the columns of requests.
+/// Returns nullopt for a malformed or truncated line.
 std::optional<ResultRow> rowFromCsv(const std::string& line, Protocol protocol);
 
 /// Parses the rows of one item, one per line. Throws std::runtime_error if a line is malformed or

@@ -22,8 +22,8 @@ struct GeneratorHeader {
 /// Parses the options of a header. Throws ConfigError naming `path`.
 GeneratorOptions optionsOf(const GeneratorHeader& header, const std::string& path);
 
-/// Returns the content of a weight file with the weights of `model`. `training`: includes the state
-/// to resume the training.
+/// Returns the content of a weight file (.pt, a torch archive) with the header and the weights of
+/// `model`. `training`: true to include the state to resume the training.
 std::string generatorBytes(const GeneratorHeader& header, const TrafficModel& model, bool training);
 
 /// Reads the header of a weight file. Throws TrafficGeneratorError, naming the file, if it is

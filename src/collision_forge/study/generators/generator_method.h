@@ -14,7 +14,7 @@ namespace forge {
 /// Thread-safe.
 class GeneratorMethod : public AttackMethod {
  public:
-  /// Keeps the generator alive.
+  /// Keeps the generator alive; copies `options`.
   GeneratorMethod(std::shared_ptr<const TrafficGenerator> generator, const AttackOptions& options);
 
   /// Returns the attack, verified or not; see AttackMethod. Throws std::runtime_error if the
@@ -26,16 +26,18 @@ class GeneratorMethod : public AttackMethod {
   AttackOptions options_;
 };
 
-/// Replaces the frames of all agents of `clip` after t0 by predictions, up to the frame of the
-/// crash or a few beyond, with random numbers of `seed`. Each call of the generator adds its
-/// future_frames. An agent without a pose in each frame of the history (ending at the newest frame
-/// so far) is absent from then on. Throws std::runtime_error if a prediction is not finite.
+/// Replaces the frames of all agents of `clip` after t0 (index history_frames - 1) by predictions,
+/// in calls of the generator that add future_frames frames each, until the frame of the crash
+/// exists: the last call may add up to future_frames - 1 beyond. `seed` determines the random
+/// numbers. An agent without a pose in each frame of the history (ending at the newest frame so
+/// far) is absent from then on. Throws std::runtime_error if a prediction is not finite.
 void rollOut(const TrafficGenerator& generator, std::uint64_t seed, TrafficClip& clip);
 
 /// Converts the attacker's frames of a clip, complete up to the frame of the crash, to an attack: a
-/// smooth curve through the frames, evenly spaced over the TTA, then straight. `ego` is the ego's
-/// pose at t0 (map frame), the origin of the clip; `attacker` is the attacker's id in the snapshot;
-/// `now` is the index of the frame at t0. Pattern and report come from drivenAttack().
+/// smooth curve through the frames, which are taken as evenly spaced over the TTA, then straight
+/// for SearchOptions::tail s. `ego` is the ego's pose at t0 (map frame), the origin of the clip;
+/// `attacker` is the attacker's id in the snapshot; `now` is the index of the frame at t0. Pattern
+/// and report come from drivenAttack().
 Attack drivenThrough(const TrafficClip& clip, const Pose2& ego, const std::string& attacker,
                      const Moment& moment, const CollisionRequest& request, int now,
                      const AttackOptions& options);

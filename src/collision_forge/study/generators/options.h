@@ -25,7 +25,8 @@ struct TrafficOptions {
   int history_frames = 0;   ///< PredictionOptions::history_frames; the last frame is t0
   int future_frames = 0;    ///< frames per prediction, from the one after t0 on
   int max_agents = 0;       ///< largest number of agents, including ego and attacker
-  double min_motion = 0.0;  ///< m over the history; other agents that moved less are omitted
+  double min_motion = 0.0;  ///< m from the first to the last observed frame of the history; other
+                            ///< agents that moved less are omitted
   /// m per frame; models that predict positions keep the heading with shorter steps.
   double min_step = 0.0;
   TrafficLaneOptions lanes;  ///< section lanes
@@ -151,14 +152,15 @@ struct GeneratorOptions {
 /// Returns the names of all models: "c_sgan", "c_mid", "c_strive" and "published_network".
 std::vector<std::string> trafficModelNames();
 
-/// Returns true for the model that uses GeneratorOptions::published_network, "published_network".
+/// Returns true for "published_network", the model that uses GeneratorOptions::published_network.
 bool isPublishedNetwork(const std::string& model);
 
 /// Returns the path of the configuration file of a model, relative to config/
 /// ("study/generators.yaml").
 std::string configFileOf(const std::string& model);
 
-/// Returns the names of the sections of configFileOf() that a model needs.
+/// Returns the names of the sections of configFileOf() that a model needs, in the order of reading;
+/// "traffic" is the first.
 std::vector<std::string> sectionsOf(const std::string& model);
 
 /// Returns the names of all sections of generators.yaml.

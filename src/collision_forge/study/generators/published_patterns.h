@@ -36,8 +36,8 @@ struct PublishedAnchors {
   torch::Tensor column;  ///< [N] index of the anchor among the anchors of its clip, from 0
   long most = 0;         ///< maximum number of anchors of a clip, at least 1
 
-  /// Returns values [N, ...] of the anchors arranged as [B, most, ...], padded with `none`.
-  /// `clips`: B.
+  /// Returns `numbers` [N, ...], values of the anchors, arranged as [B, most, ...], each at row
+  /// `clip` and column `column`, padded with `none`. `clips`: B.
   torch::Tensor inRows(const torch::Tensor& numbers, long clips, double none) const;
 };
 

@@ -28,11 +28,13 @@ struct PublishedPrediction {
 torch::Tensor relativeYaws(const PublishedPrediction& predicted, const TrafficBatch& batch,
                            int history_frames);
 
-/// Runs the network on a batch of one clip. Called from several threads.
+/// Runs the network on a batch of one clip that holds the history only. Called from several
+/// threads.
 using RunPublishedNetwork = std::function<PublishedPrediction(const TrafficBatch&)>;
 
 /// Creates a predictor that returns one pattern per vehicle that the request allows and the
-/// network's input has, most likely first; its status is kNoCandidate without such a vehicle,
+/// network's input has, most likely first (the patterns differ in the vehicle, its speed and the
+/// sign of its yaw); its status is kNoCandidate without a vehicle that the request allows,
 /// kRoadDoesNotAllow without an anchor. The ego's pose at the crash is always the network's, even
 /// in replay mode. predict() throws std::runtime_error if the network returns values that are not
 /// finite.

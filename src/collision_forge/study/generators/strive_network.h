@@ -14,13 +14,13 @@ struct StriveScene {
   torch::Tensor agent;      ///< [N] index of the agent in that window
   torch::Tensor to;         ///< [E] receiving agent, index into [N]
   torch::Tensor from;       ///< [E] sending agent, index into [N]
-  torch::Tensor place;      ///< [E] position of the sender among the agents of the window
+  torch::Tensor place;      ///< [E] index of the sender among the N agents of its window, from 0
   torch::Tensor pose;       ///< [N, 3] at t0, m and rad
   torch::Tensor speed;      ///< [N] m/s at t0
   torch::Tensor turn;       ///< [N] rad/s at t0, state of the bicycle: yaw rate * length / speed
   torch::Tensor past;       ///< [N, feature] learned feature of the agent's history
   torch::Tensor map;        ///< [N, feature] learned feature of the lanes around it
-  torch::Tensor condition;  ///< [N, 6], as in TrafficBatch
+  torch::Tensor condition;  ///< [N, 6], TrafficBatch::condition of the agent's window
 };
 
 /// A normal distribution with independent components; both tensors [N, latent].
@@ -67,14 +67,15 @@ class StriveNetwork : public torch::nn::Module {
 };
 
 /// Returns the overlap [E, frames] of the pairs of agents (`scene.to`, `scene.from`), approximated
-/// by five discs along their boxes: 0 if apart, 1 if the centres of two discs coincide. `poses`:
-/// [N, frames, 3].
+/// by five discs along their boxes (diameter `options.width`): 1 minus the smallest distance of two
+/// centres over the diameter, but at least 0: 0 if apart, 1 if two centres coincide. `poses`: [N,
+/// frames, 3].
 torch::Tensor overlapOf(const StriveScene& scene, const torch::Tensor& poses,
                         const StriveOptions& options);
 
 /// Returns how far (m, [N, frames]) the poses [N, frames, 3] are beyond `reach` (m) from the
-/// nearest point of a lane piece of their window; 0 without lanes. `window` [N]: index of each
-/// agent's window in the batch.
+/// nearest point of a lane piece of their window; 0 within `reach` and without lanes. `window` [N]:
+/// index of each agent's window in the batch.
 torch::Tensor beyondLanes(const torch::Tensor& window, const TrafficBatch& batch,
                           const torch::Tensor& poses, double reach);
 

@@ -39,9 +39,10 @@ inline constexpr std::size_t kAttackerAgent = 1;  ///< index of the attacker in 
 TrafficClip trafficOf(const CollideClip& clip, const CollideOptions& collide,
                       const TrafficOptions& options, const LaneIndex* lanes);
 
-/// Converts the history of a snapshot; the crash is at the frame nearest to the request's TTA. If
-/// the history of ego or attacker is too short, extends it by straight motion at its first speed.
-/// Throws std::invalid_argument if the attacker is not in the snapshot.
+/// Converts the history of a snapshot, resampled every kFrameInterval up to t0; `agents` have no
+/// frames after t0. The crash is at the frame nearest to the request's TTA, at least one after t0.
+/// If the history of ego or attacker is too short, extends it by straight motion at its first
+/// speed. Throws std::invalid_argument if the attacker is not in the snapshot.
 TrafficClip trafficOf(const Snapshot& snapshot, const std::string& attacker,
                       const CollisionRequest& request, const TrafficOptions& options,
                       const LaneIndex* lanes);

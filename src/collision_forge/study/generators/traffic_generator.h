@@ -11,14 +11,15 @@ class TrafficGenerator : public TrafficModel {
   /// `traffic`: TrafficModel::traffic() of this model.
   explicit TrafficGenerator(const TrafficOptions& traffic) : traffic_(traffic) {}
 
-  /// Predicts poses [B, A, future_frames, 3] (x and y in m, yaw in rad) of the frames after t0, in
-  /// the frame of the batch. `history`: a batch of history_frames frames. Poses of agents that are
-  /// not observed in the whole history are undefined. Deterministic for a given state of `noise`.
-  /// Called by rollOut() once per iteration, from several threads.
+  /// Returns predicted poses [B, A, future_frames, 3] (x and y in m, yaw in rad) of the frames
+  /// after t0, in the frame of the batch. `history`: a batch of history_frames frames. Poses of
+  /// agents that are not observed in the whole history are undefined. Deterministic for a given
+  /// state of `noise`. Called by rollOut() once per iteration, from several threads.
   virtual torch::Tensor predict(const TrafficBatch& history, torch::Generator noise) const = 0;
 
-  /// The errors are displacements (m), averaged over the frames of one prediction: of the attacker,
-  /// then of all agents observed in the whole history.
+  /// Returns {"attacker_m", "all_m"}: displacements (m) in the frames of one prediction, of the
+  /// attacker, then of all agents (attacker and ego included), both only if observed in the whole
+  /// history and in the frame.
   std::vector<std::string> errorNames() const override;
   std::vector<ErrorSum> errorsOn(const TrafficBatch& batch, torch::Generator noise) const override;
 

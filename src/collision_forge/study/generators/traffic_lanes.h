@@ -9,7 +9,8 @@ namespace forge {
 
 /// A piece of a lane's centreline, in driving direction.
 struct TrafficLane {
-  std::vector<Pose2> points;     ///< at least two, TrafficLaneOptions::spacing apart (m)
+  std::vector<Pose2> points;  ///< at least two, TrafficLaneOptions::spacing apart (m), the last of
+                              ///< a lane perhaps nearer
   bool is_intersection = false;  ///< a connector, or in a road segment that is an intersection
 };
 

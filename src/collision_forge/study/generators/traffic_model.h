@@ -31,8 +31,8 @@ class TrafficModel : public std::enable_shared_from_this<TrafficModel> {
   /// std::runtime_error, which ends the training.
   virtual std::vector<double> trainStep(const TrafficBatch& batch) = 0;
 
-  /// Returns the names of the errors of errorsOn(), in its order, with the unit at the end. The
-  /// last one selects the best epoch.
+  /// Returns the names of the errors of errorsOn(), in its order, with the unit at the end
+  /// ("attacker_m"). The last one selects the best epoch: lower is better.
   virtual std::vector<std::string> errorNames() const = 0;
   /// Returns the errors on a batch with future frames, summed. `noise` is the source of all random
   /// numbers. Called after each epoch on validation data, with the network in eval mode. Must not

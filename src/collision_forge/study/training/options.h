@@ -21,15 +21,17 @@ struct TrainingOptions {
   double selection_weight = 0.3;  ///< weight of TrainingLosses::selection
   /// Weight of the impact of a clip in the ego's losses; other times have 1.
   double clip_weight = 2.0;
-  double hidden_history_share = 0.3;  ///< share 0..1 of samples without history of other agents
-  double mirrored_share = 0.5;  ///< share 0..1 of samples with left and right exchanged; never ltap
-  double validation_share = 0.0;  ///< share 0..1 of the scenes for validation
-  double max_tta = 0.0;           ///< s, PredictionOptions::max_tta
+  double hidden_history_share = 0.3;  ///< share 0..1 of the uses of samples without attack in which
+                                      ///< the history of other agents is hidden
+  double mirrored_share = 0.5;        ///< share 0..1 of the uses of samples with left and right
+                                      ///< exchanged; never ltap
+  double validation_share = 0.0;      ///< share 0..1 of the scenes for validation, splitByScene()
+  double max_tta = 0.0;               ///< s, PredictionOptions::max_tta
   /// m/s, mean over the recording; slower vehicles do not serve as ego.
   double min_vehicle_speed = 0.0;
   double vehicle_stride = 1.0;  ///< s between the samples of a vehicle that serves as ego
-  /// Standard deviation of the noise on the ego pose that candidates are scored with: noise_along *
-  /// TTA^noise_along_exponent along the heading, noise_across * TTA across it.
+  /// Standard deviation of the (normal) noise on the ego pose that candidates are scored with:
+  /// noise_along * TTA^noise_along_exponent along the heading, noise_across * TTA across it.
   double noise_along = 0.3;           ///< m at a TTA of 1 s
   double noise_along_exponent = 1.4;  ///< without unit
   double noise_across = 0.1;          ///< m/s

@@ -10,13 +10,14 @@
 
 namespace forge {
 
-/// A batch of B samples on one device, with T prediction times, G groups of K anchors and at most C
-/// candidates each. A of the samples have an attack. Positions are in m, in the frame of the ego's
-/// box at t0; features are scaled (SceneFeatures, AnchorFeatures, requestFeatures(),
-/// candidateFeatures()). Masks are 1 for an entry, 0 for padding. All tensors are float, except for
-/// the indices attack_rows and attacker (int64).
+/// A batch of B samples on one device, with T prediction times, G groups of K anchors each and at
+/// most C candidates per attack. A of the samples have an attack (A and thus the first dimension of
+/// their tensors may be 0). Positions are in m, in the frame of the ego's box at t0; features are
+/// scaled (SceneFeatures, AnchorFeatures, requestFeatures(), candidateFeatures()). Masks are 1 for
+/// an entry, 0 for padding. All tensors are float, except for the indices attack_rows and attacker
+/// (int64).
 struct PatternBatch {
-  torch::Tensor agents;      ///< [B, agents, frames, kAgentVector], the ego first
+  torch::Tensor agents;  ///< [B, agents, frames, kAgentVector], the ego first, the frame at t0 last
   torch::Tensor agent_mask;  ///< [B, agents, frames]
   torch::Tensor lanes;       ///< [B, lanes, points, kLaneVector]
   torch::Tensor lane_mask;   ///< [B, lanes, points]

@@ -56,7 +56,8 @@ struct BatchLosses {
   torch::Tensor offset;     ///< as TrainingLosses::offset
   torch::Tensor selection;  ///< as TrainingLosses::selection
 };
-/// Returns the losses of a batch; offset and selection are 0 without attacks in it.
+/// Returns the losses of a batch (tensors without dimensions); offset and selection are 0 without
+/// attacks in it.
 BatchLosses lossesOf(PatternModule& module, const PatternBatch& batch);
 
 }  // namespace forge

@@ -15,7 +15,8 @@
 
 namespace forge {
 
-/// Mean losses over the samples; see lossesOf().
+/// Mean losses over the samples, `ego` and `heading` over their prediction times, too; see
+/// lossesOf().
 struct TrainingLosses {
   double ego = 0.0;  ///< negative log of the predicted density (1/m2) at the ego's true position
   double heading = 0.0;  ///< 1 - cos of the error of the ego's heading
@@ -40,9 +41,10 @@ class PatternTrainer {
   /// Returns the number of epochs trained, including the epochs of a loaded state.
   int epochsDone() const;
 
-  /// Trains one epoch on the samples with the indices `chosen` (not empty), in random order. Calls
-  /// `on_batch`, if set, on the same thread after each batch with the number of samples done in
-  /// this epoch. Returns the mean losses over the epoch, each from before its step.
+  /// Trains one epoch on the samples with the indices `chosen` into `samples` (not empty), in
+  /// random order; the last batch may be smaller. Calls `on_batch`, if set, on the same thread
+  /// after each batch with the number of samples done in this epoch. Returns the mean losses over
+  /// the epoch, each from before its step.
   TrainingLosses trainEpoch(const std::vector<TrainingSample>& samples,
                             const std::vector<std::size_t>& chosen,
                             const std::function<void(std::size_t)>& on_batch = nullptr);

@@ -18,7 +18,7 @@ namespace forge {
 std::set<std::string> leftOutScenes(const TrainingRun& run);
 
 /// Returns the text of run.txt: program version, fingerprints of all inputs, options, and the
-/// content of the configuration file `config` (path relative to config/).
+/// content of the configuration file `config` (path relative to config/, "study/training.yaml").
 std::string describeRun(const TrainingRun& run, const std::string& config);
 
 /// Creates the run folder run.out with run.txt, or checks that the existing run.txt equals
@@ -27,7 +27,7 @@ std::string describeRun(const TrainingRun& run, const std::string& config);
 /// the exceptions of OutputLock.
 [[nodiscard]] OutputLock openRunFolder(const TrainingRun& run, const std::string& description);
 
-/// Returns the content of a file, or "" if it cannot be read.
+/// Returns the content of a file, byte for byte, or "" if it cannot be read.
 std::string readText(const std::string& path);
 
 /// Returns the path of the training state, OUT/state.pt.
@@ -37,15 +37,15 @@ std::string statePath(const TrainingRun& run);
 /// that EpochTable::keep() wrote.
 bool hasState(const TrainingRun& run);
 
-/// Indices of samples, ascending.
+/// Indices of samples, ascending; each sample is in one of the two.
 struct SampleSplit {
   std::vector<std::size_t> training;    ///< for the training itself
   std::vector<std::size_t> validation;  ///< for the choice of the best epoch
 };
 
 /// Splits samples so that both parts share no scene. `scenes` holds the name of the scene of each
-/// sample; about the share `validation_share` (0..1, 0: none, at most half) of the scenes, chosen
-/// by `seed`, is for validation.
+/// sample. One of n equal parts of the scenes (rounded up), chosen by `seed`, is for validation: n
+/// is 1 / `validation_share`, rounded, at least 2; none for the share 0.
 SampleSplit splitByScene(const std::vector<std::string>& scenes, double validation_share,
                          std::uint64_t seed);
 
@@ -58,9 +58,9 @@ struct EpochSums {
 /// metrics.csv of a run folder, one row per epoch. The best epoch has the lowest last column.
 class EpochTable {
  public:
-  /// `columns`: names of the columns after "epoch". Reads the first `epochs` rows of the file, the
-  /// epochs of the training state; later rows are dropped by the next add(). Throws
-  /// std::runtime_error naming file and line if a row is missing or damaged.
+  /// `columns`: names of the columns after "epoch". Reads the first `epochs` rows of
+  /// OUT/metrics.csv, the epochs of the training state (0: reads nothing); the next add() drops
+  /// later rows. Throws std::runtime_error naming file and line if a row is missing or damaged.
   EpochTable(const TrainingRun& run, const std::vector<std::string>& columns, int epochs);
 
   /// Appends a row with the next epoch and `numbers`, one per column, and rewrites the file.

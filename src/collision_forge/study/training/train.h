@@ -4,15 +4,16 @@
 
 namespace forge {
 
-/// Trains the collision-pattern network on logs and clips; resumes an interrupted
-/// run. Writes weights.bin of the best epoch (without validation scenes, of the last one),
-/// metrics.csv and the training state to run.out, and prints the progress. Throws
+/// Trains the collision-pattern network on logs and clips; resumes an interrupted run. Writes
+/// weights.bin of the best epoch (the lowest validation total; without validation scenes the last
+/// epoch), metrics.csv and the training state to run.out, and prints the progress. Throws
 /// std::runtime_error.
 void trainPatternNetwork(const TrainingRun& run);
 
 /// Trains the learned baseline run.generator on clips; resumes an interrupted run. Writes
-/// weights.pt of the best epoch, metrics.csv and the training state to run.out, and prints the
-/// progress. Throws std::runtime_error, also without clips.
+/// weights.pt of the best epoch (the last of TrafficModel::errorNames() is lowest on the validation
+/// scenes, without these on the training scenes), metrics.csv and the training state to run.out,
+/// and prints the progress. Throws std::runtime_error, also without clips.
 void trainGenerator(const TrainingRun& run);
 
 }  // namespace forge

@@ -28,15 +28,17 @@ struct TrainingSources {
 std::vector<std::string> sceneNames(const TrainingSources& sources);
 
 /// Returns the scenes of `names` in fold `fold` (1 to `folds`). The folds partition the scenes
-/// evenly; `seed` determines the assignment. Empty if there are fewer than `fold` scenes.
+/// evenly; `seed` determines the assignment. Empty if there are fewer than `fold` scenes. `names`
+/// may be in any order, without repetitions.
 std::set<std::string> scenesOfFold(std::vector<std::string> names, int fold, int folds,
                                    std::uint64_t seed);
 
 /// Returns the training samples of all scenes except `left_out`: one per frame for the egos of
-/// logs, one every `vehicle_stride` s for moving vehicles of logs in the role of the ego, and one
-/// per clip. The order does not depend on sources.jobs. Calls `on_item` (under a lock, from worker
-/// threads) with the number of scenes and clips done and their number in total; it must not throw.
-/// Rethrows the first exception of a worker.
+/// logs, one every `vehicle_stride` s for moving car-like vehicles (isCarLike()) of logs in the
+/// role of the ego, each if it has two frames of history and a later state, and one per clip.
+/// Ordered by scenes of the logs, then clips; the order does not depend on sources.jobs. Calls
+/// `on_item` (under a lock, from worker threads) with the number of scenes and clips done and their
+/// number in total; it must not throw. Rethrows the first exception of a worker.
 std::vector<TrainingSample> collectTrainingSamples(
     const TrainingSources& sources, const LearningOptions& options,
     const std::set<std::string>& left_out, std::uint64_t seed,
@@ -44,8 +46,9 @@ std::vector<TrainingSample> collectTrainingSamples(
 
 /// Returns the sample of the clip in the file `path` at its t0. Its times are `others` random
 /// frames after t0 (which may be the impact) and the impact as last one. `lanes`: map of the clip's
-/// city. TrainingSample::attack is empty if the clip's attacker is no candidate (isCandidate()). At
-/// present never returns nullopt. Throws as readCollideClip().
+/// city. `features`: the feature options of the network. TrainingSample::attack is empty if the
+/// clip's attacker is no candidate (isCandidate()). At present never returns nullopt. Throws as
+/// readCollideClip().
 std::optional<TrainingSample> clipSample(const std::string& path, const LaneIndex& lanes,
                                          const LearningOptions& options,
                                          const PatternFeatureOptions& features, int others,

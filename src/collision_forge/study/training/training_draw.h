@@ -22,14 +22,16 @@ struct TrainingDraw {
                        ///< mirrored; candidates are scored with it. Unused without an attack
 };
 
-/// Draws times, mirroring, hidden history and noise at random. Always hides the history of samples
-/// with an attack, never mirrors left turns (ltap).
+/// Draws times (with replacement; the first is the impact if there is an attack), mirroring, hidden
+/// history and noise at random, from `engine`. Always hides the history of samples with an attack,
+/// never mirrors left turns (ltap).
 TrainingDraw randomDraw(const TrainingSample& sample, const TrainingOptions& options,
                         std::mt19937_64& engine);
 
-/// Draws without augmentation: evenly spaced times including the last, no mirroring; hides the
-/// history only for samples with an attack. `expected_ego` is the true pose; with `engine`, noise
-/// of the same size as in randomDraw() is added.
+/// Draws without augmentation: TrainingOptions::times times, evenly spaced by index from the last
+/// back to the first (repeated if there are fewer), no mirroring; hides the history only for
+/// samples with an attack. `expected_ego` is the true pose; with `engine`, noise of the same size
+/// as in randomDraw() is added.
 TrainingDraw evenDraw(const TrainingSample& sample, const TrainingOptions& options,
                       std::mt19937_64* engine = nullptr);
 

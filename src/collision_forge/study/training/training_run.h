@@ -21,10 +21,11 @@ struct TrainingRun {
                             ///< the collision-pattern network
   GeneratorOptions generators;  ///< only for a learned baseline, from its configuration file
   std::string device = "cpu";   ///< "cpu" or "cuda"
-  int fold = 0;                 ///< fold of the scenes to leave out, from 1; 0: none
+  int fold = 0;                 ///< fold of the scenes to leave out, 1 to `folds`; 0: none
   int folds = 5;                ///< number of folds
   int threads = 1;              ///< CPU threads for training
-  int stop_after = 0;      ///< stop after this epoch (from 1), to be resumed; 0: train all epochs
+  int stop_after = 0;  ///< stop after this epoch (from 1, counted over all runs), to be resumed; 0:
+                       ///< train all epochs
   std::uint64_t seed = 0;  ///< seed of folds, validation split, samples and training
 };
 

@@ -34,7 +34,7 @@ struct TrainingSample {
   std::string scene;       ///< name of the scene
   SceneFeatures features;  ///< sceneFeatures() at t0
   double ego_speed = 0.0;  ///< m/s at t0
-  /// At least one; ascending for logs, else random with the impact last.
+  /// At least one; for logs ascending (equal ones possible), for clips random with the impact last.
   std::vector<TimedSample> times;
   /// Empty for logs, and for clips whose attacker is no candidate.
   std::optional<AttackSample> attack;
