@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "collision_forge/base/scene/short_id.h"
+#include "collision_forge/ros/bags/older_message.h"
 #include "collision_forge/ros/bags/read_opened.h"
 #include "collision_forge/ros/messages/topic_names.h"
 

@@ -1,5 +1,7 @@
 #include "collision_forge/ros/markers/crash_words.h"
 
+#include <cmath>
+
 #include "collision_forge/base/scene/formatted.h"
 #include "collision_forge/base/scene/short_id.h"
 #include "collision_forge/ros/markers/marker_parts.h"

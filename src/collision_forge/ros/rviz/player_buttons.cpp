@@ -109,8 +109,7 @@ void PlayerButtons::setPaused(bool is_paused) {
 }
 
 void PlayerButtons::trigger(const char* service) {
-  going_.start(service, {});
-  Q_EMIT moved();
+  if (going_.start(service, {})) Q_EMIT moved();
 }
 
 void PlayerButtons::showProblem(const QString& problem) {
@@ -120,8 +119,7 @@ void PlayerButtons::showProblem(const QString& problem) {
 void PlayerButtons::seek() {
   collision_forge::Seek::Request request;
   request.instant = kSliderStep * slider_->sliderPosition();
-  seeking_.start(names::kPlayerSeek, request);
-  Q_EMIT moved();
+  if (seeking_.start(names::kPlayerSeek, request)) Q_EMIT moved();
 }
 
 void PlayerButtons::showPosition(const std_msgs::Float64& position) {

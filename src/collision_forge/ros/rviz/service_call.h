@@ -28,15 +28,17 @@ class ServiceCall {
                      [this, then = std::move(then)] { then(watcher_.result()); });
   }
 
-  /// Calls the service `name` (relative to the node's namespace) without waiting. Does nothing
-  /// while another call runs: `request` is then dropped, and `then` is not called for it.
-  void start(const std::string& name, typename Service::Request request) {
-    if (watcher_.isRunning()) return;
+  /// Calls the service `name` (relative to the node's namespace) without waiting and returns true.
+  /// Returns false while another call runs: `request` is then dropped, and `then` is not called for
+  /// it.
+  bool start(const std::string& name, typename Service::Request request) {
+    if (watcher_.isRunning()) return false;
     watcher_.setFuture(QtConcurrent::run(&caller_, [name, request]() mutable -> Answer {
       typename Service::Response response;
       if (!ros::service::call(name, request, response)) return std::nullopt;
       return response;
     }));
+    return true;
   }
 
  private:
