@@ -132,8 +132,14 @@ bool AttackJudge::accepts(Attack& attack, const Track& attacker,
                           const std::vector<const Track*>& egos) {
   constexpr std::size_t kTries = 4;
   const auto end = egos.begin() + static_cast<std::ptrdiff_t>(std::min(kTries, egos.size()));
-  if (std::none_of(egos.begin(), end,
-                   [&](const Track* ego) { return isVerifiedIn(attack, *ego); })) {
+  std::optional<CollisionReport> rejected;
+  const bool is_verified = std::any_of(egos.begin(), end, [&](const Track* ego) {
+    if (isVerifiedIn(attack, *ego)) return true;
+    if (!rejected) rejected = attack.report;
+    return false;
+  });
+  if (!is_verified) {
+    if (rejected) countRejection(*rejected);
     return false;
   }
   if (exact_ && !isExact(attack.miss)) {
@@ -153,7 +159,10 @@ bool AttackJudge::isVerifiedIn(Attack& attack, const Track& ego) {
   attack.report = verify(attack.trajectory, {input_.snapshot, tried_, input_.request, input_.lanes},
                          options_.verification);
   if (!meetsRequest(attack.report, input_.request)) {
-    reject(attack.report);
+    const bool is_verified = attack.report.verified();
+    if (is_verified && input_.request.crash.believable && !attack.report.believable()) {
+      unbelievable_ = attack.report.unbelievable;
+    }
     return false;
   }
   attack.miss =
@@ -162,14 +171,11 @@ bool AttackJudge::isVerifiedIn(Attack& attack, const Track& ego) {
   return true;
 }
 
-void AttackJudge::reject(const CollisionReport& report) {
+void AttackJudge::countRejection(const CollisionReport& report) {
   std::string kind = shortcomingOf(report, input_.request);
   kind.erase(std::min(kind.find_first_of("0123456789"), kind.size()));  // strips the value
   while (!kind.empty() && kind.back() == ' ') kind.pop_back();
   ++rejections_[kind];
-  if (report.verified() && input_.request.crash.believable && !report.believable()) {
-    unbelievable_ = report.unbelievable;
-  }
 }
 
 double AttackJudge::confidenceIn(const Track& attacker,

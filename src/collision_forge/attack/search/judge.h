@@ -74,7 +74,7 @@ class AttackJudge {
   Status refusal(const std::vector<CollisionPattern>& patterns) const;
 
  private:
-  void reject(const CollisionReport& report);
+  void countRejection(const CollisionReport& report);
   bool isVerifiedIn(Attack& attack, const Track& ego);
   double confidenceIn(const Track& attacker, const std::vector<TrajectoryPoint>& points);
   std::string failureText(const std::vector<CollisionPattern>& patterns) const;
@@ -85,7 +85,7 @@ class AttackJudge {
   std::vector<const Track*> searched_;
   Future tried_;                           // with the ego future under test
   std::optional<FutureScorer> held_out_;   // created at the first use
-  std::map<std::string, int> rejections_;  // count per reason
+  std::map<std::string, int> rejections_;  // attacks by the reason of their first future
   std::string unbelievable_;  // why the last attack that only fails plausibility is implausible
   std::optional<PatternMiss> nearest_;  // of verified attacks that miss their pattern
   std::optional<double> surest_;        // highest confidence below the minimum

@@ -70,10 +70,10 @@ class CollisionGeneratorNodelet : public QueuedNodelet {
         getPrivateNodeHandle().param("keep_attack", false), config_.live.maxAttackAge());
     scene_subscriber_ = node.subscribe(names::kEncodedScene, kSceneQueue,
                                        &CollisionGeneratorNodelet::receive, this);
-    watch_ = node.createWallTimer(ros::WallDuration(kWatchInterval),
-                                  [this](const ros::WallTimerEvent& /*event*/) {
-                                    attempt([this] { live_->checkForLostFrames(ros::Time::now().toSec()); });
-                                  });
+    watch_ = node.createWallTimer(
+        ros::WallDuration(kWatchInterval), [this](const ros::WallTimerEvent& /*event*/) {
+          attempt([this] { live_->checkForLostFrames(ros::Time::now().toSec()); });
+        });
     services_.emplace_back(node, names::kGenerateCollision, &CollisionGeneratorNodelet::generate,
                            this);
     services_.emplace_back(node, names::kGenerateCollisions,
