@@ -22,7 +22,7 @@ class AttackSource {
   /// Returns the number that names the attack in the index file, from 1: the line in the scenario
   /// file, or the position in the list of bags.
   virtual std::size_t numberOf(std::size_t index) const = 0;
-  /// Returns the file (and line) of the attack, for messages.
+  /// Returns the place of the attack for messages: "FILE: line NUMBER", or the path of the bag.
   virtual std::string where(std::size_t index) const = 0;
   /// Returns a summary of the whole source, as "12 scenarios" (all lines of the file, also without
   /// an attack) or "1 bag".

@@ -9,10 +9,10 @@
 
 namespace forge {
 
-/// Exit codes of every command. kExitOk: success; kExitError: any other failure; kExitUsage:
-/// invalid command line; kExitNoAttack: no collision as requested (forge inject still writes the
-/// bag if an attack exists that misses the recorded ego or hits it differently); kExitFailed: a
-/// planner fails a criterion of the user (--fail-if).
+/// Exit codes of every command. kExitOk: success; kExitError: a failure without a code of its own,
+/// as an exception; kExitUsage: invalid command line; kExitNoAttack: no collision as requested
+/// (forge inject still writes the bag if an attack exists that misses the recorded ego or hits it
+/// differently); kExitFailed: a planner fails a criterion of the user (--fail-if).
 enum ExitCode { kExitOk = 0, kExitError = 1, kExitUsage = 2, kExitNoAttack = 3, kExitFailed = 4 };
 
 /// Prints "not read: PROBLEM" on stderr for each scene that could not be read. `problems`:
@@ -29,10 +29,11 @@ class CommandLine {
   /// Creates the program "forge" without commands, with --help and --version.
   CommandLine();
 
-  /// Adds a command and returns its CLI11 app, to which the caller adds options; these are parsed
-  /// before `run` is called. `name`: one or more words, as "completion bash"; missing parent
-  /// commands are created. `heading` and `text` are its section and its line in forge --help.
-  /// The returned reference is valid as long as this object.
+  /// Adds a command, or replaces `text` and `run` of the command with this name, and returns its
+  /// CLI11 app, to which the caller adds options; these are parsed before `run` is called. `name`:
+  /// one or more words, as "completion bash"; missing parent commands are created. `heading` and
+  /// `text` are its section and its line in forge --help. The returned reference is valid as long
+  /// as this object.
   CLI::App& add(const std::string& heading, const std::string& name, const std::string& text,
                 Run run);
 

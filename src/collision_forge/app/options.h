@@ -96,8 +96,7 @@ CLI::Option* addScenes(CLI::App& app, std::vector<std::string>& scenes);
 /// the package (its environment is not sourced) and in a build without ROS.
 std::optional<ConfigFolder> installedConfig();
 /// --config, a folder whose files and keys override installedConfig(), to which `config` is set at
-/// once. Without an installed
-/// configuration the option is required and names a complete folder.
+/// once. Without an installed configuration the option is required and names a complete folder.
 void addConfig(CLI::App& app, ConfigFolder& config);
 /// --out, the output file or folder; required.
 void addOut(CLI::App& app, std::string& out, const std::string& text);
@@ -150,8 +149,9 @@ void addOwnPlanners(CLI::App& app, OwnPlanners& own);
 void useOwnPlanners(const OwnPlanners& own, const std::vector<std::string>& planners,
                     Config& config);
 /// Adds the fingerprints of the user's planners that are in `planners` (names) to `options`: of the
-/// TorchScript file, and of the command with the files that it names. `settings`: config.planners
-/// after useOwnPlanners().
+/// TorchScript file as "planner_file"; and as "planner_command" or "planner_node" the text of the
+/// command with the fingerprint of each of its words (split at white space) that is the path of an
+/// existing file. `settings`: config.planners after useOwnPlanners().
 void addPlannerFingerprints(ResumableFile::Options& options,
                             const std::vector<std::string>& planners,
                             const PlannerOptions& settings);
@@ -170,7 +170,8 @@ void addBackground(CLI::App& app, BackgroundChoice& choice, std::size_t most);
 /// its licence, and loads it once, so that an unusable file throws PlannerFileError before the work
 /// begins. Does nothing without a model.
 void useBackground(const BackgroundChoice& choice, Config& config);
-/// Adds the names of the backgrounds and the fingerprint of the model's file to `options`.
+/// Adds the names of the backgrounds, in their order, as "background" to `options`, and the
+/// fingerprint of the model's file, if there is one, as "background_model".
 void addBackgroundFingerprints(ResumableFile::Options& options, const BackgroundChoice& choice);
 
 /// Returns the fingerprints of all inputs of a run over logs: configuration, models, logs. A run is

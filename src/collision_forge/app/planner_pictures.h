@@ -23,7 +23,8 @@ ScenarioView viewOfCollision(const PlannerCase& one, const PlannerRow& row, cons
 /// of `row.outcome` and `row.evasion_drive` must be set.
 ScenarioView viewOfEvasiveManoeuvre(const PlannerCase& one, const PlannerRow& row);
 
-/// Writes PATH.png and PATH.gif. Throws as drawScenarioPng().
+/// Writes PATH.png and PATH.gif; `path`: without an ending, in an existing folder. Throws as
+/// drawScenarioPng() and drawScenarioGif().
 void drawView(const std::string& path, const ScenarioView& view, const DrawingOptions& drawing);
 
 }  // namespace forge

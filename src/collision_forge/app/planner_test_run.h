@@ -21,14 +21,15 @@ namespace forge {
 /// The command-line arguments of a planner test.
 struct PlannerTestArguments {
   LogSource logs;  ///< recordings of the cases; only fingerprinted here
-  std::vector<std::string> planners = {"idm", "rule_based", "pdm"};  ///< names of plannerNames()
+  /// Names of plannerNames(), at least one.
+  std::vector<std::string> planners = {"idm", "rule_based", "pdm"};
   OwnPlanners own_planners;                       ///< files and commands of the user's planners
   std::vector<std::string> policies = {"fixed"};  ///< attacker policies: "fixed", "adaptive"
   BackgroundChoice background;                    ///< motion of other agents
   /// Number of drawn hits per row (rowKeys()): the most severe fair ones, at most one per scene
   /// (worstCases()); 0: none.
   std::size_t worst = 3;
-  std::string out;                  ///< output folder
+  std::string out;                  ///< output folder, must not be empty
   std::string report;               ///< folder of the HTML report; empty: none
   std::vector<Criterion> criteria;  ///< --fail-if: the planners fail if one of these holds
   std::string junit;                ///< path of the JUnit XML file; empty: none
@@ -39,7 +40,8 @@ struct PlannerTestArguments {
 };
 
 /// Adds --planners, addOwnPlanners(), --background, --worst, --steps, --out, --jobs, --report,
-/// --fail-if, --junit and --config.
+/// --fail-if, --junit and --config (addConfig()); --out is required, the others are optional. The
+/// options reject unknown planners. `arguments` must live until the command has run.
 void addPlannerTestOptions(CLI::App& app, PlannerTestArguments& arguments);
 
 /// Returns true if at least one result isTested().
@@ -50,8 +52,10 @@ bool anyTested(const std::vector<PlannerTestResult>& results);
 class PlannerTestRun {
  public:
   /// Loads the configuration, starts the user's planners once (useOwnPlanners()) and locks the
-  /// folders `out` and `report`. Throws ConfigError, PlannerFileError, and the exceptions of
-  /// lockFolders().
+  /// folders `out` and `report`. The names in `arguments` are not checked: run() throws
+  /// for an unknown planner, and an unknown policy is undefined behaviour. Throws ConfigError,
+  /// PlannerFileError, and the exceptions of lockFolders() and, for the policy "adaptive",
+  /// loadPredictionModels().
   explicit PlannerTestRun(PlannerTestArguments arguments);
 
   /// The configuration, with the user's planners.
@@ -61,19 +65,21 @@ class PlannerTestRun {
   /// Path of results.jsonl in the output folder.
   const std::string& resultsPath() const { return results_path_; }
 
-  /// Tests the planners on all cases; resumes an interrupted run. `fingerprints`: inputs of the
-  /// results besides configuration, logs, cases and planners. Writes results.jsonl, results.csv,
-  /// table.csv, table.md and pictures (worst/) to OUT, prints the summary and returns one result
-  /// per case, in order, without motions. If no case could be tested, writes only results.jsonl and
+  /// Tests the planners on all cases, at least one; resumes an interrupted run. `fingerprints`:
+  /// inputs of the results besides configuration, logs, cases and planners. Writes results.jsonl,
+  /// results.csv (plannerResultCsvHeader()), table.csv and table.md (plannerTables()) and pictures
+  /// (worst/, named by pictureName()) to OUT, prints the summary and returns one result per case,
+  /// in order, without motions. If no case could be tested, writes only results.jsonl and
   /// throws std::runtime_error, or with `may_be_untested` returns the results. Also throws as
-  /// testCases().
+  /// testCases(), and std::runtime_error if a file cannot be written.
   std::vector<PlannerTestResult> run(const PlannerCases& cases,
                                      const ResumableFile::Options& fingerprints = {},
                                      bool may_be_untested = false) const;
 
-  /// Applies the criteria of the arguments to the results of run(): prints the verdicts, writes the
-  /// JUnit file if one was asked for. Returns kExitFailed if a criterion holds for any row
-  /// (rowName()), else `code`, the exit code without criteria.
+  /// Applies the criteria of the arguments to the results of run(): prints the verdicts
+  /// (verdictText(), nothing without criteria), writes the JUnit file if one was asked for (throws
+  /// std::runtime_error if it cannot be written). Returns kExitFailed if a criterion holds for any
+  /// row (rowName()), else `code`, the exit code without criteria.
   int applyCriteria(const std::vector<PlannerTestResult>& results, int code) const;
 
   /// Writes the HTML report of results.jsonl and of the files `attacks` (scenario files over

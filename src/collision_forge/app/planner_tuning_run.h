@@ -24,7 +24,7 @@ struct TuningArguments {
   std::string grid;  ///< YAML file with the values; empty: tuning.yaml of the configuration
   LogSource logs;    ///< recordings of the cases, for fingerprints and the HTML report
   BackgroundChoice background;  ///< motion of other agents; only the first background is used
-  std::string out;              ///< output folder
+  std::string out;              ///< output folder, must not be empty
   std::string report;           ///< folder of the HTML report; empty: none
   ConfigFolder config;
   int jobs = defaultJobs();  ///< threads
@@ -41,19 +41,24 @@ struct TuningCases {
 
 /// Tunes a planner on the cases that `open` returns; resumes an interrupted run. Tests every
 /// variant of the grid on the training cases, then the default and the best one on the test cases.
-/// Writes to `arguments.out`: planners.yaml with the best values; variants.csv, a row per variant;
-/// table.md and table.csv, which compare the default and the best variant; train.jsonl and
-/// test.jsonl, the results of the cases. Writes the HTML report to `arguments.report` unless that
-/// is empty. Returns kExitOk.
+/// The best variant has the lowest share of collisions (isCollision()) in the avoidable training
+/// cases; of equals the one with the greatest mean progress, then the first (bestVariant()): the
+/// default may be the best.
+/// Writes to `arguments.out`: planners.yaml with the best values; variants.csv, a row per variant
+/// (scoresCsv()); table.md and table.csv, which compare the default and the best variant;
+/// train.jsonl and test.jsonl, the results of the cases (docs/planners.md). Writes the HTML report
+/// to `arguments.report` unless that is empty. Returns kExitOk.
 ///
 /// `open` is called once, with the loaded configuration, after the folders are locked. Throws
-/// ConfigError, PlannerFileError, the exceptions of lockFolders(), testCases() and `open`, and
-/// std::runtime_error if the training cases have no avoidable collision.
+/// ConfigError (also for a planner without a section in the grid), PlannerFileError, the exceptions
+/// of lockFolders(), variantsOf(), testCases(), writeReport() and `open`, and std::runtime_error if
+/// the training cases have no avoidable collision or a file cannot be written.
 int tunePlanner(const TuningArguments& arguments,
                 const std::function<TuningCases(const Config&)>& open);
 
-/// Adds --planner, addOwnPlanners(), --grid, addSource() (required), --background, --out, --jobs,
-/// --report and --config; `arguments` must live until the command has run.
+/// Adds --planner, addOwnPlanners(), --grid, addSource(), --background, --out, --jobs, --report and
+/// --config (addConfig()). addSource() and --out are required, the others optional. `arguments`
+/// must live until the command has run.
 void addTuningOptions(CLI::App& app, TuningArguments& arguments);
 
 }  // namespace forge

@@ -9,9 +9,10 @@
 /// The HTML report, for forge report and for commands with the option --report.
 namespace forge {
 
-/// Writes FOLDER/index.html (writeReportPage()) and prints its number of table rows on stdout.
-/// `inputs`: the files to show; `config`: settings and colours, catalogues and limits.
-/// Throws as writeReportPage().
+/// Writes FOLDER/index.html (writeReportPage()) and prints its number of table rows (ReportRow: one
+/// per attack, alternative, rejected request, planner's test and untested case) on stdout; without
+/// rows the page is written, too. `inputs`: the files to show; `config`: settings and colours,
+/// catalogues and limits. Locks nothing. Throws as writeReportPage() and readCatalogue().
 void writeReport(const ReportInputs& inputs, const std::string& folder, const Config& config);
 
 /// Adds --report, the folder of the HTML report, and returns this option; `folder` keeps its value

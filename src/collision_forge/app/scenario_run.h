@@ -26,7 +26,8 @@ struct ScenarioRun {
 /// interrupted run. `logs`: the source of `scenes`, for the fingerprints; `config` gives the
 /// options that a request does not set itself. Throws as carryOut(), and std::runtime_error for a
 /// request that cannot be processed (naming `list` and its line) and for a scenario in the file
-/// that belongs to another request.
+/// that belongs to another request (with another requestLine() or mode; the answer to a request
+/// for type "any" may have any type).
 void writeScenarios(const ScenarioRun& asked, const LogSource& logs, SceneSource& scenes,
                     const Config& config, const std::function<void(const Scenario&)>& take);
 

@@ -101,13 +101,16 @@ double criticalFuzzy(double gap, double ego_speed, double leader_speed, double a
 /// brakes to a stop, the other models brake while the situation is unsafe. Not thread-safe.
 class CarefulDriver {
  public:
+  /// A driver of `model` that has not reacted; `options` are copied.
   explicit CarefulDriver(DriverModel model, const DriverOptions& options = {})
       : model_(model), options_(options) {}
 
   /// Advances the driver by `step` seconds and returns the deceleration (m/s2, >= 0) for them;
-  /// empty until the driver reacts, 0 when a driver that has reacted does not brake. Call it once
-  /// per step. `approach`: the agent that matters at the start of the step; empty if there is none.
-  /// `speed` (m/s) is the ego's then.
+  /// empty until the driver reacts, 0 when a driver that has reacted does not brake. During the
+  /// delay of its model the CC driver decelerates by DriverOptions::release, the others by 0; it
+  /// is waited for once, and for the others it counts unsafe steps only. Call it once per step.
+  /// `approach`: the agent that matters at the start of the step; empty if there is none. `speed`
+  /// (m/s) is the ego's then.
   std::optional<double> decelerate(const std::optional<Approach>& approach, double speed,
                                    double step);
 

@@ -15,7 +15,7 @@ inline constexpr std::array<double, 3> kForecastIntervals = {0.5, 0.8, 0.9};
 /// Errors of forecast distances, driven from a frame to `horizon` later, against recorded ones.
 /// Means are 0 if there are no cases.
 struct ForecastErrors {
-  double horizon = 0.0;   ///< s after the frame
+  double horizon = 0.0;   ///< s after the frame, the value given, not rounded
   std::size_t cases = 0;  ///< number of forecasts in the means
   double error = 0.0;     ///< m, mean |weighted mean of the forecast - recorded distance|
   double ranked = 0.0;    ///< m, mean continuous ranked probability score

@@ -12,11 +12,21 @@
 
 namespace forge {
 
-/// Number of features of a path, shared by the anchors on it: log probability, RoadAhead, offset of
-/// the ego, junction, speed, turns at six distances. A lane (kTargetPoints) has the first alone: 1
-/// for a connector.
+/// Number of features of a path, shared by the anchors on it, in order: log probability; whether it
+/// is on lanes; the six fields of RoadAhead; lateral offset and yaw of its start in the ego's
+/// frame; start and end of its first junction (at most 80 m ahead), whether there is one, whether
+/// the path starts in it; the ego's speed over the last kProfileStep; turn from the path's start to
+/// 5, 10, 20, 30, 45 and 60 m. A lane (kTargetPoints) has the first alone: 1 for a connector, else
+/// 0. With kRegression all are 0.
 inline constexpr int kGroupFeatures = 21;
-inline constexpr int kAnchorFeatures = 12;  ///< number of features of one anchor
+/// Number of features of one anchor. On a path, in order: mean speed to the anchor minus the ego's
+/// speed; mean speed; place in the group (0 at constant speed or for the anchor that stands, about
+/// -1 and 1 at the ends); whether it stands; acceleration needed; gap left to the vehicle ahead if
+/// that keeps its speed; distance beyond the start of the junction; the absolute value of that, up
+/// to 10 m; lateral acceleration in the bends over kComfortableLateralAcceleration; distance
+/// driven; y and sin yaw of the anchor. With the other heads: the first two (mean speed from the
+/// straight distance), x, y, cos and sin yaw, then zeros.
+inline constexpr int kAnchorFeatures = 12;
 
 /// Candidate positions (anchors) of the ego's box centre at one time, as network input. A group is
 /// a candidate path (in the order of EgoPathSet) or lane (nearest first); its anchors are

@@ -4,7 +4,8 @@
 
 namespace forge {
 
-// Features are divided by these to be of order one.
+// Units of the features of sceneFeatures(), anchorFeatures() and candidateFeatures(): values are
+// divided by these to be of order one.
 inline constexpr double kPlaceScale = 30.0;        // m
 inline constexpr double kSpeedScale = 10.0;        // m/s
 inline constexpr double kAccelerationScale = 2.0;  // m/s2

@@ -10,7 +10,8 @@ namespace forge {
 /// candidate has the network's relative pose, at the median predicted ego pose at impact (in replay
 /// mode: the recorded one, if the recording reaches the impact), and replaces the kinematic pattern
 /// nearest to it. Candidates, further patterns and the assumed future come from
-/// KinematicPatternPredictor, which alone answers requests of types other than kCollisionTypes.
+/// KinematicPatternPredictor, which alone answers requests of types other than kCollisionTypes; its
+/// rejections are returned as they are.
 class NetworkPatternPredictor : public PatternPredictor {
  public:
   /// Without a network it predicts as KinematicPatternPredictor. The ego pose is predicted without

@@ -34,12 +34,14 @@ struct LayerShape {
   int inputs = 0;
   int outputs = 0;
 };
-/// Returns the shapes of all layers of a network with these widths, by the layer's name, for
-/// instance "agent_first".
+/// Returns the shapes of all 16 layers of a network with these widths, by the layer's name:
+/// "agent_first", "agent_second", "lane_first", "lane_second", "query", "key", "value", "scene",
+/// "request", "group", "anchor_first", "anchor_second", "anchor_last", "candidate_first",
+/// "candidate_second" and "candidate_last".
 std::map<std::string, LayerShape> layerShapes(const PatternNetworkOptions& options);
 
 /// Throws std::invalid_argument, naming the layer, if a layer is missing, unknown, of the wrong
-/// shape or has numbers that are not finite or too large, or if a width is not positive.
+/// shape or has numbers that are not finite or beyond 1e6, or if a width is not positive.
 void checkWeights(const PatternWeights& weights);
 
 }  // namespace forge

@@ -27,10 +27,10 @@ class PredictedScene {
   /// PatternNetwork::ego().
   std::vector<EgoComponent> egoAfter(double tta, std::optional<CollisionType> type) const;
 
-  /// Returns the network's prediction for each vehicle, in the order of `vehicles`, given the ego's
-  /// pose at impact `tta` s after t0 (`ego_at_impact`, ego frame at t0). Only the vehicles' ids are
-  /// used. Throws std::invalid_argument if a vehicle is not in the snapshot, and as
-  /// PatternNetwork::candidates().
+  /// Returns the network's prediction for each vehicle, in the order of `vehicles` (empty for
+  /// none), given the ego's pose at impact `tta` s after t0 (`ego_at_impact`, ego frame at t0).
+  /// Only the vehicles' ids are used. Throws std::invalid_argument if a vehicle is not in the
+  /// snapshot, and as PatternNetwork::candidates().
   std::vector<CandidatePrediction> judge(const std::vector<const Track*>& vehicles,
                                          const Pose2& ego_at_impact, double tta,
                                          CollisionType type) const;

@@ -23,7 +23,7 @@ struct PredictionModels {
   /// Returns the models for kinematic prediction only.
   PredictionModels withoutNetwork() const { return {speeds, nullptr, std::nullopt, unseen_scene}; }
   /// Returns the models fitted without `scene`, for tests on it; models without such a fold are
-  /// kept.
+  /// kept, and so are known_type and models that are null. `unseen_scene` of the result is `scene`.
   PredictionModels withoutScene(const std::string& scene) const;
 };
 

@@ -28,8 +28,9 @@ CandidateNow candidateNow(const Track& observed, const Pose2& ego_now);
 
 /// Returns the network input of a candidate, kCandidateFeatures numbers scaled to order one:
 /// pose, its speed and the ego's, pose relative to the ego's pose at impact (`ego_at_impact`, ego
-/// frame at t0), the place reached straight on in `tta` s (positive) relative to it, the speed,
-/// acceleration and bearing needed to reach it, `tta`, and the type one-hot in the order of
+/// frame at t0), the place reached straight on in `tta` s (positive) relative to it and the log of
+/// its distance, the mean speed needed to reach it, that speed minus the candidate's, the
+/// acceleration and bearing needed, `tta`, and the type one-hot in the order of
 /// kCollisionTypes. `ego_speed` in m/s at t0, along the ego's heading. Uses no history.
 Eigen::VectorXf candidateFeatures(const CandidateNow& candidate, double ego_speed,
                                   const Pose2& ego_at_impact, double tta, CollisionType type);

@@ -20,10 +20,12 @@ struct DenseTensor {
 /// m/s). Missing entries have mask 0 and value 0, others mask 1.
 struct SceneEncoding {
   /// [1 + agents, frames, 8]: x, y, cos yaw, sin yaw, vx, vy, length, width. Row 0 is the ego, then
-  /// the agents in the snapshot's order; the last frame is t0.
+  /// all agents of the snapshot in its order; the last frame is t0. An entry is missing if the
+  /// agent has no state at the frame's time (to 1 us).
   DenseTensor agent_features;
   DenseTensor agent_mask;  ///< [1 + agents, frames]
-  /// [lanes, points, 6]: x, y, cos yaw, sin yaw, is_connector, is_intersection; nearest lane first.
+  /// [lanes, points, 6]: x, y, cos yaw, sin yaw, is_connector, is_intersection (1 or 0); nearest
+  /// lane first. `lanes` is the number of lanes found, `points` is EncodingOptions::lane_points.
   DenseTensor lane_features;
   DenseTensor lane_mask;              ///< [lanes, points]
   std::vector<std::string> lane_ids;  ///< [lanes], ids of the rows of lane_features
@@ -31,9 +33,9 @@ struct SceneEncoding {
 };
 
 /// Encodes the `frames` newest frames of the snapshot (times of ego states; the oldest columns stay
-/// empty if there are fewer) and the lanes around the ego, at most options.max_lanes, a point every
-/// options.lane_point_spacing from the lane's start to at most its end. Throws
-/// std::invalid_argument if the snapshot has no ego state at its time.
+/// empty if there are fewer) and the lanes within options.lane_radius of the ego, at most
+/// options.max_lanes, a point every options.lane_point_spacing from the lane's start to at most its
+/// end. Throws std::invalid_argument if the snapshot has no ego state at its time (to 1 us).
 SceneEncoding encodeScene(const Snapshot& snapshot, const LaneIndex& lanes, int frames,
                           const EncodingOptions& options);
 

@@ -11,16 +11,19 @@
 
 namespace forge {
 
-/// Numbers per agent and frame: x, y, cos yaw, sin yaw, vx, vy, time since t0 (negative; frames
-/// count as 0.5 s apart), is ego (1 or 0).
+/// Numbers per agent and frame: x, y (kPlaceScale), cos yaw, sin yaw, vx, vy (kSpeedScale), time
+/// since t0 (4 s; at most 0; frames count as 0.5 s apart), is ego (1 or 0). In brackets, here and
+/// below: the unit of the number, by which the value in m, s, m/s or m/s2 is divided.
 inline constexpr int kAgentVector = 8;
-/// Numbers per lane point: x, y, cos yaw, sin yaw, is_connector, is_intersection, index of the
-/// point over lane_points; then the lane's links: numbers of successors and predecessors, turns
-/// (rad, left positive, from the lane's end to the successor's end) of the leftmost and the
-/// rightmost successor, whether a successor is in an intersection.
+/// Numbers per lane point: x, y (kPlaceScale), cos yaw, sin yaw, is_connector, is_intersection,
+/// index of the point over lane_points; then the lane's links: numbers of successors and
+/// predecessors (3), turns (rad, left positive, from the lane's end to the successor's end) of the
+/// leftmost and the rightmost successor (0 without a successor), whether a successor is in an
+/// intersection (1 or 0).
 inline constexpr int kLaneVector = 12;
-/// Numbers of the ego: five past speeds (EgoNow), the three newest accelerations between them
-/// (newest first), turn rate.
+/// Numbers of the ego: five past speeds (EgoNow; kSpeedScale), the three newest accelerations
+/// between them (newest first; kAccelerationScale), turn rate (kTurnRateScale, clamped to
+/// kMaxFeature).
 inline constexpr int kEgoFeatures = 9;
 
 /// Returns the snapshot without information from later frames: velocities are backward differences
@@ -43,10 +46,10 @@ struct SceneFeatures {
   Eigen::VectorXf ego;        ///< [kEgoFeatures]
 };
 
-/// Encodes the ego, the agents present at t0 nearest to it and the nearest lanes, each at most as
-/// many as `options` allows. `observed` must come from observedSnapshot(). Throws
-/// std::invalid_argument, naming the agent, for a number that is not finite, and if the snapshot
-/// has no ego state at its time.
+/// Encodes the ego, the agents present at t0 (to 1 us) nearest to it (box centres) and the nearest
+/// lanes, each at most as many as `options` allows. `observed` must come from observedSnapshot().
+/// Throws std::invalid_argument, naming the agent, for a number that is not finite, and if the
+/// snapshot has no ego state at its time.
 SceneFeatures sceneFeatures(const Snapshot& observed, const LaneIndex& lanes,
                             const PatternFeatureOptions& options);
 

@@ -11,7 +11,7 @@ namespace forge {
 /// `milliseconds` are empty.
 struct AdaptiveDrive {
   Attack attack;                    ///< trajectory as driven, with its report; or the rejection
-  std::vector<AttackerPlan> plans;  ///< AttackerPolicy::plans()
+  std::vector<AttackerPlan> plans;  ///< AttackerPolicy::plans(), the initial plan first
   /// wall-clock time of each call of AttackerPolicy::observe(), ms; one per frame after t0
   std::vector<double> milliseconds;
 };
@@ -34,7 +34,8 @@ AdaptiveDrive driveAdaptively(Attack first, const Moment& moment, const Scene& r
                               const AttackerSetup& setup);
 
 /// Returns `answer` if it is rejected already or its drive meets `request` (shortcomingOf()), else
-/// kNoAttackWithinLimits with the reason and without plans.
+/// a rejection without plans and milliseconds: kNoAttackWithinLimits (also if only plausibility
+/// fails), with the shortcoming and the reason of the last plan as message.
 AdaptiveDrive rejectMisses(AdaptiveDrive answer, const CollisionRequest& request);
 
 }  // namespace forge

@@ -36,17 +36,25 @@ struct AttackerSetup {
 inline constexpr LimitSet kAdaptiveLimits = LimitSet::kDrivable;
 
 /// An attacker that observes the scene and replans every AdaptiveOptions::period. Each update step
-/// samples how the ego may continue. If its plan hits the ego in too few of these futures, it
-/// searches a new one (searchManoeuvres()) with the same type and contact time. A new plan takes
-/// effect FairnessOptions::reaction_time after the observation; until then the old plan is driven,
-/// and the new one continues its state, so the whole drive keeps kAdaptiveLimits if the first plan
-/// does. Shortly before the contact the attacker commits to its plan. If no plan comes close to the
-/// crash, or the ego is lost or jumps, it aborts and continues as normal traffic (driveOn()). A
-/// frame without ego and agents means that nothing was observed: predictions continue from the
-/// previous frame.
+/// samples how the ego may continue. If its plan hits the ego in less than
+/// SearchOptions::good_share of these futures (or is off its lane), it searches a new one
+/// (searchManoeuvres()) with the same type and contact time, and takes it if its
+/// FoundAttack::objective is greater by more than 0.05 and, if the request requires it, the whole
+/// drive is plausible. A new plan takes effect FairnessOptions::reaction_time after the
+/// observation; until then the old plan is driven, and the new one continues its state, so the
+/// whole drive keeps kAdaptiveLimits if the first plan does. AdaptiveOptions::commit_time before
+/// the latest allowed contact the attacker commits to its plan.
+///
+/// It aborts, and from then on continues as normal traffic (driveOn(), planned anew at each update
+/// step), if no plan hits any future or comes close to it (FutureScore::closeness below 0.02), if
+/// another agent blocks a plan that hits no future (AdaptiveOptions::evade_time), if the ego is
+/// lost or jumps, or once the latest allowed contact time has passed. An aborted attack never
+/// resumes. A frame without ego and agents means that nothing was observed: predictions continue
+/// from the previous frame.
 class AdaptiveAttacker : public AttackerPolicy {
  public:
-  /// `task.plan` must have at least two points, `task.snapshot.ego` at least one state.
+  /// `task.plan` must have at least two points, `task.snapshot.ego` at least one state. plans()
+  /// then has the initial plan alone. Preconditions are not checked.
   AdaptiveAttacker(AttackerTask task, AttackerSetup setup);
 
   std::unique_ptr<AttackerPolicy> clone() const override {
@@ -59,8 +67,8 @@ class AdaptiveAttacker : public AttackerPolicy {
   /// requested contact if that is later; points are SearchOptions::step apart.
   const AttackerTrajectory& trajectory() const override { return task_.plan; }
   AttackerPhase phase() const override { return phase_; }
-  /// See AttackerPolicy. Update steps that keep the plan, or continue as normal traffic, add no
-  /// plan.
+  /// See AttackerPolicy. Update steps that keep the plan, or continue as normal traffic after the
+  /// abort, add no plan; commitment and abort add one each.
   const std::vector<AttackerPlan>& plans() const override { return plans_; }
 
   /// Returns the ego's observed states since t0 followed by its likeliest prediction, and the other

@@ -68,7 +68,8 @@ class AttackerPolicy {
   virtual const std::vector<AttackerPlan>& plans() const = 0;
 };
 
-/// The built-in policies: kFixed is FixedAttacker, kAdaptive is AdaptiveAttacker.
+/// The built-in policies: kFixed is FixedAttacker, which drives its first plan; kAdaptive is
+/// AdaptiveAttacker, which replans as the ego moves.
 enum class PolicyKind { kFixed, kAdaptive };
 /// Returns "fixed" or "adaptive".
 const char* toString(PolicyKind kind);

@@ -7,7 +7,7 @@ namespace forge {
 
 /// Returns the frame of a recording at `time` (s, scene clock): the agents with a state at that
 /// time (to 1 us), each with this state alone, and the ego's pose, interpolated. The ego's pose is
-/// NaN if it was not recorded then.
+/// NaN if it was not recorded then: outside its track, or in a gap longer than kMaxGap.
 Frame frameAt(const Scene& scene, double time);
 
 /// Calls policy.observe() with each frame (Scene::frame_times) of the recording after `now` (s,

@@ -17,7 +17,8 @@ struct CatalogueCell {
   CollisionRequest request;
 };
 
-/// A scenario that a test programme names, of a file config/catalogue/NAME.yaml.
+/// A scenario that a test programme names, of a file config/catalogue/NAME.yaml; docs/catalogue.md
+/// describes the keys of the file.
 struct CatalogueEntry {
   std::string name;  ///< catalogue and scenario: "euro_ncap_2026/CCRm"
   std::string text;  ///< what happens, for people
@@ -33,7 +34,7 @@ struct CatalogueEntry {
 };
 
 /// Returns the names of the catalogues in the configuration (files catalogue/NAME.yaml, without
-/// extension), sorted.
+/// extension), sorted; empty without such files.
 std::vector<std::string> catalogueNames(const ConfigFolder& folder);
 
 /// Returns the entries of one catalogue, or of all for "all", sorted by catalogue and name. Throws
@@ -43,9 +44,10 @@ std::vector<CatalogueEntry> readCatalogue(const ConfigFolder& folder, const std:
 
 /// Returns the entries that `names` select, in the order of `names`; all if `names` is empty. A
 /// name is the name of an entry, with or without its catalogue and in any case, and may go on with
-/// values of the grid; the entry then keeps the cells with these values: "CCRb deceleration=4". A
-/// short name selects its entries in all catalogues. Throws std::invalid_argument for an unknown
-/// name or value, with the nearest known one.
+/// values of the grid, spelt as in CatalogueCell::name; the entry then keeps the cells with all of
+/// these values: "CCRb deceleration=4". A short name selects its entries in all catalogues. An
+/// entry that two names select appears twice. Throws std::invalid_argument for an unknown name or
+/// value, with the nearest known one.
 std::vector<CatalogueEntry> namedEntries(const std::vector<CatalogueEntry>& entries,
                                          const std::vector<std::string>& names);
 

@@ -11,10 +11,12 @@ CollisionRequest withTypeOf(CollisionRequest request, const Attack& attack);
 /// Returns the verified attack for a request, and further ones in `alternatives` if the request
 /// wants more than one: generateOne(), then findAlternatives(). In replay mode, reports also have
 /// the drives of driveCarefully() in the recording. For CollisionType::kAny, returns the attack
-/// with the greatest scoreOf() over all types, tried in an order that depends on the seed, until
-/// one has the greatest possible score, 1; Attack::pattern has its type. A rejection that does not
-/// depend on the scene (dependsOnScene()) is returned at once; if all types are rejected, the
-/// status has their common code, else kNoAttackWithinLimits. Without an attack, its status has the
+/// with the greatest scoreOf() over all types (the first tried of equals), tried in an order that
+/// depends on the seed, until one has the greatest possible score, 1; Attack::pattern has its type.
+/// Types that checkControls() rejects are skipped; if it rejects all, its last status is returned.
+/// Another rejection that does not depend on the scene (dependsOnScene()) is returned at once; if
+/// all types are rejected, the status has their common code, or kNoAttackWithinLimits if they
+/// differ. Without an attack, its status has the
 /// code and the reason. Throws as AttackMethod::answer(). Main entry point of the attack layer;
 /// runs on the caller's thread.
 Attack generateCollision(const AttackMethod& method, const Moment& moment,

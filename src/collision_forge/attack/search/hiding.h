@@ -62,7 +62,8 @@ class HidingSearch {
   /// Returns true if the whole box is on the drivable area, and no part on a walkway.
   bool isOnRoad(const OrientedBox& box) const;
 
-  /// Returns an id "PREFIX-N" that no agent has, with the smallest such N greater than `number`.
+  /// Returns an id "PREFIX-N" that no agent of HidingInput::past or future has, with the smallest
+  /// such N greater than `number`.
   std::string newId(const std::string& prefix, std::size_t number) const;
 
  private:

@@ -64,7 +64,8 @@ class MethodRegistry {
 };
 
 /// Returns "search" and "network+search" (SearchMethod), "network" (PatternQuinticMethod),
-/// "constant_velocity" and "nominal".
+/// "constant_velocity" and "nominal", in this order. The methods with "network" in their name need
+/// MethodSetup::networks; only the first two are seeded.
 MethodRegistry builtInMethods();
 
 /// Returns the default method's name: "network+search" with networks, else "search".
@@ -81,7 +82,8 @@ const MethodPredictors& networksOf(const MethodSetup& setup);
 /// Returns the built-in methods and the ones of shared libraries (paths, as for dlopen()). Each
 /// library exports `extern "C" void addCollisionForgeMethods(forge::MethodRegistry&)`, called once
 /// after loading; libraries stay loaded. Throws std::runtime_error, naming the library, if one
-/// cannot be loaded or lacks the function.
+/// cannot be loaded or lacks the function, and as MethodRegistry::add() for a name that is used
+/// already.
 MethodRegistry methodsWith(const std::vector<std::string>& libraries);
 
 }  // namespace forge

@@ -22,6 +22,7 @@ struct PhraseRule {
 };
 
 /// Returns the rules in the order in which they are applied; each consumes the words it matches.
+/// The reference is valid until the program ends.
 const std::vector<PhraseRule>& phraseRules();
 
 /// Returns true for words that carry no meaning in a request: articles, pronouns, "please".

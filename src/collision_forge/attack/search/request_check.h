@@ -9,8 +9,9 @@
 namespace forge {
 
 /// Returns true if the agent may attack: a motor vehicle, or an agent of the class `wanted`, with a
-/// size, present at t0 and in a frame at most kMaxGap before, at most options.candidate_radius from
-/// the ego (box centres), and not hitchedTo() another agent, which would be left behind.
+/// size, present at t0 (to 1 us) and in a frame at most kMaxGap before, with finite poses, at most
+/// options.candidate_radius from the ego (box centres), and not hitchedTo() another agent, which
+/// would be left behind.
 bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionOptions& options,
                  const std::optional<AgentClass>& wanted = std::nullopt);
 
@@ -26,20 +27,21 @@ bool asksForPedestrian(const CollisionRequest& request, const Snapshot& snapshot
 inline constexpr int kMaxAlternatives = 16;
 
 /// Returns the request with its attacker's full id if it gives a prefix of at least kShortId
-/// characters that is unique in the snapshot, else unchanged.
+/// characters that is unique in the snapshot, else unchanged (also if it is a full id already).
 CollisionRequest withFullId(CollisionRequest request, const Snapshot& snapshot);
 
 /// Returns kInvalidInput, naming the field, if the request contradicts itself: an attacker id with
 /// choice = new, a class that cannot attack, a manoeuvre of another type, an impossible range of
 /// impact speed, overlap or one of kRangeControls, a turning ego in another type than ltap, fields
 /// that exclude each other (`from_side`, `ego_side`, `impact_location`, speeds, times), a number of
-/// attacks outside 1 to kMaxAlternatives, plausible or adaptive attackers with strict limits, or
-/// several adaptive attacks. Returns kOk otherwise.
+/// attacks outside 1 to kMaxAlternatives, plausible or adaptive attackers with strict limits,
+/// several adaptive attacks, or adaptive attacks with `hidden_by`. Returns kOk otherwise.
 Status checkControls(const CollisionRequest& request);
 
 /// Returns the first reason to reject a request before any search, else kOk: TTA out of range or
-/// NaN, checkControls(), too short or NaN history, an ego without size, an unknown, absent, unfit
-/// or hitched attacker, one that moves at t0 with a `departure_time`.
+/// NaN, checkControls(), an adaptive pedestrian (asksForPedestrian()), too short or NaN history, an
+/// ego without size, an unknown, absent, unfit or hitched attacker, one that moves at t0 with a
+/// `departure_time`. The attacker must be named by its full id; see withFullId().
 Status checkRequest(const CollisionRequest& request, const Snapshot& snapshot,
                     const PredictionOptions& options);
 

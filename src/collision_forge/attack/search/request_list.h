@@ -10,7 +10,8 @@
 
 namespace forge {
 
-/// Counts of the instants that listRequests() considered, summed over its calls.
+/// Counts of the instants (t0) that listRequests() considered, summed over its calls; `slow` and
+/// `late` are parts of `instants`.
 struct RequestTally {
   std::size_t instants = 0;  ///< all instants: frames nearest to every RequestListOptions::stride
   std::size_t slow = 0;      ///< instants with an ego below RequestListOptions::min_ego_speed
@@ -18,13 +19,15 @@ struct RequestTally {
                          ///< recording for every TTA
 };
 
-/// Returns the requests that a recording allows, none without frames: at the frame nearest to every
-/// `list.stride` s from its first frame, for every TTA, type and attacker of `list`; other fields
-/// as in `asked`. Omits requests whose contact could lie after the recording (TTA plus
-/// `time_tolerance`, s), with an ego slower than list.min_ego_speed, or that checkRequest()
-/// rejects. Order: time, TTA, type, attacker as in the scene. The end of the recording is the last
-/// frame or ego state, whichever is earlier; each frame is used once. Adds to `tally` unless it is
-/// null. Throws std::invalid_argument if the stride is not positive.
+/// Returns the requests that a recording allows, none without frames or ego states: at the frame
+/// nearest to every `list.stride` s from its first frame (of two equally near frames the earlier
+/// one), for every TTA, type and attacker of `list`, with its seed and an empty name; other fields
+/// as in `asked`, whose type, tta, attacker and seed are not used. Omits requests whose contact
+/// could lie after the recording (TTA plus `time_tolerance`, s), with an ego slower than
+/// list.min_ego_speed, or that checkRequest() rejects. Order: time, TTA, type, attacker as in the
+/// scene. The end of the recording is the last frame or ego state, whichever is earlier; each frame
+/// is used once. Adds to `tally` unless it is null. Throws std::invalid_argument if the stride is
+/// not positive.
 std::vector<SceneRequest> listRequests(const Scene& scene, const RequestListOptions& list,
                                        const PredictionOptions& options, double time_tolerance,
                                        const CollisionRequest& asked = {},

@@ -13,9 +13,9 @@ namespace forge {
 /// The names and tolerances to which the words of a request refer.
 struct RequestVocabulary {
   std::vector<CatalogueEntry> catalogue;  ///< the scenarios whose names a phrase may contain
-  /// config/phrases.yaml: for each range field of a request, the half width of the range that a
-  /// phrase means by one value, in the field's unit; a phrase must not give a field that is missing
-  /// here.
+  /// config/phrases.yaml: by the field's name ("impact_speed"), the half width of the range that a
+  /// phrase means by one value of this range field of a request, in the field's unit; a phrase must
+  /// not give a field that is missing here.
   std::map<std::string, double> tolerances;
 };
 /// Returns all catalogues and the tolerances. Throws ConfigError as readCatalogue().
@@ -35,12 +35,13 @@ struct PhraseReading {
 
 /// Reads a request from an English phrase such as "truck cuts in from the left in 3 s, 30 km/h
 /// slower, quarter overlap". The grammar knows the words of request fields and of the field, names
-/// of the catalogue, numbers with km/h, mph, m/s, m/s2, g, m, s and %, and comparisons ("at least",
-/// "10 to 20"). "near side" and "far side" are right and left, as in right-hand traffic. Speeds
-/// relative to the ego ("slower", "closing speed") are ranges of `impact_speed`. Fields that the
-/// phrase does not give stay as in `asked`; without a word for it, the type is kAny. If the phrase
-/// names a scenario of the catalogue, its request replaces `asked` except for crash, tta, mode and
-/// seed. Times are linear in the length of the text, which has at most kMostPhrase characters.
+/// of the catalogue, numbers with km/h, mph, m/s, m/s2, g, m, ft, s and %, and comparisons ("at
+/// least", "10 to 20"). "near side" and "far side" are right and left, as in right-hand traffic.
+/// Speeds relative to the ego ("slower", "closing speed") are ranges of `impact_speed`. Fields that
+/// the phrase does not give stay as in `asked`; without a word for it, the type is kAny. If the
+/// phrase names a scenario of the catalogue, its request replaces `asked` except for crash, tta,
+/// mode and seed. Times are linear in the length of the text, which has at most kMostPhrase
+/// characters.
 ///
 /// Throws std::invalid_argument, naming words and fields, for a longer text, words that contradict
 /// each other, a scenario that cannot be requested, a text without any known word, and a request
@@ -51,8 +52,9 @@ PhraseReading readPhrase(const std::string& text, const RequestVocabulary& vocab
 /// Largest number of characters (bytes) of a phrase.
 inline constexpr std::size_t kMostPhrase = 500;
 
-/// Returns what was understood and what was not, a line each ("understood ...", "not understood:
-/// ..."), each with a line break at its end; empty for neither.
+/// Returns one line per entry of PhraseReading::understood ("understood ..."), then one per entry
+/// of PhraseReading::unknown ("not understood: ..."), each with a line break at its end; empty if
+/// both are empty.
 std::string echoOf(const PhraseReading& reading);
 
 }  // namespace forge

@@ -12,10 +12,13 @@ namespace forge {
 /// The default method: predicts patterns, then a realiser drives a recorded or added attacker into
 /// one of them. Both stages may run in other nodes; AttackJudge checks every attack in the same
 /// way. If the predictor fails without a future, its status is returned. An added attacker is
-/// preferred only if its scoreOf() is greater by AddedVehicleOptions::preference. For a request
-/// with `hidden_by`, searches attacks without it and adds the support vehicles that hide one;
-/// rejected if neither recorded nor support vehicles hide one. Plausible attackers are searched by
-/// SearchedMotion::kByRoutes first, then by kAny.
+/// preferred only if its scoreOf() is greater by AddedVehicleOptions::preference, or if no recorded
+/// attacker succeeds. A request for a new attacker needs plausibility and a map with lanes, else
+/// the result is kNoCandidate. For a request with `hidden_by`, searches attacks without it (from
+/// either side, for kParkedVehicle also 0.3 s earlier and later; for kLeader with the manoeuvre
+/// kLeadStopped unless one is requested) and adds the support vehicles that hide one; rejected if
+/// neither recorded nor support vehicles hide one. Plausible attackers are searched by
+/// SearchedMotion::kByRoutes first, then, except pedestrians, by kAny if that finds no attack.
 class SearchMethod : public AttackMethod {
  public:
   /// Uses SearchRealizer. `predictor` must not be null.

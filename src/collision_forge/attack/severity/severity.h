@@ -16,8 +16,8 @@ struct CrashedVehicle {
 };
 
 /// Returns the unit normal (map frame) of the contact plane of two touching or overlapping boxes,
-/// in either direction: the normal of the touched face, or the mean of both if both are a front or
-/// a rear.
+/// in either direction: if both touched sides (touchedSide()) are a front or a rear, the mean of
+/// their normals; else the face normal of either box along which the boxes overlap least.
 Vector2 contactNormal(const OrientedBox& first, const OrientedBox& second);
 
 /// Returns the party as a rigid body with its mass at the box centre and without yaw rate.
@@ -31,7 +31,8 @@ Impact impactOf(const CrashedVehicle& first, const CrashedVehicle& second,
                 const SeverityOptions& options);
 
 /// Returns the severity of a crash from the states at the first touch, by impactOf() and the injury
-/// curves and bounds of `options`. Throws as planarImpact().
+/// curves and bounds of `options`: CrashSeverity::ego is the effect on `ego`, CrashSeverity::other
+/// on `other`. Throws as planarImpact().
 CrashSeverity severityOf(const CrashedVehicle& ego, const CrashedVehicle& other,
                          const SeverityOptions& options);
 

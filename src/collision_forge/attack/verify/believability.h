@@ -86,7 +86,8 @@ bool roadAllows(const Track& ego, double now, const CollisionRequest& request,
 bool roadAllows(const Future& future, double now, const CollisionRequest& request,
                 const LaneIndex& lanes, const BelievabilityOptions& options);
 
-/// Returns the message for a request that roadAllows() rejects: "junction crossing is not feasible
+/// Returns the message for a request that roadAllows() rejects, with type and tta of `request`, for
+/// example "junction crossing is not feasible
 /// here: no lane crosses the ego's path at t0 + 4 s".
 std::string roadRefusal(const CollisionRequest& request);
 

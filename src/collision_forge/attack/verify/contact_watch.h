@@ -22,7 +22,7 @@ class ContactWatch {
   /// Replaces the trajectory of the watched attack, for example after a replan; a crash already
   /// found remains. The new trajectory is tested from the next ego pose on.
   void change(AttackerTrajectory trajectory);
-  /// Ends the watch and forgets the crash.
+  /// Ends the watch and forgets the crash; the ego poses are kept. start() may follow.
   void stop();
 
   /// Sets the size of the ego's box for all later poses, m.
@@ -30,8 +30,8 @@ class ContactWatch {
 
   /// Adds an ego state; its pose is the box centre, global map frame. Its velocity is ignored and
   /// derived from the poses. A time not later than the previous one means that a replay went back:
-  /// the poses are cleared, and the crash too if it lies later. A contact counts only after the
-  /// first point of the trajectory.
+  /// the poses are cleared, and the crash too if its contact is later than `ego`; the attack stays
+  /// watched. A contact counts only after the first point of the trajectory.
   void addEgo(const AgentState& ego);
 
   /// Returns the kept ego poses, oldest first, with derived velocities.

@@ -30,18 +30,18 @@ struct DriveLimits {
   }
 };
 
-/// The vehicle classes of config/vehicle_limits.yaml.
+/// The vehicle classes of config/vehicle_limits.yaml; see vehicleClassOf().
 enum class VehicleClass {
-  kCar,
-  kVan,
-  kEmergency,
-  kTruck,
-  kBus,
-  kArticulated,
-  kConstruction,
-  kMotorcycle,
-  kBicycle,
-  kPedestrian,
+  kCar,           ///< car up to DriveLimitOptions::car_length; animal, static object
+  kVan,           ///< longer car, or truck below DriveLimitOptions::van_length
+  kEmergency,     ///< ambulance, police or fire vehicle of any length
+  kTruck,         ///< truck from van_length up to DriveLimitOptions::truck_length
+  kBus,           ///< bus of any length
+  kArticulated,   ///< longer truck, taken as tractor with semi-trailer; trailer
+  kConstruction,  ///< construction vehicle
+  kMotorcycle,    ///< motorcycle with rider
+  kBicycle,       ///< bicycle with rider
+  kPedestrian,    ///< person on foot, as a box that turns like a very short vehicle
 };
 inline constexpr std::array<VehicleClass, 10> kVehicleClasses = {
     VehicleClass::kCar,          VehicleClass::kVan,        VehicleClass::kEmergency,
@@ -64,8 +64,9 @@ struct DriveLimitOptions {
 };
 
 /// Returns the class whose limits apply to an agent of this class and box size. Only cars and
-/// trucks depend on the length; a trailer is kArticulated, an animal or a static object counts as a
-/// car.
+/// trucks depend on the length; a length equal to a bound counts as the class named without it
+/// (car, truck). A trailer is kArticulated; an animal or a static object counts as a car of its
+/// length.
 VehicleClass vehicleClassOf(AgentClass agent_class, const BoxSize& size,
                             const DriveLimitOptions& options);
 

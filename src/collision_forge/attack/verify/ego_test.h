@@ -8,7 +8,8 @@
 namespace forge {
 
 /// Verifies one attacker trajectory against an ego that is driven or replayed live, state by state.
-/// Ignores states that are not later than the previous one. Not thread-safe.
+/// Ignores states of a vehicle that are not later than its previous one, so a test cannot be
+/// restarted: make a new object. Not thread-safe.
 class EgoTest {
  public:
   /// Only the size of `ego` is used. Throws std::invalid_argument if `trajectory` has no points.
@@ -18,7 +19,8 @@ class EgoTest {
   /// kept. Throws std::invalid_argument if `trajectory` has no points.
   void changeTrajectory(AttackerTrajectory trajectory);
 
-  /// Replaces the request, for a crash definition that arrives later than the trajectory.
+  /// Replaces the request, for a crash definition that arrives later than the trajectory; states
+  /// are kept.
   void changeRequest(const CollisionRequest& request) { request_ = request; }
 
   /// Adds an ego state; its pose is the box centre, global map frame. Its velocity is derived from

@@ -63,7 +63,7 @@ std::optional<BrokenLimit> findBrokenPositions(const std::vector<TrajectoryPoint
 bool keepsLimits(const std::vector<TrajectoryPoint>& points, double start_yaw, double until,
                  const VehicleLimits& limits);
 
-/// Returns "name value > limit", for example "max_braking 8.512 > 8.000".
+/// Returns "name value > limit" with three decimals, for example "max_braking 8.512 > 8.000".
 std::string describe(const BrokenLimit& broken);
 
 /// Returns the mean over the points up to and including the first at or after `until` (s, clock of

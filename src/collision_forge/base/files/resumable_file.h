@@ -29,7 +29,8 @@ class ResumableFile {
 
   /// Opens PATH.part, new or from an earlier run. Throws std::runtime_error naming the file if it
   /// cannot be opened, if another process writes it, and if PATH or PATH.part was made with other
-  /// options (the message gives the first that differs and both values) or has no PATH.options.
+  /// options (the message gives the first that differs and both values; an absent option equals
+  /// an empty value) or has no PATH.options.
   /// Opens nothing if PATH exists: see isComplete().
   ResumableFile(const std::string& path, const Options& options, const ItemLayout& layout = {});
 

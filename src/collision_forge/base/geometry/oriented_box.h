@@ -76,8 +76,9 @@ std::optional<Side> sideFromString(const std::string& name);
 /// Side. Intended for boxes that just touch.
 Side touchedSide(const OrientedBox& box, const OrientedBox& other);
 
-/// Returns the share, [0, 1], of a side of `box` that `other` covers in projection on the side: 1
-/// if it covers the side from corner to corner, 0 if not at all. `box` must have a size above 0.
+/// Returns the share, [0, 1], of a side of `box` that `other` covers in projection on the side,
+/// however far away it is: 1 if it covers the side from corner to corner, 0 if not at all. `box`
+/// must have a size above 0.
 double sideOverlap(const OrientedBox& box, Side side, const OrientedBox& other);
 
 /// Returns the front side of `box`, as a box of length 0 with the same width and yaw.

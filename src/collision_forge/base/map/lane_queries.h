@@ -76,10 +76,11 @@ class LaneIndex {
   /// std::invalid_argument for a lane without a centreline.
   Polyline pathAhead(std::size_t lane, double arc_length, double distance) const;
 
-  /// Returns up to `max_paths` (at least one) paths ahead from an arc length (m, clamped) on a
-  /// lane's centreline, each as by pathAhead(), over all successors at each branch: first the path
-  /// of pathAhead(), then the paths that leave it, nearest branch first, then the paths that leave
-  /// these. Throws std::invalid_argument for a lane without a centreline.
+  /// Returns one path or more, at most `max_paths` (values below 1 count as 1), ahead from an arc
+  /// length (m, clamped) on a lane's centreline, each as by pathAhead(), over all successors at
+  /// each branch: first the path of pathAhead(), then the paths that leave it, nearest branch
+  /// first, then the paths that leave these. Throws std::invalid_argument for a lane without a
+  /// centreline.
   std::vector<LanePath> pathsAhead(std::size_t lane, double arc_length, double distance,
                                    std::size_t max_paths) const;
 

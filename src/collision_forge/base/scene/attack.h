@@ -102,7 +102,7 @@ struct CarefulDrive {
 /// but `careful_drivers` and `confidence`. Poses, sides, speed, overlap and severity are valid if
 /// `contact`.
 struct CollisionReport {
-  bool contact = false;  ///< the attacker touches the ego after t0
+  bool contact = false;  ///< the attacker touches the ego after t0; false if they overlap at t0
   /// s, same clock as the snapshot, of the first touch; valid if `contact`.
   double contact_time = 0.0;
   double relative_heading = 0;        ///< rad, attacker's yaw minus ego's at contact, (-pi, pi]
@@ -170,7 +170,7 @@ struct Attack {
   CollisionReport report;  ///< of `trajectory`, in the predicted future in which it was verified,
                            ///< or against the recorded one if that is known
   /// Penalty for unusual driving, subtracted from the confidence to rank attacks (scoreOf()): 0 for
-  /// the most common behaviour. Set only if the request asks for plausible attackers.
+  /// the most common behaviour, and if the request does not ask for plausible attackers.
   double effort = 0.0;
   /// Vehicles that hide the attacker, added to the recorded agents; empty unless the request has
   /// `hidden_by`.

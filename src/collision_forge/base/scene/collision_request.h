@@ -10,25 +10,33 @@
 
 namespace forge {
 
-/// Information that a request may use: kHistory the frames up to t0, kReplay the recorded future as
-/// well, kAdaptive as kHistory, and the attacker replans at every later frame.
-enum class Mode { kHistory, kReplay, kAdaptive };
+/// Information that a request may use.
+enum class Mode {
+  kHistory,  ///< the frames up to t0
+  kReplay,   ///< also the recorded future
+  kAdaptive  ///< as kHistory; the attacker replans at every later frame
+};
 /// Returns "history", "replay" or "adaptive".
 const char* toString(Mode mode);
 /// Returns the mode of a name of toString(), ignoring case; nullopt for another name.
 std::optional<Mode> modeFromString(const std::string& name);
 
-/// Which vehicles may attack if the request names none: kExisting recorded vehicles, kNew an added
-/// one, kAny both; an existing one wins if its confidence is equal.
-enum class AttackerChoice { kAny, kExisting, kNew };
+/// Which vehicles may attack if the request names none.
+enum class AttackerChoice {
+  kAny,       ///< recorded and added vehicles; a recorded one wins if its confidence is equal
+  kExisting,  ///< recorded vehicles
+  kNew        ///< a vehicle that is added to the scene
+};
 /// Returns "any", "existing" or "new".
 const char* toString(AttackerChoice choice);
 /// Returns the choice of a name of toString(), ignoring case; nullopt for another name.
 std::optional<AttackerChoice> attackerChoiceFromString(const std::string& name);
 
-/// Vehicle that hides the attacker from the ego: kParkedVehicle stands from t0 to the contact,
-/// kLeader drives in the ego's direction.
-enum class Hider { kParkedVehicle, kLeader };
+/// Vehicle that hides the attacker from the ego.
+enum class Hider {
+  kParkedVehicle,  ///< stands from t0 to the contact
+  kLeader          ///< drives in the ego's direction
+};
 /// Returns "parked_vehicle" or "leader".
 const char* toString(Hider hider);
 /// Returns the value of a name of toString(), ignoring case; nullopt for another name.

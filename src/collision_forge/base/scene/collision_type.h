@@ -6,20 +6,26 @@
 
 namespace forge {
 
-/// COLLIDE's five collision types (kLtap is a left turn across path); three types for the other
-/// relative headings, named after the manners of collision of FARS and GES (NHTSA); and kAny, any
-/// of these eight. config/crash_definition.yaml has the bands of relative heading that define each
-/// type, contactFits() the relative positions.
+/// COLLIDE's five collision types; three types for the other relative headings, named after the
+/// manners of collision of FARS and GES (NHTSA); and kAny. Degrees are the default bands of
+/// |attacker's yaw - ego's yaw| at contact; config/crash_definition.yaml sets these bands and
+/// the bands at t0, and contactFits() tests the relative positions. docs/protocols.md draws the
+/// types.
 enum class CollisionType {
-  kLaneChange,
-  kOppositeDirection,
-  kRearEnd,
-  kJunctionCrossing,
+  kLaneChange,         ///< the attacker, beside the ego, enters the ego's lane, 10 to 30 degrees
+  kOppositeDirection,  ///< head-on: the attacker comes towards the ego, 170 to 180 degrees
+  kRearEnd,            ///< front against rear, 0 to 10 degrees; either vehicle may be in front
+  kJunctionCrossing,   ///< the attacker comes from the side at t0, 80 to 100 degrees
+  /// Left turn across path (in left-hand traffic, a right turn), from opposite directions at t0:
+  /// the attacker turns in front of the ego, 80 to 100 degrees, or with Turning::kEgo the ego turns
+  /// in front of the attacker, 100 to 170 degrees.
   kLtap,
-  kSideswipeSameDirection,
+  kSideswipeSameDirection,  ///< flank against flank, 0 to 10 degrees
+  /// The attacker turns into the ego's path or across it, or their roads cross at an acute angle,
+  /// 30 to 80 degrees; at least one vehicle is touched on its flank.
   kAngleSameDirection,
-  kAngleOppositeDirection,
-  kAny,
+  kAngleOppositeDirection,  ///< the attacker comes towards the ego at an angle, 100 to 170 degrees
+  kAny,                     ///< in requests only: any of these eight
 };
 
 /// COLLIDE's five types, the default of all lists of types.

@@ -22,15 +22,22 @@ struct TypeDefinition {
 using TypeDefinitions = std::map<CollisionType, TypeDefinition>;
 
 /// The vehicle that turns in a left turn across path.
-enum class Turning { kAttacker, kEgo };
+enum class Turning {
+  kAttacker,  ///< the attacker turns across the path of the ego
+  kEgo        ///< the ego turns across the path of the attacker
+};
 
-/// Which conditions define a type: kFull the heading and approach bands and contactFits(), kAngle
-/// the heading band at contact alone.
-enum class TypeRules { kFull, kAngle };
+/// Which conditions define a type.
+enum class TypeRules {
+  kFull,  ///< heading band at contact, approach band at t0, and contactFits()
+  kAngle  ///< heading band at contact alone
+};
 
-/// Limits of config/vehicle_limits.yaml for an attacker: kDrivable by its vehicle class, kStrict
-/// the strict protocol's limits, equal for all classes.
-enum class LimitSet { kDrivable, kStrict };
+/// Limits of config/vehicle_limits.yaml for the attacker's motion.
+enum class LimitSet {
+  kDrivable,  ///< limits of the attacker's vehicle class
+  kStrict     ///< limits of the strict protocol, equal for all classes
+};
 
 /// s, largest valid CrashDefinition::time_tolerance; a longer tolerance would accept almost any
 /// contact time.
@@ -85,8 +92,8 @@ double ltapSign(Turning turning, DrivingSide driving_side);
 /// Returns true if the ego's change of heading (rad, left positive) between t0 and the contact
 /// makes it the turning vehicle of a left turn across path: to the left (in left-hand traffic, to
 /// the right), by at least pi - definition.max_heading (by how much the two directions of such a
-/// type differ from opposite ones at least), and by more than the attacker's change of heading
-/// `attacker_turn` (rad).
+/// type differ from opposite ones at least), and by more than the magnitude of the attacker's
+/// change of heading `attacker_turn` (rad).
 bool egoTurns(double ego_turn, double attacker_turn, const TypeDefinition& definition,
               DrivingSide driving_side);
 

@@ -15,7 +15,8 @@ struct CrashEffect {
   double mais3 = 0.0;  ///< probability 0..1 of an injury of MAIS 3 or more; 0 without `curve`
   std::string curve;   ///< name of the published injury curve; empty for a party without people (a
                        ///< trailer, an object)
-  /// ISO 26262 class, 0 to 3 for S0 to S3, by the most lenient published bounds.
+  /// ISO 26262 class, 0 to 3 for S0 to S3, by the most lenient published bounds; like most_class 0
+  /// without `curve`.
   int least_class = 0;
   int most_class = 0;  ///< ISO 26262 class, 0 to 3 for S0 to S3, by the strictest published bounds
 };
@@ -35,7 +36,8 @@ struct CrashSeverity {
 /// CrashEffect::force_from): 12 from ahead, 3 from the right.
 int clockHour(double force_from);
 
-/// Returns the class of ISO 26262: "S1", or "S1 to S2" if the bounds differ.
+/// Returns the class of ISO 26262: "S1", or "S1 to S2" if the bounds differ; "S0" for a party
+/// without people.
 std::string severityClass(const CrashEffect& effect);
 
 /// Returns delta-v and clockHour(), for example "5.3 m/s from 6 o'clock".

@@ -50,7 +50,8 @@ bool isWithin(const BoxSize& size, const InputLimits& limits);
 /// lanes.
 void checkMap(const LaneMap& map, const InputLimits& limits, const std::string& where);
 
-/// Removes agents whose box, position, speed or time is beyond the limits. Appends to `warnings`,
+/// Removes agents whose box, or the position, speed or time of any state, is beyond the limits; a
+/// yaw that is not finite counts as beyond. Keeps agents without states. Appends to `warnings`,
 /// if given, one line per kind of problem with the number of agents and the first id.
 void keepWithin(std::vector<Track>& agents, const InputLimits& limits,
                 std::vector<std::string>* warnings = nullptr);

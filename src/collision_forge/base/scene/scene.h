@@ -69,14 +69,14 @@ std::optional<double> lastFrameTime(const Scene& scene, double time);
 
 /// Returns the states at the last `frames` historyTimes() up to `now` (s, scene clock), with
 /// velocities derived from the positions (deriveVelocities()). The ego's states are interpolated
-/// (stateAt(); omitted where it returns nullopt), agents keep those recorded at these times. Omits
-/// agents without a state at any of them. Snapshot::now is `now`, also if no frame is at that time.
-/// Without a frame up to `now`, the ego has no states and there are no agents.
+/// (stateAt(); omitted where it returns nullopt), agents keep those recorded at these times, to 1
+/// us. Omits agents without a state at any of them. Snapshot::now is `now`, also if no frame is at
+/// that time. Without a frame up to `now`, the ego has no states and there are no agents.
 Snapshot snapshotAt(const Scene& scene, double now, int frames);
 
-/// Returns the recorded states from `now` (s, scene clock, included) to the end of the ego's track,
-/// unchanged, later states of agents cut off. Omits agents without a state in this time;
-/// `ego_samples` is empty.
+/// Returns the recorded states from `now` (s, scene clock, included, to 1 us) to the end of the
+/// ego's track, unchanged, later states of agents cut off. Omits agents without a state in this
+/// time; `ego_samples` is empty.
 Future recordedFuture(const Scene& scene, double now);
 
 }  // namespace forge

@@ -18,8 +18,8 @@ struct Frame {
 /// Returns true for an agent with exactly one state, a finite pose and a finite, positive size.
 bool isUsable(const Track& agent);
 
-/// Returns the tracks that have a state at `time` (to 1 us), each with that state alone: the agents
-/// of a Frame.
+/// Returns the tracks that have a state less than 1 us from `time` (s, scene clock), in the order
+/// of `tracks`, each with that state alone: the agents of a Frame. Does not interpolate.
 std::vector<Track> agentsAt(const std::vector<Track>& tracks, double time);
 
 /// Returns the frame at the snapshot's t0, with the agents that have a state then. The ego's pose
@@ -59,9 +59,9 @@ class SceneHistory {
   bool isLate(double time) const;
 
   /// Adds a frame; call isLate() first. Drops agents that are not usable (isUsable()) and returns
-  /// their number. A frame that is not later than the newest clears the history first (a replay was
-  /// restarted). Forgets frames that no snapshot can use any more. Throws std::invalid_argument if
-  /// the ego's pose is not finite.
+  /// their number. A frame that is not later than the newest first removes all frames (a replay was
+  /// restarted); map and ego size stay. Forgets frames that no snapshot can use any more. Throws
+  /// std::invalid_argument if the ego's pose is not finite.
   int add(Frame frame);
 
   /// Returns true if there is no frame.

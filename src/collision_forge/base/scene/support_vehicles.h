@@ -19,11 +19,11 @@ Track trackOf(const SupportVehicle& support, const Track* recorded, double end);
 /// Adds the supports with states, interpolated (stateAt()), at the times of the ego's states. A
 /// support without a state at any of them is not added.
 void addSupports(const std::vector<SupportVehicle>& supports, Snapshot& snapshot);
-/// Adds the supports from the ego's first state on. Supports that stand last to the ego's last
-/// state. Does nothing if the ego has no states.
+/// Adds the supports from the ego's first state on. A support that stands at its last point stays
+/// until the ego's last state. Does nothing if the ego has no states.
 void addSupports(const std::vector<SupportVehicle>& supports, Future& future);
-/// Adds the supports with their past. Supports that stand last to the ego's last state. Does
-/// nothing if the ego has no states.
+/// Adds the supports with their past. A support that stands at its last point stays until the ego's
+/// last state. Does nothing if the ego has no states.
 void addSupports(const std::vector<SupportVehicle>& supports, Scene& scene);
 
 }  // namespace forge

@@ -13,14 +13,14 @@ enum class AgentClass {
   kCar,
   kTruck,
   kBus,
-  kTrailer,
+  kTrailer,  ///< without the vehicle that tows it, which is another agent
   kConstructionVehicle,
   kEmergencyVehicle,
   kMotorcycle,
   kBicycle,
   kPedestrian,
   kAnimal,
-  kStaticObject,
+  kStaticObject,  ///< anything else, for instance a barrier or debris
 };
 
 /// Returns the lower-case name as in messages and files, for instance "construction_vehicle".
@@ -69,8 +69,9 @@ struct Track {
 inline constexpr double kMaxGap = 1.1;
 
 /// Returns the state at `time` (s, scene clock), interpolated: position and velocity linearly, yaw
-/// along the shorter turn. Returns nullopt outside the track's times, so always for a track without
-/// states, and between states more than `max_gap` (s) apart.
+/// along the shorter turn. Returns nullopt before the first and after the last state (without
+/// tolerance), so always for a track without states, and between states more than `max_gap` (s)
+/// apart.
 std::optional<AgentState> stateAt(const Track& track, double time, double max_gap = kMaxGap);
 
 /// Returns true if the track's last state is at `time` (s, to 1 us); false for a track without

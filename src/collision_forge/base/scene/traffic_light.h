@@ -23,8 +23,8 @@ struct TrafficLight {
   std::vector<LightState> states;        ///< changes of colour, times strictly increasing
 };
 
-/// Returns the colour at `time` (s, scene clock): of the last state at or before it; kUnknown
-/// before the first.
+/// Returns the colour at `time` (s, scene clock): of the last state at or before it (without
+/// tolerance); kUnknown before the first.
 LightColor colorAt(const TrafficLight& light, double time);
 
 /// Returns the lights with `shift` (s, may be negative) added to all times.

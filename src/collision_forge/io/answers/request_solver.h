@@ -20,9 +20,10 @@ class RequestSolver {
   /// Returns the request with its result, `Scenario::answer`: in history and replay mode, the
   /// result of generateCollision() at the frame at `asked.now`; in adaptive mode, of
   /// requestAdaptively() followed by rejectMisses(), with `Scenario::plans`. The returned request
-  /// has the type of the attack instead of kAny. A request that is rejected has a status other than
-  /// kOk; if no frame is at `asked.now`, it is the status of momentAt(), and all other fields of
-  /// the attack keep their defaults. Throws as SceneSource::at().
+  /// has the type of the attack instead of kAny; its other fields, also its crash definition, stay
+  /// as in `asked`. A request that is rejected has a status other than kOk; if no frame is at
+  /// `asked.now`, it is the status of momentAt(), and all other fields of the attack keep their
+  /// defaults. Throws as SceneSource::at().
   Scenario answer(const SceneRequest& asked) const;
 
  private:

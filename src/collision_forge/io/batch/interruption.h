@@ -7,9 +7,10 @@
 
 namespace forge {
 
-/// While it exists, SIGINT, SIGTERM and SIGHUP write a message to stderr before they end the
-/// process. The destructor restores the former handlers. Signals that are ignored at construction,
-/// as SIGHUP under nohup, stay ignored. Only one may exist per process.
+/// While it exists, SIGINT, SIGTERM and SIGHUP write a message to stderr before their default
+/// action ends the process, without destructors. The destructor restores the former handlers.
+/// Signals that are ignored at construction, as SIGHUP under nohup, stay ignored. Only one may
+/// exist per process.
 class InterruptionNotice {
  public:
   /// `message` is printed followed by a line end.

@@ -12,7 +12,8 @@ namespace forge {
 /// started again with the same options, and throws if they differ.
 struct Run {
   std::string path;  ///< results file; until complete PATH.part, see ResumableFile
-  /// All options on which the results depend. The program's version is added and compared, too.
+  /// All options on which the results depend. Only these and the program's version, which is added,
+  /// are compared: a run may resume with other `jobs`.
   ResumableFile::Options options;
   ItemLayout layout;      ///< header and lines per item of the results file
   std::string items;      ///< name of the items in messages, as "requests"

@@ -37,14 +37,17 @@ struct CollideTrack {
 
 /// Fields of a clip's file name:
 /// data_hcis_BATCH_trainval_CITY_TYPE_SCENE_PLACEMENT-VARIANT-N-FRAME_ANGLE_ATTACKER.csv,
-/// TYPE one of LC, HO, RE, JC, LTAP, N = (FRAME - 8) / 12, ANGLE in degrees.
+/// TYPE one of LC (kLaneChange), HO (kOppositeDirection), RE (kRearEnd), JC (kJunctionCrossing),
+/// LTAP (kLtap), N = (FRAME - 8) / 12, ANGLE in degrees.
 struct CollideName {
   std::string batch;                             ///< batch of generation, as "v4.5"
   std::string city;                              ///< name of the map
   std::string scene;                             ///< name of the nuScenes scene
   CollisionType type = CollisionType::kRearEnd;  ///< one of the five types that have a word in TYPE
-  int placement = 0;  ///< 0 left front, 1 right front, 2 from left, 3 from right, 4 rear, 5 head-on
-  int variant = 0;    ///< counts clips with equal other fields
+  /// Attacker seen from the ego: 0 left front, 1 right front, 2 from left, 3 from right, 4 rear, 5
+  /// head-on.
+  int placement = 0;
+  int variant = 0;          ///< counts clips with equal other fields
   int collision_frame = 8;  ///< 8 or above; index of the last frame of every track
   double angle = 0.0;  ///< rad in [0, pi]: |relative heading| at first contact, to 0.01 degrees
   std::string attacker_id;  ///< CollideTrack::id

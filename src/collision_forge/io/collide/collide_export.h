@@ -42,7 +42,7 @@ const char* toString(ClipObstacle obstacle);
 /// opposite_direction; lane_change 0 if the attacker's centre at contact is left of the ego's, else
 /// 1; junction_crossing and ltap 2 (from the left) if CollisionReport::relative_heading is
 /// negative, else 3. Throws std::invalid_argument for a scenario without an attack and for a t0
-/// that is not a frame of the scene.
+/// that is not a frame of the scene, to kTimeEpsilon.
 std::variant<CollideClip, ClipObstacle> toCollideClip(const Scenario& scenario, const Scene& scene,
                                                       int variant);
 

@@ -29,7 +29,7 @@ struct ClipHalves {
 
 /// Assigns the clips of the scenes, sorted by name, alternately to the first and the second half
 /// (of an odd number of scenes, one more to the first); clips of one scene keep their order. Throws
-/// CollideError if all clips are of one scene or there are none.
+/// CollideError if all clips are of one scene or there are none, and as parseCollideName().
 ClipHalves halvesByScene(const std::vector<std::string>& paths);
 
 }  // namespace forge

@@ -40,9 +40,14 @@ std::string detailsText(const ScenarioView& view);
 /// planner test: whether the ego is hit or avoids the hit.
 std::string verdictText(const ScenarioView& view);
 
-/// Returns the known values of the report, and the speeds of ego and attacker at t0 and at contact
-/// (without one, at the pattern's time). In display order; for a planner test, only contact and
-/// speeds.
+/// Returns the known values of the report, and the speeds of ego and attacker at t0 and at
+/// ScenarioMotion::keyTime(). In display order:
+/// - contact: its time or "none"; with a contact also relative heading, sides, impact speed, the
+///   ego's delta-v, the worse severity of both, overlap;
+/// - two rows of speeds;
+/// - unless it is a planner test: with a contact the manoeuvre, then the time for which a hidden
+///   attacker is seen; plausible, limits kept, the broken limit if there is one, hits before the
+///   ego, share off road, confidence.
 std::vector<CaptionRow> reportRows(const ScenarioView& view);
 
 }  // namespace forge

@@ -16,15 +16,17 @@ namespace forge {
 /// std::runtime_error.
 class GifWriter {
  public:
-  /// Writes the header. `width` and `height` in pixels. `palette`: at most 255 colours; the last of
-  /// GIF's 256 means "unchanged". The palette and the binary stream must outlive the writer.
+  /// Writes the header. `width` and `height` in pixels. `palette`: at most 255 colours (not
+  /// checked); the last of GIF's 256 means "unchanged". The palette and the binary stream must
+  /// outlive the writer.
   GifWriter(std::ostream& stream, int width, int height, const ColorPalette& palette);
 
   /// Adds a frame that is shown for `delay` hundredths of a second. `image` must have the GIF's
   /// size (not checked).
   void addFrame(const Image& image, int delay);
 
-  /// Ends the file. Must be called once, after the last frame; no call may follow.
+  /// Ends the file. Must be called once, after the last frame; no call may follow. Without it, the
+  /// destructor ends the file and ignores errors of giflib.
   void close();
 
  private:

@@ -9,8 +9,8 @@
 namespace forge {
 
 /// Throws std::runtime_error if the view cannot be painted: the attacker's trajectory or the ego's
-/// future is empty, the trajectory does not cover t0 to keyTime(), or a rate, interval or extent of
-/// `options` is not positive.
+/// future is empty, the trajectory does not cover t0 to keyTime(), or gif_frames_per_second,
+/// ghost_interval, min_extent or close_up_extent of `options` is not positive.
 void checkDrawable(const ScenarioView& view, const DrawingOptions& options);
 
 /// Factor on DrawingOptions::ghost_opacity for the boxes at which ego and attacker come to rest.

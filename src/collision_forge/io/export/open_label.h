@@ -16,7 +16,10 @@ namespace forge {
 ///   if one of them is absent, it does not apply.
 /// - Ontology "1", collision_forge_names.ttl beside the files, which finish() writes: a tag per
 ///   entry of ExportPlan::catalogue that the attack is an instance of, and the cell that was
-///   requested.
+///   requested (SceneRequest::name, unless ""). An attack is an instance of an entry that can be
+///   generated (CatalogueEntry::missing is ""), sets no `from_side`, has the type and `turning` of
+///   the attack's request, and agrees with the attack in every set one of attacker class, manoeuvre
+///   and ego side; the ranges of the entry do not count.
 std::unique_ptr<CrashWriter> makeOpenLabelWriter(const ExportPlan& plan);
 
 /// Returns the names of ASAM's tags that apply to a record: classes of the road users in it (the

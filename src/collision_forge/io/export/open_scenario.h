@@ -18,7 +18,8 @@ namespace forge {
 /// free ego, only the ego's start is set, and the attacker starts when the ego is as close to the
 /// place of the contact, in time, as at the start of the record. With ExportPlan::for_carla, the
 /// origin of every entity is its box centre and all entities exist throughout. finish() reports the
-/// number of unbundled lanes (LaneBundles::unbundled) on stderr.
+/// number of unbundled lanes (LaneBundles::unbundled) on stderr. write() throws
+/// std::invalid_argument for a number that is not finite.
 std::unique_ptr<CrashWriter> makeOpenScenarioWriter(const ExportPlan& plan);
 
 }  // namespace forge

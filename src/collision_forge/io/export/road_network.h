@@ -11,7 +11,7 @@ namespace forge {
 
 /// The element to which the start or end of a road is linked.
 struct RoadJoint {
-  /// Kind of the other element.
+  /// Kind of the other element; kNothing: there is none.
   enum class To { kNothing, kRoad, kJunction };
   To to = To::kNothing;
   int id = 0;           ///< id of the road or junction; unused for kNothing

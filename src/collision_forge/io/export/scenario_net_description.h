@@ -19,7 +19,7 @@ namespace forge {
 struct ScenarioDescription {
   std::string name;  ///< name of the scenario, valid in file names
   TrackTable table;  ///< from 0 s on; the first track is the ego's, box centres in the map frame
-  std::optional<double> step;        ///< s between rows; empty if uneven
+  std::optional<double> step;        ///< s between rows; empty if uneven: no `sample_rate`
   std::size_t current_row = 0;       ///< row of t0; rows before it are history
   const LaneMap& map;                ///< whole content is written; must outlive this object
   std::vector<TrafficLight> lights;  ///< times as in `table`
@@ -44,8 +44,9 @@ std::string scenarioNetFile(const std::string& name);
 std::vector<std::string> scenarioNetNames(const std::string& folder);
 
 /// Writes the format's files over the scenarios `names` of a folder: dataset_summary.pkl, from the
-/// metadata in their files, and dataset_mapping.pkl. Throws PickleError naming a file that is
-/// missing or is not a scenario description.
+/// metadata in their files, and dataset_mapping.pkl, in which every file is in the folder itself;
+/// replaces earlier ones. Without names, both files hold an empty dict. Throws PickleError naming a
+/// file that is missing or is not a scenario description, and as AsideFile.
 void writeScenarioNetSummary(const std::string& folder, const std::vector<std::string>& names,
                              PickleWorkers& workers);
 

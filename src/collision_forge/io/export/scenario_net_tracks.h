@@ -21,11 +21,15 @@ struct TrackTable {
 void writeTracks(PickleWriter& scenario, const TrackTable& table,
                  const std::map<AgentClass, double>& heights);
 
-/// Writes the metadata's "object_summary": type, number of rows and path length of each track.
+/// Writes the metadata's "object_summary", for each track: type, object_id, track_length (number of
+/// rows of the table), moving_distance (length of the path, m), valid_length (number of states) and
+/// continuous_valid_length (number of states from the first one up to the first gap).
 void writeObjectSummary(PickleWriter& metadata, const TrackTable& table);
 
 /// Writes the fields on tracks of the metadata's "number_summary": numbers of agents, and of moving
-/// agents (path longer than 1 m), by type.
+/// agents (path longer than 1 m), each by type (num_objects_each_type,
+/// num_moving_objects_each_type) and in all (num_objects, num_moving_objects), and object_types, in
+/// the order of the tracks.
 void writeObjectNumbers(PickleWriter& metadata, const TrackTable& table);
 
 }  // namespace forge

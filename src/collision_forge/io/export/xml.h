@@ -8,7 +8,7 @@
 namespace forge {
 
 /// Appends an element with attributes (pairs of name and value), in the given order, to the
-/// children of `parent` and returns it.
+/// children of `parent`, after the existing ones, and returns it.
 pugi::xml_node addElement(
     pugi::xml_node parent, const char* name,
     std::initializer_list<std::pair<const char*, std::string>> attributes = {});
@@ -20,7 +20,8 @@ std::string xmlNumber(double value);
 /// Returns seconds since 1970, rounded down, as xs:dateTime in UTC, "2018-08-01T15:26:43".
 std::string xmlDate(double seconds);
 
-/// Returns the document with its declaration, indented by two spaces per level.
+/// Returns the document as UTF-8 text, indented by two spaces per level. The function puts the
+/// declaration <?xml version="1.0"?> first, unless the document has a declaration of its own.
 std::string xmlText(const pugi::xml_document& document);
 
 }  // namespace forge

@@ -8,9 +8,14 @@
 
 namespace forge {
 
-/// Kinds of surface, which differ in how much of a lidar's light they return: bodywork, windows,
-/// lamps and plates, tyres and bicycle frames, clothes.
-enum class SurfaceKind { kPaint, kGlass, kLamp, kTyre, kCloth };
+/// Kinds of surface, which differ in how much of a lidar's light they return.
+enum class SurfaceKind {
+  kPaint,  ///< bodywork; also all of a static object or animal
+  kGlass,  ///< windows
+  kLamp,   ///< lamps and plates
+  kTyre,   ///< tyres and bicycle frames
+  kCloth   ///< clothes
+};
 
 /// A convex part of a body: the points whose signed distance to every plane is at most 0.
 struct ConvexPiece {

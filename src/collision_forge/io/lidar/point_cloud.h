@@ -54,7 +54,7 @@ class FieldAccess {
   /// Returns the field's value; `point` is the first byte of a point.
   double get(const std::uint8_t* point) const;
   /// Writes the field of `point`. For an integer field, rounds and clamps the value to the field's
-  /// range.
+  /// range; `value` must then not be NaN.
   void set(std::uint8_t* point, double value) const;
   /// Returns true for float32 and float64.
   bool isFloat() const { return datatype_ >= 7; }

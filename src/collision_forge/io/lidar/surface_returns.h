@@ -70,8 +70,9 @@ class SurfaceReturns {
   /// Returns the PosedBody::fit for the body's group, 0.7 to 1.
   double fitOf(const LidarBody& body) const;
 
-  /// Returns the probability 0..1 that a ray which hits the body returns. `height`: of the hit
-  /// above the ground, as a share of the body's height, clamped to 0..1.
+  /// Returns the probability 0..1 that a ray which hits the body returns. `hit.distance` is the
+  /// range by which statistics are looked up. `height`: of the hit above the ground, as a share of
+  /// the body's height, clamped to 0..1.
   double shareOf(const LidarBody& body, const BodyHit& hit, double height) const;
 
   /// Returns the intensity of a return at the quantile `brightness` (0 to 1) of the recorded

@@ -55,8 +55,8 @@ struct ModelOptions {
 /// The key that switches non-commercial weights off, for messages.
 inline constexpr char kNonCommercialKey[] = "models.non_commercial_weights in models.yaml";
 
-/// Returns true if `non_commercial.txt` in the file's folder lists the file: its licence allows
-/// non-commercial use only.
+/// Returns true if `non_commercial.txt` in the file's folder lists the file by its name, one a
+/// line: its licence allows non-commercial use only. Returns false without such a list.
 bool isNonCommercial(const std::string& file);
 
 /// Returns the path `file`, or "" if `options` exclude its licence.
@@ -64,7 +64,8 @@ std::string allowedWeights(const ModelOptions& options, const std::string& file)
 
 /// Returns the weight files of the learned baselines by model name: first the weights trained on
 /// all scenes, then the weights trained without some of them. A model's list is empty if it has no
-/// files or their licence is excluded. Reads study/generator_weights.yaml. Throws ConfigError.
+/// files or if the licence of any of its files is excluded. Reads study/generator_weights.yaml.
+/// Throws ConfigError.
 std::map<std::string, std::vector<std::string>> generatorWeights(const ModelOptions& options);
 
 /// How clips of COLLIDE (arXiv 2510.12206) become scenes. No file sets these values.

@@ -23,12 +23,12 @@ std::string sizeWarning(const std::vector<std::string>& ids);
 /// Returns the indices of the positions (m, at strictly ascending `times`, s; as many of both) that
 /// jump, ascending; none for fewer than two positions.
 /// - A step is impossible if it is longer than (v + 20 m/s) times its duration plus 1 m. v: the
-/// speed that three quarters of the track's steps do not exceed, at most 20 m/s above their median.
-/// The chain of stretches with most positions and without an impossible step between them
+///   speed that three quarters of the track's steps do not exceed, at most 20 m/s above their
+///   median. The chain of stretches with most positions and without an impossible step between them
 ///   is kept; all other positions jump.
 /// - A single position jumps if it is more than 2 m beside the line between its neighbours, would
-/// need more than 20 m/s2 to get there, and each neighbour is not beside the line between the other
-/// one and the next position beyond.
+///   need more than 20 m/s2 to get there, and each neighbour is not beside the line between the
+///   other one and the next position beyond.
 std::vector<std::size_t> jumpsOf(const std::vector<double>& times,
                                  const std::vector<Vector2>& positions);
 

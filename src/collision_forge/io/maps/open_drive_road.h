@@ -47,7 +47,7 @@ struct OpenDriveSection {
 
 /// The element that follows a road at its start or end.
 struct OpenDriveLink {
-  /// Kind of the other element.
+  /// Kind of the other element; kNothing: there is none.
   enum class To { kNothing, kRoad, kJunction };
   To to = To::kNothing;
   std::string id;       ///< id of the road or junction; "" for kNothing

@@ -8,9 +8,9 @@ namespace forge {
 /// Writes the constraints of a request, beyond type, TTA and attacker, as fields of an object:
 /// choice, believable, limits; attacker_class, manoeuvre, ego_side, impact_speed ({min, max}, m/s)
 /// and overlap ({min, max}), null for any; turning, from_side, hidden_by and kRangeControls ({min,
-/// max}) only if they differ from the defaults; alternatives. With `defaults` (not null), writes
-/// only fields that differ from the defaults (believable and limits: from `defaults`) or are not
-/// null. An object must be open in `writer`.
+/// max}) only if they differ from the defaults; alternatives. docs/scenarios.md has their words and
+/// units. With `defaults` (not null), writes only fields that differ from the defaults (believable
+/// and limits: from `defaults`) or are not null. An object must be open in `writer`.
 void writeControls(JsonLineWriter& writer, const CollisionRequest& request,
                    const CrashDefinition* defaults = nullptr);
 

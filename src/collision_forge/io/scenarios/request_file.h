@@ -11,11 +11,12 @@
 namespace forge {
 
 /// Returns a request as one line of a list, without a line end:
-/// {"scene":"scene-0001","now":100.5,"type":"ltap","tta":4,"attacker":null,"seed":0} now: t0, s on
-/// the scene's clock (nuScenes: timestamp * 1e-6); tta: s from t0; attacker: agent id, null for
-/// any. Constraints that differ from the defaults add fields (writeControls(); believable and
-/// limits are compared with `defaults`), and a name of a catalogue the field `name`. Without a
-/// scene (""), `scene` and `now` are left out; a list needs them.
+/// {"scene":"scene-0001","now":100.5,"type":"ltap","tta":4,"attacker":null,"seed":0};
+/// docs/scenarios.md lists all fields. now: t0, s on the scene's clock (nuScenes: timestamp *
+/// 1e-6); tta: s from t0; attacker: agent id, null for any. Constraints that differ from the
+/// defaults add fields (writeControls(); believable and limits are compared with `defaults`), and a
+/// name of a catalogue the field `name`. Without a scene (""), `scene` and `now` are left out; a
+/// list needs them.
 std::string requestLine(const SceneRequest& request, const CrashDefinition& defaults = {});
 
 /// Parses a line of requestLine(), mode history. Each field must be present exactly once, except
@@ -33,8 +34,11 @@ std::vector<SceneRequest> readRequests(const std::string& path, const std::set<s
                                        const InputLimits& limits,
                                        const CrashDefinition& crash = {});
 
-/// Returns a text with the number of requests and a fingerprint of their lines in order, "10 of
-/// fingerprint HASH", to compare lists; without requests HASH is "".
+/// Returns a text with the number of requests and the fingerprint() of their lines in order, "10 of
+/// fingerprint HASH", to compare lists; without requests HASH is "". Lists have different texts if
+/// they differ in a field of requestLine() (with its default `defaults`), also `seed` and `name`,
+/// or in their order. The mode and fields of the crash definition other than `believable` and
+/// `limits` do not count.
 std::string fingerprintOf(const std::vector<SceneRequest>& requests);
 
 /// Writes a request list; `defaults` as in requestLine(). Throws as AsideFile.

@@ -52,8 +52,8 @@ void writeCollisionReport(JsonLineWriter& writer, const char* key, const Collisi
 /// Adds the field "trajectory" with `points` to the open object of `writer`; times in s from `now`.
 using WritePoints = std::function<void(JsonLineWriter& writer,
                                        const std::vector<TrajectoryPoint>& points, double now)>;
-/// Writes the array "plans"; times in s from `now` (s, clock of the plans). Calls `write_points`
-/// once for each plan, with the plan's object open.
+/// Writes the array "plans" of docs/scenarios.md; times in s from `now` (s, clock of the plans).
+/// Calls `write_points` once for each plan, with the plan's object open.
 void writePlans(JsonLineWriter& writer, const std::vector<AttackerPlan>& plans, double now,
                 const WritePoints& write_points);
 

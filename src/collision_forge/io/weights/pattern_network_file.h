@@ -18,7 +18,8 @@ struct PatternNetworkFileError : std::runtime_error {
 };
 
 /// Reads the networks of a file; the one trained on all scenes is first, then its folds, in the
-/// file's order. Each network is a line of JSON (format, left_out_scenes, features, network, and
+/// file's order. Each network is a line of JSON (`format`; `left_out_scenes`; `features` and
+/// `network` with the fields of PatternFeatureOptions and PatternNetworkOptions; `layers` with
 /// name, outputs and inputs of every layer), followed for each layer by its matrix row by row and
 /// its bias, as little-endian 32-bit floats. Throws PatternNetworkFileError for a file that is
 /// missing, empty, truncated, or of another architecture.
@@ -42,7 +43,8 @@ PredictionModels loadPredictionModels(const ModelOptions& options);
 MethodRegistry loadMethods(const ModelOptions& options);
 
 /// Returns a method of loadMethods() with loadPredictionModels(); name "" is the package's own
-/// method. Throws as these and MethodMaker.
+/// method (defaultMethod()). Throws as these functions, and std::invalid_argument as MethodMaker
+/// for an unknown name or a method without a model that it needs.
 MethodMaker loadMethod(const std::string& name, const ModelOptions& models,
                        const AttackOptions& attack);
 

@@ -9,13 +9,14 @@
 namespace forge {
 
 /// Pool of idle workers, which are costly to start. `Worker` has the constructor Worker(Options),
-/// key(), which identifies workers that can replace each other, and isUsable(), which is false for
-/// a worker that has failed. Thread-safe.
+/// key(), a text that is equal for workers that can replace each other, and isUsable(), which is
+/// false for a worker that has failed. Thread-safe.
 template <class Worker, class Options>
 class IdleWorkers {
  public:
-  /// Removes an idle worker with this key from the pool and returns it; without one, returns a new
-  /// Worker(options), whose key() should be `key`. Throws as the constructor. Never returns null.
+  /// Removes an idle worker with this key (any one of several) from the pool and returns it, in the
+  /// state in which it was given back; without one, returns a new Worker(options), whose key()
+  /// should be `key`. Throws as the constructor. Never returns null.
   std::unique_ptr<Worker> take(const Options& options, const std::string& key) {
     {
       const std::lock_guard<std::mutex> lock(mutex_);

@@ -10,7 +10,7 @@ namespace forge {
 /// with the one before it, in driving direction or against it.
 using NodePath = std::vector<std::size_t>;
 
-/// Direction of a path: along the edges (ahead) or against them (behind).
+/// Direction of a path: along the edges (kAhead) or against them (kBehind).
 enum class PathDirection { kAhead, kBehind };
 
 /// Returns the first `max_paths` (> 0) paths that begin with `node`, depth first in the order of

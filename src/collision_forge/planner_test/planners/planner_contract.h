@@ -50,7 +50,7 @@ struct ContractTensor {
   }
 };
 
-/// Index into kContractInputs.
+/// Index into kContractInputs; the enumerators have the order and the meaning of its elements.
 enum ContractInput { kEgoHistory, kAgents, kAgentsMask, kLanes, kLanesMask, kRoute };
 
 /// The arguments of forward() of a planner, in this order. Masks have 1 where an entry is used,

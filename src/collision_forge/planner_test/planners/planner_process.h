@@ -58,7 +58,9 @@ class PlannerProcess {
   bool is_usable_ = true;
 };
 
-/// Returns a text that is equal for equal commands with equal parameters.
+/// Returns the key of the process in its pool: kind (node or line protocol), command, and names and
+/// values of the parameters. Two keys differ if and only if one of these differs; timeouts do not
+/// count, so a process from the pool keeps the timeouts it was started with.
 std::string processKey(const PlannerProcessOptions& options);
 
 /// Reuses running processes, because starting one takes long.
@@ -78,12 +80,14 @@ class ProcessPlanner : public Planner {
   /// Returns its process to the pool.
   ~ProcessPlanner() override;
 
-  /// Takes an idle process from the pool or starts one, so that errors of the command show before a
-  /// rollout. Throws PlannerFileError if no command was given or the process cannot be used.
+  /// Returns its process, if it has one, to the pool, then takes an idle process with the
+  /// processKey() of its options from there or starts one, so that errors of the command show
+  /// before a rollout. Throws PlannerFileError if no command was given or the process cannot be
+  /// used.
   void start();
 
-  /// Begins a rollout: takes a process as start() does, normally the same one, and sends it the
-  /// task. Throws as start() and PlannerProcess::begin().
+  /// Begins a rollout: takes a process as start() does, normally the same one again (a new one
+  /// after a failure), and sends it the task. Throws as start() and PlannerProcess::begin().
   void initialize(const DrivingTask& task) override;
   /// Returns the response of the process. Throws as PlannerProcess::plan().
   std::vector<TrajectoryPoint> plan(const Observation& observation) override;

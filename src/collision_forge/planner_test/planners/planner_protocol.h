@@ -14,11 +14,12 @@ namespace forge {
 /// Version of the protocol. The first line of a process announces it: {"ready": 1}.
 inline constexpr int kPlannerProtocol = 1;
 
-/// Returns the request that begins a rollout. Contains the task with the map within 200 m of the
-/// route. `interval`: s of scene time between two plans. The functions of this file return and read
-/// lines without a line end.
+/// Returns the request that begins a rollout, {"begin": ...} (keys: docs/planners.md). Contains the
+/// task with the map within 200 m of the route. `interval`: s of scene time between two plans. The
+/// functions of this file return and read lines without a line end.
 std::string beginLine(const DrivingTask& task, double interval);
-/// Returns the request for a plan, which contains the whole observation.
+/// Returns the request for a plan, {"plan": ...} (keys: docs/planners.md), which contains the whole
+/// observation.
 std::string planLine(const Observation& observation);
 
 /// Returns the points in a response (rows as in pointsLine()), acceleration and curvature 0 where

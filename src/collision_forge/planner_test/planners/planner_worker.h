@@ -63,8 +63,9 @@ class PlannerWorker {
   bool is_usable_ = true;
 };
 
-/// Returns a text that is equal for equal options if the file was not written in between (time of
-/// its last change). Does not throw if the file is missing.
+/// Returns the key of the worker in its pool: name of the contract, device, both timeouts (to 1e-6
+/// s), path of the file and time of its last change. Two keys differ if and only if one of these
+/// differs. Does not throw if the file is missing, whose time then is a constant.
 std::string workerKey(const TorchscriptFileOptions& options);
 
 /// Reuses loaded files, because loading takes about a second.

@@ -28,8 +28,10 @@ class TorchscriptPlanner : public Planner {
   /// Returns the worker to the pool.
   ~TorchscriptPlanner() override;
 
-  /// As Planner::initialize(); resets the model's state. Throws as PlannerInputs, PlannerTimeout if
-  /// the worker does not respond, and std::runtime_error for a failure of the file.
+  /// As Planner::initialize(); restores the model's state after loading and forgets earlier states
+  /// of the ego. A worker that has failed is not replaced: the planner then fails again. Throws as
+  /// PlannerInputs, PlannerTimeout if the worker does not respond, and std::runtime_error for a
+  /// failure of the file.
   void initialize(const DrivingTask& task) override;
   /// As Planner::plan(): the observation's ego, then kContractPoses points, kContractPoseStep
   /// seconds apart, the first of them one such step later; speeds, accelerations and curvatures are

@@ -32,11 +32,12 @@ struct RecordedOutcome {
 };
 
 /// Returns the page's record of an attack as one line of JSON without a line end: everything beyond
-/// its ReportRow, with times relative to t0. The program in page/ (detail.js) reads its keys.
-/// `attack` must be a reference to `scenario.answer` or to one of its alternatives, because only
-/// the former shows `scenario.plans`. `recorded`: nullopt if the recording is not available; the
-/// record then lacks the keys "recorded" and "crash". `options`: source of the shown limits of the
-/// request's limit set.
+/// its ReportRow, with times relative to t0. Keys: "ego_length", "ego_width", "request",
+/// "attacker", "supports", "aim", "report", "recorded", "crash", "limits" and "plans"; motions as
+/// writeTrajectory(). The program in page/ (detail.js) reads them. `attack` must be a reference to
+/// `scenario.answer` or to one of its alternatives, because only the former shows `scenario.plans`.
+/// `recorded`: nullopt if the recording is not available; the record then lacks the keys "recorded"
+/// and "crash". `options`: source of the shown limits of the request's limit set.
 std::string attackRecord(const Scenario& scenario, const Attack& attack,
                          const std::optional<RecordedOutcome>& recorded,
                          const VerificationOptions& options);
@@ -56,9 +57,10 @@ struct ShownTest {
   std::vector<PictureLink> pictures = {};  ///< figures of the test, picturesBeside()
 };
 
-/// Returns the page's record of one planner in one case as one line of JSON without a line end: all
-/// fields of `row`, the avoidability of the case, and the data in `shown`. The motions of `row` are
-/// left out without `shown.has_attack` and if dropMotions() has removed them. `row`: an element of
+/// Returns the page's record of one planner in one case as one line of JSON without a line end:
+/// "avoidability" of the case, the fields of writePlannerRow(), "drive" (motions as
+/// writeTrajectory()), and "pictures" ("name" and "link" of each). The key "drive" is missing
+/// without `shown.has_attack` and if dropMotions() has removed the motions. `row`: an element of
 /// `result.rows`.
 std::string plannerRecord(const PlannerTestResult& result, const PlannerRow& row,
                           const ShownTest& shown);

@@ -15,7 +15,7 @@ class PageFile {
   explicit PageFile(const std::string& path);
 
   /// Appends a record, any text (usually JSON), in compressed form (deflatedText()). Returns its
-  /// index in the page, from 0 on. Throws as deflatedText().
+  /// index in the page, from 0 on. Throws as deflatedText(); commit() reports a failed write.
   std::size_t add(const std::string& record);
 
   /// Writes `index` (JSON, compressed) and the end of the page, and puts the file in its place,

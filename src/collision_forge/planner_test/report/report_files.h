@@ -20,11 +20,11 @@ struct ReportFile {
   ReportFileKind kind;  ///< as detected by openReportFile()
 };
 
-/// Returns the file with its kind, which the ending ".png" or else the key "format" of the first
-/// line determines ("collision_forge/scenario" or "collision_forge/planner_test"). The content of a
-/// PNG file is not checked. Throws std::runtime_error, naming file and line, if the file cannot be
-/// read or is of no known kind, JsonLineError for a malformed first line, and InputError as
-/// readInputLine().
+/// Returns the file with its kind, which the ending ".png" (lower case) or else the key "format" of
+/// the first line determines ("collision_forge/scenario" or "collision_forge/planner_test"). The
+/// content of a PNG file is not checked. Throws std::runtime_error, naming file and line, if the
+/// file cannot be read or is of no known kind (as an empty one), JsonLineError for a malformed
+/// first line, and InputError as readInputLine().
 ReportFile openReportFile(const std::string& path, const InputLimits& limits);
 
 /// Receives one line of a file: `where` ("FILE: line 2", for messages), the line number from 1 on,

@@ -22,9 +22,11 @@ struct ReportRow {
   std::string mode;      ///< as toString(Mode); of a test, the mode of the attack
   /// rowName() of the planner; empty for attacks and for untested cases without rows.
   std::string planner;
-  /// For attacks "declined" (request rejected), "generated" (no recording available), "as_asked",
-  /// "otherwise" (touches the ego, but not as requested) or "missed"; for planners "hit",
-  /// "hit_other", "clear", "failed" or "untested".
+  /// For attacks "declined" (request rejected), "generated" (no recording available), and against
+  /// the recorded ego "as_asked" (StrictOutcome::meetsFullDefinitions()), "otherwise" (touches the
+  /// ego, but not as requested) or "missed" (does not touch it). For planners "hit" (the first
+  /// contact is with the attacker), "hit_other" (with another agent), "clear" (no contact),
+  /// "failed" (PlannerFailure) or "untested" (no test or no row).
   std::string outcome;
   std::string status;     ///< of the attack or of the test: status code as in the files, e.g. "OK"
   std::string message;    ///< for users: why there is no attack or no test, which check the attack
@@ -65,17 +67,17 @@ struct ReportRow {
 ReportRow rowOfAttack(const Scenario& scenario, const Attack& attack,
                       const std::optional<StrictOutcome>& recorded);
 
-/// Returns the row of a planner in a case. `row`: an element of `result.rows`; null for a case that
-/// was not tested, whose outcome is "untested". `attack`: row of the tested attack, whose remaining
-/// fields are copied; null if the page does not contain it. The caller sets `file`, `line` and the
-/// indices of records.
+/// Returns the row of a planner in a case. `row`: an element of `result.rows`; null if there is
+/// none. Without `row`, and for a case that was not tested, the outcome is "untested". `attack`:
+/// row of the tested attack, whose remaining fields are copied; null if the page does not contain
+/// it. The caller sets `file`, `line` and the indices of records.
 ReportRow rowOfTest(const PlannerTestResult& result, const PlannerRow* row,
                     const ReportRow* attack);
 
 /// Writes the object "columns" into the open object, with one column per field, named as the field
 /// (`attacker_class`: "class"). "values" of a column has one number per row: for texts an index
-/// into the column's "words", the distinct texts; for numbers an integer multiple of the column's
-/// "unit", or the number "missing" for nullopt.
+/// into the column's "words", the distinct texts in order of first appearance; for numbers an
+/// integer multiple of the column's "unit", or the number "missing" for nullopt.
 void writeColumns(JsonLineWriter& writer, const std::vector<ReportRow>& rows);
 
 }  // namespace forge

@@ -28,7 +28,8 @@ struct SceneExtent {
 /// the interval, other agents whose middle comes within `options.map_margin` of the bounding box of
 /// the ego's positions and `extent.places` (with all their states in the interval), and the map
 /// within that margin around these positions; without a map, the key "map" is missing. Times are
-/// relative to the scene's first frame.
+/// relative to the scene's first frame. Keys: "name", "origin" (s, scene clock, the first frame),
+/// "length" and "width" (m, of the ego), "ego" (writeStates()), "agents" and "map".
 std::string sceneRecord(const Scene& scene, const SceneExtent& extent,
                         const ReportOptions& options);
 

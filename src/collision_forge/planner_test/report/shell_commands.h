@@ -37,8 +37,8 @@ std::vector<ShellCommands> commandsOfAttack(const Scenario& scenario, int altern
 ShellCommands commandsOfTest(const std::string& path, std::size_t line, const RowKey& row,
                              const LogSource& logs);
 
-/// Returns the page's record of the commands, in their order, as one line of JSON without a line
-/// end.
+/// Returns the page's record of the commands as one line of JSON without a line end: the list
+/// "commands" of objects with "title" and "lines", in their order; empty without commands.
 std::string commandsRecord(const std::vector<ShellCommands>& commands);
 
 }  // namespace forge

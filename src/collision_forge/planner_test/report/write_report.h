@@ -31,9 +31,13 @@ struct ReportSettings {
 };
 
 /// Writes FOLDER/index.html, a page of all results in the files, with progress on stderr; creates
-/// the folder and replaces an older page. Returns the number of rows in its table, 0 without files.
-/// Throws std::runtime_error and the errors of the readers, naming file and line; also if
-/// recordings are given and lack the scene of a scenario.
+/// the folder and replaces an older page. Writes the page even if its table is empty. Returns the
+/// number of rows of the table: one per line of a scenario file (attack or rejection), one more per
+/// alternative in it, and per line of a planner-test file one per element of its "planners", but at
+/// least one; PNG files have none. Throws std::runtime_error and the errors of the readers, naming
+/// file and line; also if recordings are given and lack the scene of a scenario, for a file without
+/// lines, and as AsideFile for an error of writing. An older index.html then stays, unless writing
+/// coverage.html failed.
 /// - With recordings, the page also shows map and traffic, and attacks are replayed against the
 /// recorded ego.
 /// - Motions of planner tests are shown if their scenario file is among the inputs; FILE:LINE, the

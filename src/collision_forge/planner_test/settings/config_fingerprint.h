@@ -11,9 +11,10 @@ namespace forge {
 /// Returns, by name, the fingerprints ("fingerprint HEX") of everything in a configuration that
 /// results depend on, to check whether a run may be resumed: the values of the product files
 /// ("config/NAME.yaml") and the models that they name ("speed_model", "pattern_network"; left out
-/// if none is named). `config` must have been read from `folder`. Excludes the files attacked_bag,
-/// drawing, encoding, export, lidar, live, phrases, report, requests, topics_* and tuning. Throws
-/// std::runtime_error if a file cannot be read.
+/// if none is named). The contents of other files that values name, as the planner file of
+/// planners.yaml, do not count. `config` must have been read from `folder`. Excludes the files
+/// attacked_bag, drawing, encoding, export, lidar, live, phrases, report, requests, topics_* and
+/// tuning. Throws std::runtime_error if a file cannot be read.
 std::map<std::string, std::string> fingerprintsOf(const Config& config, const ConfigFolder& folder);
 
 /// Returns only the fingerprints of the files in config/, as fingerprintsOf(), for training, which

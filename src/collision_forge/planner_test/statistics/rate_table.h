@@ -61,7 +61,8 @@ std::string toMarkdown(const RateTable& table, const TableUnit& unit = {});
 /// Returns "measure,method,group,trials,value,low,high", without a line end.
 std::string rateCsvHeader();
 /// Returns one line per method and group, in this order, in the columns of rateCsvHeader(), each
-/// with a line end; values unscaled with four decimals, empty without trials.
+/// with a line end: Measure::name, title of the method (csvText()), title of the group, number of
+/// trials, value (unscaled with four decimals, empty without trials) and intervalCsv().
 std::string toCsv(const RateTable& table);
 
 /// Returns the first line of a report with rates: `title`, the default

@@ -49,16 +49,20 @@ struct SweepOutcome {
 std::vector<SweepOutcome> outcomesOf(const SweepCell& cell);
 
 /// Returns the number of cells with each status, most frequent first (equally frequent ones by
-/// name), as "12 OK, 3 NO_CANDIDATE".
+/// name), as "12 OK, 3 NO_CANDIDATE"; "" without cells.
 std::string statusCounts(const std::vector<SweepCell>& cells);
 
-/// Returns one line of sweep.jsonl (docs/sweeps.md) without a line end. `index` counts from 0, the
-/// cell in the line from 1.
+/// Returns one line of sweep.jsonl (docs/sweeps.md) without a line end. `index` of the cell counts
+/// from 0, the number "cell" in the line from 1. Words are written as words, numbers in full
+/// precision. Motions are in the line if the result has them.
 std::string sweepLine(const SweepLayout& layout, const SweepCell& cell, std::size_t index);
 
-/// Returns the content of sweep.csv with its header: the number of the cell from 1 on, its values
-/// and the careful drivers that avoid the crash (separated by spaces), then the columns of
-/// results.csv (plannerResultCsvRows()).
+/// Returns the content of sweep.csv: a header with the columns "cell", SweepParameter::name of each
+/// varied parameter, "careful_drivers" and plannerResultCsvHeader(), then the cells in order. A
+/// cell has one line per element of plannerResultCsvRows(), so one per planner, policy and
+/// background; a rejected cell has one, with its status and empty columns of the planner. "cell"
+/// counts from 1; values are as SweepParameter::text(), words as words; "careful_drivers" names the
+/// drivers that avoid the crash in the recorded ego's place, separated by spaces.
 std::string sweepCsv(const SweepLayout& layout, const std::vector<SweepCell>& cells);
 
 }  // namespace forge

@@ -66,8 +66,10 @@ struct SweepMap {
 /// Returns the map of all cells over layout.x and layout.y. `cells` must not be empty.
 SweepMap sweepMap(const SweepLayout& layout, const std::vector<SweepCell>& cells);
 
-/// Returns the content of boundary.csv: a header, then a row per boundary, panel by panel: name of
-/// the panel, values of all parameters of the layout as text, verdict below and above.
+/// Returns the content of boundary.csv: a header, then a row per boundary, panel by panel. Columns:
+/// "name" (of the panel), SweepParameter::name of each parameter of the layout (values as
+/// SweepParameter::text(), words as words), "verdict_below" and "verdict_above" (toString()).
+/// Without boundaries, only the header.
 std::string boundaryCsv(const SweepLayout& layout, const SweepMap& map);
 
 }  // namespace forge

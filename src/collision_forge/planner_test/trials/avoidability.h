@@ -11,9 +11,9 @@ namespace forge {
 struct Avoidance {
   EvasiveManoeuvre manoeuvre = EvasiveManoeuvre::kKeeping;  ///< kind of the motion
   double start = 0.0;  ///< s, scene clock; the ego drives as recorded until then
-  /// Of the middle of the ego's box, a point every AvoidabilityOptions::step from `start` and one
-  /// at the end of the attacker's trajectory (kKeeping: at the recorded times); times on the scene
-  /// clock
+  /// Path of the middle of the ego's box: a point every AvoidabilityOptions::step from `start` and
+  /// one at the end of the attacker's trajectory (kKeeping: at the recorded times); times on the
+  /// scene clock
   std::vector<TrajectoryPoint> motion;
   /// Share 0..1 of the box off the drivable area, mean over the motion.
   double off_road_share = 0.0;

@@ -28,7 +28,7 @@ struct NuplanScoreOptions {
   // Weights of the terms in the mean of NuplanScore::total.
   double progress_weight = 5.0;  ///< of `progress`
   double ttc_weight = 5.0;       ///< of `time_to_collision`
-  /// Of `speed_limit`, used if a lane has a limit; nuScenes' lanes have none.
+  /// Weight of `speed_limit`, used if a lane has a limit; nuScenes' lanes have none.
   double speed_limit_weight = 4.0;
   double comfort_weight = 2.0;  ///< of `comfort`
 };
@@ -63,8 +63,8 @@ struct NuplanPart {
   const char* name;            ///< e.g. "drivable_area"
   double NuplanScore::*value;  ///< the member
 };
-/// Returns all terms but the speed limit, in the order of NuplanScore up to `progress`; the total
-/// is last.
+/// Returns all terms but the speed limit, in the order of NuplanScore up to `progress`, each under
+/// the name of its member; the total is last, as "score".
 const std::array<NuplanPart, 8>& nuplanParts();
 
 /// The ego's contact, as the score needs it.

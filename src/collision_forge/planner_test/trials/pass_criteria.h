@@ -33,19 +33,20 @@ std::vector<Criterion> parseCriteria(const std::string& text);
 struct CriterionVerdict {
   Criterion criterion;  ///< as given
   std::string row;      ///< rowName()
-  /// Of the measure over all tested cases: a count, mean, greatest or least value.
+  /// Value of the measure over all tested cases: a count, mean, greatest or least value.
   double value = 0.0;
   bool is_failed = false;  ///< the condition of the criterion holds
 };
 
 /// Returns one verdict per name in `rows` (rowName(); outer loop) and criterion. A measure of a row
-/// without tested cases is 0.
+/// without tested cases is 0, and its criterion is applied all the same. Throws
+/// std::invalid_argument for an unknown measure.
 std::vector<CriterionVerdict> judge(const std::vector<Criterion>& criteria,
                                     const std::vector<PlannerTestResult>& results,
                                     const std::vector<std::string>& rows);
 
 /// Returns one line per verdict, "passed" or "FAILED" first, then row, criterion and value, with a
-/// line end each.
+/// line end each: "FAILED  pdm: fails if hits > 0; hits = 2".
 std::string verdictText(const std::vector<CriterionVerdict>& verdicts);
 
 /// Returns Criterion::text of the first criterion by which a row alone contributes to a failure: a

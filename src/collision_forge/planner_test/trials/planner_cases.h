@@ -35,10 +35,11 @@ std::set<std::string> readScenes(const std::vector<std::string>& paths, const In
 /// Opens the lines of scenario files as cases named FILE:LINE (line from 1 on), with FILE (no
 /// folder, no extension) as source, in the order of `paths`. `scenes_kept`: number of scenes held
 /// in memory. `options`: input limits, crash definition and history of the cases; must outlive the
-/// result. `on_progress`: called while nuScenes tables are loaded. Throws std::runtime_error if a
-/// file cannot be read or has no lines, if two files have the same FILE, and if the source `logs`
-/// cannot be read; InputError as readInputLine(). at() throws for a malformed line and for a scene
-/// missing in the source.
+/// result. The fingerprint covers the number of the lines and their texts in order, not the
+/// recordings and the names of the files. `on_progress`: called while nuScenes tables are loaded.
+/// Throws std::runtime_error if a file cannot be read or has no lines, if two files have the same
+/// FILE, and if the source `logs` cannot be read; InputError as readInputLine(). at() throws for a
+/// malformed line and for a scene missing in the source.
 std::unique_ptr<PlannerCases> openScenarioCases(const std::vector<std::string>& paths,
                                                 const LogSource& logs, std::size_t scenes_kept,
                                                 const AnswerOptions& options,

@@ -31,12 +31,15 @@ struct RowComparison {
 std::vector<RowComparison> compareRuns(const std::vector<PlannerTestResult>& before,
                                        const std::vector<PlannerTestResult>& after);
 
-/// Returns the comparison as Markdown: a table of counts, then the names of the cases that changed.
+/// Returns the comparison as Markdown: a table with a line per element ("planner", or "BEFORE ->
+/// AFTER" if the names differ, "cases", "newly hit", "newly avoided", "still hit", "newly failed"
+/// and both scores), then a list of case names for each element and kind of change that has any.
 std::string comparisonText(const std::vector<RowComparison>& rows);
 
 /// Returns the results in the file at `path`, or in results.jsonl if `path` is a folder of forge
-/// test, in order, without motions (dropMotions()). Throws std::runtime_error if the file cannot be
-/// read and JsonLineError, naming file and line, for a line that is not a result.
+/// test, in order, without motions (dropMotions()); empty for an empty file. Throws
+/// std::runtime_error if the file cannot be read and JsonLineError, naming file and line, for a
+/// line that is not a result.
 std::vector<PlannerTestResult> readResults(const std::string& path);
 
 }  // namespace forge

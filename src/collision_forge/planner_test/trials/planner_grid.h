@@ -19,7 +19,8 @@ using PlannerGrid = std::map<std::string, std::vector<double>>;
 /// Returns the grid in section `planner` of a file like config/tuning.yaml. Throws ConfigError for
 /// a missing or empty section, and for a value that is not a list of distinct numbers.
 PlannerGrid readPlannerGrid(Section file, const std::string& planner);
-/// As above, from the YAML file at `path`.
+/// As above, from the YAML file at `path`. Throws ConfigError if the file cannot be read or parsed,
+/// too.
 PlannerGrid readPlannerGrid(const std::string& path, const std::string& planner);
 
 /// Returns the values that planners.yaml has now for the keys in the grid. `text`: content of the
@@ -29,8 +30,8 @@ PlannerValues readPlannerValues(const std::string& path, const std::string& text
                                 const PlannerGrid& grid);
 
 /// Returns `text` (content of planners.yaml) with these values inserted; everything else, comments
-/// included, stays as written (the last line gets a line end). Throws as readPlannerValues(), and
-/// ConfigError for a number in quotes.
+/// and numbers that equal their new value included, stays as written (the last line gets a line
+/// end). Throws as readPlannerValues(), and ConfigError for a number in quotes.
 std::string withPlannerValues(const std::string& path, const std::string& text,
                               const PlannerValues& values);
 

@@ -35,8 +35,9 @@ struct WorstCase {
 };
 
 /// Returns, for each of `planners` (rowName()), one after the other, the `count` most severe fair
-/// hits by the attacker (PlannerRow::is_fair, isMoreSevere()), in descending order; at most one per
-/// scene, so there may be fewer.
+/// hits by the attacker (PlannerRow::is_fair, isMoreSevere()), in descending order, equally severe
+/// ones in the order of `results`; at most one per scene, so there may be fewer. Rollouts with a
+/// failure do not count.
 std::vector<WorstCase> worstCases(const std::vector<PlannerTestResult>& results,
                                   const std::vector<std::string>& planners, std::size_t count);
 

@@ -22,7 +22,7 @@ struct AvoidabilitySummary {
   EvasiveManoeuvre last = EvasiveManoeuvre::kKeeping;  ///< kind of the witness with the latest
                                                        ///< start; valid if avoidable
   double last_after = 0.0;  ///< s after t0, start of this witness; valid if avoidable
-  /// Of this witness: share 0..1 of the box off the drivable area, mean; valid if avoidable.
+  /// Share 0..1 of the box off the drivable area, mean over this witness; valid if avoidable.
   double off_road_share = 0.0;
 };
 

@@ -23,7 +23,8 @@ struct PlannerSummary {
   int hits = 0;         ///< rollouts whose first contact is with the attacker, without failures
   int avoidable = 0;    ///< hits that the planner could have avoided (PlannerRow::is_fair)
   int failures = 0;     ///< rollouts that ended with a planner failure
-  std::optional<Impact> worst;  ///< the hit with the greatest speed; empty if there is none
+  /// The hit with the greatest speed, the first of equals; empty if there is none.
+  std::optional<Impact> worst;
 };
 
 /// Returns one summary for each name of `rows` (rowName()), in their order; all numbers are 0 for a
@@ -36,8 +37,9 @@ std::vector<PlannerSummary> summarizePlanners(const std::vector<PlannerTestResul
 /// background, in total and for each planner and policy; "" for a plan with one background.
 std::string backgroundText(const std::vector<PlannerTestResult>& results, const TestPlan& plan);
 
-/// Returns a table for a terminal: a title line, then one line per summary. `milliseconds`: mean
-/// computing time of a call of plan(), ms, by row name; "-" if a row is missing in it.
+/// Returns a table for a terminal: a title line ("planner", "scenes", "cases", "hit", "avoidable",
+/// "failed", "ms a call", "worst impact" with its case), then one line per summary. `milliseconds`:
+/// mean computing time of a call of plan(), ms, by row name; "-" if a row is missing in it.
 std::string summaryText(const std::vector<PlannerSummary>& summaries,
                         const std::map<std::string, double>& milliseconds);
 

@@ -31,8 +31,8 @@ std::vector<PlannerValues> combinationsOf(const PlannerGrid& grid, const Planner
 std::vector<PlannerVariant> variantsOf(const PlannerGrid& grid, const std::string& path,
                                        const std::string& text, const VehicleLimits& limits);
 
-/// Throws std::runtime_error, naming the first common scene, if `train` and `test` (names of
-/// scenes) share one.
+/// Throws std::runtime_error, naming the first common scene (by name), if `train` and `test` (names
+/// of scenes) share one.
 void checkHeldOut(const std::set<std::string>& train, const std::set<std::string>& test);
 
 /// Tests all variants of one planner in one case against a fixed attacker: one row per variant,
@@ -60,8 +60,9 @@ struct VariantScore {
 std::vector<VariantScore> scoreVariants(const std::vector<PlannerTestResult>& results,
                                         const std::vector<PlannerVariant>& variants);
 
-/// Returns the index in `scores` of the lowest collision rate; of equals the one with the most
-/// progress, then the first (the default). nullopt if no variant has trials.
+/// Returns the index in `scores` of the lowest collision rate; of exactly equal rates the one with
+/// the most progress, then the first in `scores` (so the default before others). Scores without
+/// trials do not count. nullopt if no variant has trials.
 std::optional<std::size_t> bestVariant(const std::vector<VariantScore>& scores);
 
 /// Returns the table of collisions (isCollision()) in avoidable crashes for results with rows
@@ -69,14 +70,15 @@ std::optional<std::size_t> bestVariant(const std::vector<VariantScore>& scores);
 /// with both rows count.
 RateTable comparisonTable(const std::vector<PlannerTestResult>& results);
 
-/// Returns a Markdown table of the keys with their values before and after. `after` must have the
-/// keys of `before`.
+/// Returns a Markdown table with the columns "key of planners.yaml", "default" (`before`) and
+/// "tuned" (`after`), one line per key of `before` by name. `after` must have the keys of `before`.
 std::string describeValues(const PlannerValues& before, const PlannerValues& after);
 
 /// Returns a CSV text: the header "variant,KEYS,avoidable,collision,low,high,progress,best" (a
 /// column per key), then one line per variant with its name, values, number of avoidable crashes,
-/// collision rate with interval, progress (m), and 1 if it is the best, else 0. `variants` must not
-/// be empty; `scores`: in their order; `best`: index of the best variant.
+/// collision rate (0 without such crashes) with the ends of its interval (empty without one),
+/// progress (m), and 1 if it is the best, else 0. `variants` must not be empty; `scores`: in their
+/// order; `best`: index of the best variant.
 std::string scoresCsv(const std::vector<PlannerVariant>& variants,
                       const std::vector<VariantScore>& scores, std::size_t best);
 

@@ -22,8 +22,8 @@ struct RequestDraw {
   std::uint64_t seed = 0;  ///< of the random draw, in which each possible request is equally likely
   /// Cells to draw from in place of `list.types`; empty: draws from `list.types`
   std::vector<CatalogueCell> cells = {};
-  /// Called by the constructor, on its thread, after each readable scene: number of scenes
-  /// processed, number of all scenes. May be empty.
+  /// Called by the constructor, on its thread, after each readable scene: number of readable scenes
+  /// so far, number of all scenes (not reached if some are unreadable). May be empty.
   std::function<void(std::size_t, std::size_t)> on_scene = {};
 };
 
@@ -43,7 +43,8 @@ class RequestCases : public PlannerCases {
   const std::vector<std::string>& unreadable() const { return unreadable_; }
   /// Returns the names of the cases, in the order of the draw.
   const std::vector<std::string>& names() const override { return names_; }
-  /// As PlannerCases::fingerprint(): of all drawn requests and the method's name.
+  /// As PlannerCases::fingerprint(): the number of the drawn requests, the method's name and a
+  /// fingerprint of the requests in order. Recordings and other options do not count.
   std::string fingerprint() const override;
   /// Returns caseOf() of scenario(index).
   PlannerCase at(std::size_t index) const override;

@@ -34,14 +34,15 @@ struct RolloutSetup {
 /// Failure of a planner that ends its rollout.
 enum class PlannerFailure {
   kNone,       ///< no failure
-  kError,      ///< initialize() or plan() threw another exception
+  kError,      ///< initialize() or plan() threw an exception other than PlannerTimeout and LatePlan
   kEmpty,      ///< plan() returned a trajectory without points
   kNotFinite,  ///< a number of a point is not finite
-  kUnordered,  ///< times do not increase
-  kLate,       ///< a trajectory that does not span from the call to the next call, or LatePlan
-  kTimedOut,   ///< threw PlannerTimeout: an external planner did not respond
-  kOffMap,     ///< the whole box is off the drivable area after a part was on it, tested every
-               ///< VerificationOptions::off_road_interval
+  kUnordered,  ///< times of successive points do not increase strictly
+  kLate,  ///< the trajectory does not begin at the call or ends before the next call (to 1e-6 s),
+          ///< or LatePlan was thrown
+  kTimedOut,  ///< threw PlannerTimeout: an external planner did not respond
+  kOffMap,    ///< the whole box is off the drivable area after a part was on it, tested every
+              ///< VerificationOptions::off_road_interval
 };
 /// Returns "none", "error", "empty", "not_finite", "unordered", "late", "timed_out" or "off_map".
 const char* toString(PlannerFailure failure);
@@ -89,7 +90,7 @@ struct RolloutOutcome {
                           ///< the route; negative for an ego that drove back
   /// m along the route, of the recorded ego in the same time (at most to its last state)
   double recorded_progress = 0.0;
-  /// Of the steps up to the end, without the step of a contact that ends the rollout
+  /// Score of the steps up to the end, without the step of a contact that ends the rollout.
   NuplanScore nuplan;
   /// Middle of the ego's box at every RolloutOptions::step from t0 on, scene clock; the last point
   /// is at the contact, the failure or the end.

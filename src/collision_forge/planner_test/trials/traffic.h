@@ -13,8 +13,8 @@
 
 namespace forge {
 
-/// How other agents move: replay their recording, react by the intelligent driver model, or drive
-/// by a learned model.
+/// How other agents move: as recorded (kReplay), as recorded but delayed by the intelligent driver
+/// model (kIdm), or by a learned model (kModel); see Traffic.
 enum class Background { kReplay, kIdm, kModel };
 /// Returns "replay", "idm" or "model".
 const char* toString(Background background);

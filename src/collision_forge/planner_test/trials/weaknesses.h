@@ -22,8 +22,9 @@ struct Weakness {
 
 /// Groups the hits in `results` into weaknesses, the weakness with the most severe hit first
 /// (isMoreSevere()). Counts fair hits (PlannerRow::is_fair) of at least `options.min_impact_speed`
-/// by attackers that had not aborted, kept every limit and touched no other agent. Unless the
-/// planner is at fault, leaves out hits from behind: hits into the ego's rear and all with
+/// by attackers that had not aborted (AttackerPhase::kDrivingOn), kept every limit and touched no
+/// other agent, in rollouts without a failure. Unless the planner is at fault, leaves out hits from
+/// behind: hits with ContactCause::kRear, hits into the rear of a stopped ego, and all with
 /// Manoeuvre::kFollowerCloses. `manoeuvreOf`: called for each counted hit with its index in
 /// `results`; returns the requested manoeuvre of that case.
 std::vector<Weakness> findWeaknesses(const std::vector<PlannerTestResult>& results,

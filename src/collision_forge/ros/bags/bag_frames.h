@@ -39,8 +39,10 @@ class BagFrames {
         buffer_(ros::Duration(cache)) {}
 
   /// Adds an element of usableTransforms(), of /tf_static if `is_static`. If a frame has several
-  /// parents, only the first one that leads to the map frame is used. Returns false if the
-  /// transform is not used: because of its parent, or because it is not newer than the one before.
+  /// parents, only the first one that leads to the map frame is used; until one does, the first
+  /// parent of all is used. At that change all earlier transforms that are not static are dropped.
+  /// Returns false if the transform is not used: because of its parent, or because it is not newer
+  /// than the one before.
   bool add(const geometry_msgs::TransformStamped& transform, bool is_static);
 
   /// Adds the pose of `child` in the frame `parent` as a transform that is not static; ignored

@@ -15,7 +15,7 @@
 
 namespace forge {
 
-/// Profile of an MCAP file: the ROS version whose tools read it.
+/// Profile of an MCAP file: the ROS version whose tools read it; "ros1" or "ros2" in the file.
 enum class McapProfile { kRos1, kRos2 };
 
 /// Writes ROS 1 messages to an MCAP file: unchanged in profile ros1, converted by Ros2Message in
@@ -32,15 +32,16 @@ class McapMessages {
     std::uint64_t written = 0;  ///< number of written messages
   };
 
-  /// `stream` must be binary, at the beginning of a file, and outlive the object.
+  /// `stream` must be binary, at the beginning of a file, and outlive the object. The caller checks
+  /// it for write errors after finish().
   McapMessages(std::ostream& stream, McapProfile profile);
 
   /// Adds a topic of ROS 1 and returns its number, from 0; in profile ros2 the number of an equal
-  /// topic if there is one, as of several publishers. `type`: package/Type; `definition`: its ROS 1
-  /// text with nested types. `header`: fields of the connection, with `latching` "1" for a latched
-  /// topic, which becomes transient local in ROS 2. A definition that cannot be converted is no
-  /// error: the topic still gets a number, and its messages are left out. Throws std::length_error
-  /// after 65,535 topics.
+  /// topic (name, definition and latching) if there is one, as of several publishers. `type`:
+  /// package/Type; `definition`: its ROS 1 text with nested types. `header`: fields of the
+  /// connection, with `latching` "1" for a latched topic, which becomes transient local in ROS 2. A
+  /// definition that cannot be converted is no error: the topic still gets a number, and its
+  /// messages are left out. Throws std::length_error after 65,535 topics.
   std::size_t addTopic(const std::string& topic, const std::string& type,
                        const std::string& definition, std::map<std::string, std::string> header);
 

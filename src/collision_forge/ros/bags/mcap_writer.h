@@ -34,8 +34,8 @@ struct McapChannel {
   std::map<std::string, std::string> metadata;
 };
 
-/// Returns the profile in the header of an MCAP file, "ros1" or "ros2"; empty if the file does not
-/// exist or is not an MCAP file.
+/// Returns the profile in the header of an MCAP file, such as "ros1" or "ros2"; empty if the file
+/// does not exist or is not an MCAP file, and for a profile of more than 64 bytes.
 std::string mcapProfileOf(const std::string& path);
 
 /// Writes an MCAP file (mcap.dev/spec): messages in chunks, each an LZ4 frame, with their indexes,

@@ -24,7 +24,8 @@ class AttackerInjector {
   AttackerInjector(collision_forge::AttackerTrajectory trajectory,
                    const DriveLimitOptions& options);
 
-  /// Replaces the trajectory by a replanned one of the same attack (same vehicle, past and t0);
+  /// Replaces the trajectory by a replanned one of the same attack (exactly equal id, class, size,
+  /// past and stamp of the header, t0);
   /// height, z and crash are kept. Returns true if it was replaced; returns false and changes
   /// nothing if it belongs to another attack.
   bool change(const collision_forge::AttackerTrajectory& trajectory);

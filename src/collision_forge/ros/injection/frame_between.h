@@ -26,9 +26,10 @@ Message between(const Message& before, const Message& after, double ratio) {
 collision_forge::AgentArray frameBetween(const collision_forge::AgentArray& before,
                                          const collision_forge::AgentArray& after, double ratio);
 
-/// Returns the agents at `stamp`: of the frame with this stamp, else by frameBetween() of the two
-/// neighbours in `frames` (sorted by stamp). Returns none before the first and after the last
-/// frame, and in gaps above kMaxGap.
+/// Returns the agents at `stamp`: of the frame with exactly this stamp (the first of several), else
+/// by frameBetween() of the two neighbours in `frames` (sorted by stamp). Returns none before the
+/// first and after the last frame (at their stamps: their agents), without frames, and between
+/// frames that are more than kMaxGap apart.
 std::vector<collision_forge::Agent> agentsAt(const std::vector<collision_forge::AgentArray>& frames,
                                              const ros::Time& stamp);
 

@@ -65,8 +65,9 @@ struct RecordingContext {
   const AttackedBagOptions& options;
 };
 
-/// Throws BagError with the topic if the bag at `path` already has an attack (a message on a topic
-/// of attacked bags), and if the bag cannot be read; else does nothing.
+/// Throws BagError with the topic if the bag at `path` already has an attack (a message on /attack,
+/// /tested_report, /attack_request, /attack_path, /attack_ego_path or /attack_markers), and if the
+/// bag cannot be read; else does nothing.
 void requireNoAttack(const std::string& path);
 
 /// Copies the bag at `in`, which must not contain an attack, to `out` and inserts `attack`:

@@ -14,7 +14,9 @@ namespace forge {
 /// Publishes attacks, and runs the adaptive attacker of the newest attack on each frame of the
 /// scene. Publishes the attack again when its trajectory changes or the attacker makes a decision.
 /// A frame at or before the attack's t0 that is older than its predecessor means that the replay
-/// restarted: the attack is dropped (end()), or, with `keeps_attack`, started again.
+/// restarted. Without `keeps_attack` the attack is then dropped (end()). With it, a fixed attack
+/// stays without being published again; an adaptive one returns to its state at t0 and is published
+/// as at first, in its first plan.
 /// Thread-safe; `publish` is called with a lock held and must not call back.
 class LiveAttacker {
  public:

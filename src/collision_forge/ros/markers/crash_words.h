@@ -10,9 +10,10 @@
 /// clock; `tested`: report on the actual outcome (topic tested_report).
 namespace forge {
 
-/// Returns `tested` if it belongs to `attack` (same t0 and attacker) and its outcome is known at
-/// `now`: from the contact in `tested` on, or if it has none from the end of the trajectory on.
-/// Otherwise, and if `tested` is null or the trajectory has no points, returns null.
+/// Returns `tested` if it belongs to `attack` (exactly equal stamp and attacker's id) and its
+/// outcome is known at `now`: from the contact in `tested` on, or if it has none from the end of
+/// the trajectory on. Otherwise, and if `tested` is null or the trajectory has no points, returns
+/// null.
 const collision_forge::CollisionReport* verdictBy(const ros::Time& now,
                                                   const collision_forge::Attack& attack,
                                                   const collision_forge::CollisionReport* tested);

@@ -151,8 +151,8 @@ inline bool isNone(const collision_forge::Attack& attack) {
 }
 
 /// Throws MessageError for an unknown agent class, a size that is not finite and > 0, non-finite
-/// points or past states, times that do not increase, and a past that contradicts `added`. A
-/// trajectory without points is accepted.
+/// points or past states, times that do not increase, and a past that contradicts `added`
+/// (added without a past, or a past without added). A trajectory without points is accepted.
 AttackerTrajectory fromMessage(const collision_forge::AttackerTrajectory& message);
 /// The header's stamp is the time of the first point, t0; 0 without points.
 collision_forge::AttackerTrajectory toMessage(const AttackerTrajectory& trajectory);

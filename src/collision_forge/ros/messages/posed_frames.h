@@ -67,7 +67,8 @@ class PosedFrames {
   };
 
   /// Adds transforms of /tf or /tf_static. A pose of the ego that is older than the newest by more
-  /// than kRestart means that the replay restarted: all earlier transforms are dropped.
+  /// than kRestart means that the replay restarted: all earlier transforms of /tf are dropped, also
+  /// earlier elements of `message`; the transforms of /tf_static are kept.
   void addTransforms(const tf2_msgs::TFMessage& message, bool is_static) {
     if (is_static) movers_.addFixed(message);
     for (const geometry_msgs::TransformStamped& transform : message.transforms) {

@@ -31,9 +31,9 @@ collision_forge::CollisionAnswer toMessage(const CollisionRequest& request, cons
 /// Appends a summary of each attack of `answers` and of its alternatives to `collisions`: in the
 /// order of the answers, and within each answer by descending confidence. Skips failures that
 /// depend on the scene (dependsOnScene()); stops at the first other failure and returns its code
-/// and message. Otherwise returns kOk, with the most frequent reason of rejection (of several the
-/// one that comes first) as message if `collisions` is then empty; the message is "" without
-/// answers.
+/// and message. Otherwise returns kOk, whose message is "", except if `collisions` is then empty
+/// and there are answers: then it names the most frequent status code (of several the one that
+/// comes first), its count and the message of the first answer that has it.
 Status listPossible(const std::vector<collision_forge::CollisionAnswer>& answers,
                     std::vector<collision_forge::PossibleCollision>& collisions);
 

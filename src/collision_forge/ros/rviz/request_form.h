@@ -41,7 +41,8 @@ class RequestForm : public QWidget {
   void setMethods(const QStringList& names);
 
   /// load() restores the fields from the panel's part of an RViz configuration and keeps a field
-  /// whose key is missing; save() writes all fields there.
+  /// whose key is missing or whose saved type, manoeuvre, choice or mode is unknown (an unknown
+  /// method or attacker becomes selected instead); save() writes all fields there.
   void load(const rviz::Config& config);
   void save(rviz::Config config) const;
 

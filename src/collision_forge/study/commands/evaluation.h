@@ -37,8 +37,9 @@ struct EvaluationArguments {
   int jobs = 1;         ///< threads
 };
 
-// Run the evaluation; resume an interrupted one. Print the tables and write OUT/results.csv,
-// OUT/table.md and OUT/table.csv. Return kExitOk; all failures throw: ConfigError,
+// Run the evaluation; resume an interrupted one with the same inputs and options (`jobs` may
+// differ). Print the tables and write OUT/results.csv (columns: result_row.h), OUT/table.md and
+// OUT/table.csv (writeRates()). Return kExitOk; all failures, also of writing, throw: ConfigError,
 // std::runtime_error, and std::invalid_argument for an unknown method.
 /// Evaluates the clips of `split` in `collide`; ignores the fields for requests.
 int evaluateClips(const EvaluationArguments& arguments);
@@ -48,7 +49,9 @@ int evaluateRequests(const EvaluationArguments& arguments);
 /// An evaluation of items (clips or requests) that yield the same number of rows each.
 struct EvaluationRun {
   std::string folder;                     ///< folder of results.csv; must exist
-  ResumableFile::Options options;         ///< fingerprints of all inputs
+  ResumableFile::Options options;         ///< all inputs (fingerprints) and options on which
+                                          ///< the rows depend; if results.csv was begun
+                                          ///< with others, runEvaluation() throws
   Protocol protocol = Protocol::kStrict;  ///< determines the columns of results.csv
   RowsOf rows_of = RowsOf::kClips;        ///< determines the columns of results.csv
   std::string of;                         ///< plural noun for the items in messages, as "clips"
@@ -65,7 +68,8 @@ struct EvaluationRun {
 /// order of the items. Throws the exceptions of carryOut().
 std::vector<ResultRow> runEvaluation(const EvaluationRun& evaluation);
 
-/// Writes the rates of all tables (toCsv()), below one header, to FOLDER/table.csv, replacing it.
+/// Writes the rates of all tables (toCsv()), below one header (rateCsvHeader()), to
+/// FOLDER/table.csv, replacing it; without tables, the header alone.
 /// Throws std::runtime_error if the file cannot be written.
 void writeRates(const std::vector<RateTable>& tables, const std::string& folder);
 

@@ -26,15 +26,16 @@ struct Attempts {
 };
 
 /// Returns the text of statistics.csv, "group,value,train,val,test,all,share", with the numbers of
-/// clips in each split and in all: one row per type, then per TTA (s, from t0 to the impact), then
-/// per location, each ascending, and a last row "all,scenes" with the numbers of scenes. Values
-/// without a clip have no row. `share` is the share of all clips, 0..1, empty for scenes. Each line
-/// ends with "\n".
+/// clips in each split and in all: one row per type (group "type", in the order of CollisionType),
+/// then per TTA (group "tta", s from t0 to the impact, ascending), then per location (group
+/// "location", in alphabetical order), and a last row "all,scenes" with the numbers of scenes.
+/// Values without a clip have no row. `share` is the share of all clips, 0..1, empty for scenes.
+/// Each line ends with "\n".
 std::string datasetCsv(const std::vector<DatasetClip>& clips);
 
-/// Returns the text of statistics.md: the tables of datasetCsv(), and for each type the clips
-/// tried, valid and kept, and the mean |relative heading| (degrees) and off-road share (%) of the
-/// kept ones (0 if none is kept).
+/// Returns the text of statistics.md: the tables of datasetCsv(), and for each type of
+/// `attempts` the clips tried, valid and kept, and the mean |relative heading| (degrees) and
+/// off-road share (%) of the kept ones (0 if none is kept).
 std::string datasetMarkdown(const std::vector<DatasetClip>& clips,
                             const std::map<CollisionType, Attempts>& attempts);
 

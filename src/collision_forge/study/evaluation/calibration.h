@@ -37,7 +37,8 @@ struct Calibration {
 /// are omitted. `column` is Calibration::column; `promises` are the predictions.
 Calibration calibrate(const std::string& column, std::vector<Prediction> promises);
 
-/// Returns a Markdown table: title, one row per decile in percent, and the largest difference.
+/// Returns a Markdown table: title, one row per decile (number from 1, number of attacks, mean
+/// confidence, success rate with interval, difference; in percent), and the largest difference.
 std::string toMarkdown(const Calibration& calibration);
 
 }  // namespace forge

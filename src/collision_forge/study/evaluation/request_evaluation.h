@@ -21,7 +21,8 @@ namespace forge {
 /// | not a baseline | METHOD; in adaptive mode before it "adaptive" |
 /// | seeded | after these "replay" |
 ///
-/// "replay" is the plan's method in replay mode, omitted if that is the plan's mode.
+/// METHOD runs in replay mode if that is the plan's mode, else in history mode. "replay" is the
+/// plan's method in replay mode, omitted if that is the plan's mode.
 std::vector<std::string> requestRowMethods(const EvaluationPlan& plan);
 
 /// Returns the number of rows of RequestEvaluator::evaluate(), which is the same for every request.
@@ -47,8 +48,8 @@ struct EvaluatedRequest {
 /// - Attackers of the plan's method keep the plan's limits, and must be plausible if
 ///   `plan.believable`. Baselines are judged by the strict limits and need not be plausible.
 /// - For a request without attacker, a baseline uses the candidate (isCandidate()) with the best
-///   outcome: full definitions, else angle bands, else contact. This is an upper bound, because the
-///   choice uses the recorded future.
+///   outcome: full definitions, else angle bands, else contact; the first of equals. This is an
+///   upper bound, because the choice uses the recorded future.
 /// - The rows of a request that no method can solve (rejected by checkRequest(), no frame at t0,
 ///   the recording ends before t0 + TTA) have that status and meet no measure.
 class RequestEvaluator {

@@ -16,10 +16,12 @@ enum class Protocol { kPublished, kStrict };
 /// Returns "published" or "strict".
 const char* toString(Protocol protocol);
 
-/// Returns the measures of a protocol, in the order of ResultRow::meets. Published: collision,
-/// similar. Strict: all conditions by angle bands, all by full definitions, then each condition:
-/// contact, type by angle bands, type by full definitions, on time, limits kept, no earlier
-/// contact. The reference is always valid.
+/// Returns the measures of a protocol, in the order of ResultRow::meets; names of their columns in
+/// brackets. Published: hit (collision), similar hit (similar). Strict: all conditions by angle
+/// bands (angle_bands), all by full definitions (full_definitions), then each condition: contact
+/// after t0 (contact), type by angle bands (type_angle_bands), type by full definitions
+/// (type_full), on time (on_time), limits kept (limits_kept), no earlier contact with another agent
+/// (nobody_before). The reference is always valid.
 const std::vector<Measure>& measuresOf(Protocol protocol);
 
 /// Columns of results.csv that only rows of requests have.
@@ -50,7 +52,7 @@ struct ResultRow {
   /// without contact.
   std::optional<double> relative_heading;
   /// CollisionReport::confidence, 0..1; empty without an attack and for methods that are not
-  /// seeded.
+  /// seeded, for clips also without a contact in CollisionReport and in the published protocol.
   std::optional<double> confidence;
   /// Mean share, 0..1, of the attacker's box off the drivable area from t0 to contact; strict
   /// protocol only, empty without contact.
@@ -65,9 +67,9 @@ enum class RowsOf { kClips, kRequests };
 // Header and line of results.csv, without line ends. Columns: name, scene, type, tta, method, seed,
 // status, the measures of measuresOf() (1 or 0), contact_after, relative_heading, confidence,
 // off_road_share, for requests road_allows, believable (1 or 0), attacker, class, and last note.
-// Empty values are empty cells. Times have three decimals, shares four, headings are in degrees
-// with two. toCsv() throws std::runtime_error for a name or scene with commas or line ends; commas
-// and line ends in other texts are replaced.
+// Empty values are empty cells. contact_after has three decimals, tta up to six significant digits,
+// shares have four decimals; headings are in degrees with two. toCsv() throws std::runtime_error
+// for a name or scene with commas or line ends; commas and line ends in other texts are replaced.
 /// Returns the header: the names of all columns.
 std::string csvHeader(Protocol protocol, RowsOf rows_of = RowsOf::kClips);
 /// Returns the line of a row.

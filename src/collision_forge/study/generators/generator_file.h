@@ -22,8 +22,9 @@ struct GeneratorHeader {
 /// Parses the options of a header. Throws ConfigError naming `path`.
 GeneratorOptions optionsOf(const GeneratorHeader& header, const std::string& path);
 
-/// Returns the content of a weight file (.pt, a torch archive) with the header and the weights of
-/// `model`. `training`: true to include the state to resume the training.
+/// Returns the content of a weight file (.pt, a torch archive): the key "format", the fields of the
+/// header under their names, "weights" with the tensors of `model` by parameter name, and if
+/// `training` is true "training", the state to resume the training.
 std::string generatorBytes(const GeneratorHeader& header, const TrafficModel& model, bool training);
 
 /// Reads the header of a weight file. Throws TrafficGeneratorError, naming the file, if it is

@@ -96,19 +96,28 @@ struct PublishedPatterns : torch::nn::Module {
   /// agents not observed at t0.
   torch::Tensor selection(const TrafficBatch& batch, const torch::Tensor& seen);
 
-  PublishedNetworkOptions options;  // of the constructor, as `traffic`; then the layers, by use
-  TrafficOptions traffic;
-  std::shared_ptr<PublishedSubGraph> subgraph;
+  PublishedNetworkOptions options;  ///< of the constructor
+  TrafficOptions traffic;           ///< of the constructor
+  // The layers. A number at the end gives the order in which the layers of a head are applied.
+  std::shared_ptr<PublishedSubGraph> subgraph;  ///< VectorNet's polyline subgraph, polylinesOf()
+  /// Residual blocks of egoYawOf(), selection(), placesOf(), scores() and anchorOffsets().
   std::shared_ptr<PublishedBlock> ego_yaw_1, selector_2, anchor_4, score_1, shift_1;
+  /// Self-attention of graphOf().
   torch::nn::Linear query{nullptr}, key{nullptr}, value{nullptr};
+  /// joined(): features of the type and of the time, and the layers that join them with the ego.
   torch::nn::Linear type_1{nullptr}, type_2{nullptr}, time{nullptr}, join_1{nullptr},
       join_2{nullptr};
+  /// egoYawOf(), offsetOf() and attackerYawOf().
   torch::nn::Linear ego_yaw_2{nullptr}, offset{nullptr}, attacker_yaw{nullptr};
+  /// selection().
   torch::nn::Linear selector_1{nullptr}, selector_3{nullptr};
+  /// placesOf().
   torch::nn::Linear anchor_1{nullptr}, anchor_2{nullptr}, anchor_3{nullptr}, anchor_5{nullptr};
+  /// placesOf(), after the layers of the same numbers.
   torch::nn::LayerNorm anchor_norm_1{nullptr}, anchor_norm_2{nullptr}, anchor_norm_3{nullptr};
+  /// scores(): layer on F_final and last layer; anchorOffsets(): last layer.
   torch::nn::Linear scene{nullptr}, score_2{nullptr}, shift_2{nullptr};
-  torch::nn::Dropout dropout{nullptr};
+  torch::nn::Dropout dropout{nullptr};  ///< before the last layer of each head but scores()
 };
 
 }  // namespace forge

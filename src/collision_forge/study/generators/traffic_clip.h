@@ -22,9 +22,10 @@ using AgentFrames = std::vector<std::optional<Pose2>>;
 struct TrafficClip {
   std::string scene;  ///< name of the scene; "" if unknown
   CollisionType type = CollisionType::kRearEnd;
-  int collision_frame = 0;          ///< index of the frame of the crash
-  std::vector<AgentFrames> agents;  ///< ego, attacker, then other moving motor vehicles, nearest to
-                                    ///< the ego first; at most TrafficOptions::max_agents
+  int collision_frame = 0;  ///< index of the frame of the crash
+  /// Ego, attacker, then the other motor vehicles that are observed at t0 and moved, nearest to the
+  /// ego first; at most TrafficOptions::max_agents.
+  std::vector<AgentFrames> agents;
   /// lanesAround() ego and attacker at t0; empty if the model ignores lanes.
   std::vector<TrafficLane> lanes;
   std::vector<std::string> ids;  ///< ids of `agents`, in their order

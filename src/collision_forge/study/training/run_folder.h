@@ -17,8 +17,11 @@ namespace forge {
 /// (scenesOfFold()); empty for fold 0. Throws std::runtime_error for a fold without scenes.
 std::set<std::string> leftOutScenes(const TrainingRun& run);
 
-/// Returns the text of run.txt: program version, fingerprints of all inputs, options, and the
-/// content of the configuration file `config` (path relative to config/, "study/training.yaml").
+/// Returns the text of run.txt: lines "name = value" with program version, clips, splits, logs
+/// (fingerprints), fold, folds, seed, device and run.config_files; then the content of the
+/// configuration file `config` (path relative to config/, "study/training.yaml"). Leaves out the
+/// fields `out`, `threads`, `stop_after`, `sources.jobs` and `generator` of the run;
+/// trainGenerator() puts the name of the generator before the text.
 std::string describeRun(const TrainingRun& run, const std::string& config);
 
 /// Creates the run folder run.out with run.txt, or checks that the existing run.txt equals
@@ -55,7 +58,8 @@ struct EpochSums {
   std::string rows;   ///< of the rows of metrics.csv up to this epoch
 };
 
-/// metrics.csv of a run folder, one row per epoch. The best epoch has the lowest last column.
+/// metrics.csv of a run folder: the header "epoch" and `columns`, then one row per epoch (from 1)
+/// with six decimals. The best epoch has the lowest last column, as written; the first of equals.
 class EpochTable {
  public:
   /// `columns`: names of the columns after "epoch". Reads the first `epochs` rows of
@@ -65,7 +69,7 @@ class EpochTable {
 
   /// Appends a row with the next epoch and `numbers`, one per column, and rewrites the file.
   /// Returns true if the last number is lower than in all rows before: the epoch is the best so
-  /// far.
+  /// far. Throws std::runtime_error if the file cannot be written.
   bool add(const std::vector<double>& numbers);
 
   /// Writes the training state `state` (the content of the file) that belongs to the last row; must
