@@ -62,10 +62,9 @@ class AttackJudge {
   /// Verifies `attack` in the first four futures of `egos` (FoundAttack::hits) until it meets the
   /// request in one, and sets report, miss and confidence from that one. `attack` needs pattern and
   /// trajectory; `attacker` is its track in the snapshot. Returns true if the attack is accepted:
-  /// it meets the request and its confidence is at least min_confidence. Each future in which the
-  /// attack fails, also before one in which it succeeds, adds 1 to the count of its reason for
-  /// refusal(), and so does a miss of the pattern. The report of a rejected attack is the last one
-  /// tried. Without `egos` the attack is rejected.
+  /// it meets the request and its confidence is at least min_confidence. A rejected attack adds 1
+  /// for refusal() to the count of its reason in the first future tried, or of a miss of the
+  /// pattern, and its report is the last one tried. Without `egos` the attack is rejected.
   bool accepts(Attack& attack, const Track& attacker, const std::vector<const Track*>& egos);
 
   /// Returns the status that explains why accepts() accepted no attack from these patterns:
