@@ -52,8 +52,8 @@ struct ApproachManner {
   /// kStart: true: drove up and stopped before t0; false: has stood since the first frame
   bool waits = false;
   double aside = 0.0;  ///< m, left offset of the box centre from the path
-  /// true: a motorcycle (or requested bicycle) 0.5 m beside the ego in its lane, whose offset
-  /// replaces `aside`
+  /// true: a motorcycle (or requested bicycle) beside the ego in its lane, on the side of the
+  /// contact, with a gap of about 0.5 m between the boxes; `aside` is then unused.
   bool is_motorcycle_beside = false;
   double departure = 0.0;  ///< kStart: s after t0 until which it stands
 };
@@ -66,7 +66,9 @@ struct AddedDrive {
   /// is estimated.
   static constexpr double kWait = 2.0;
 
-  double aside = 0.0;        ///< m, left offset of the box centre from the path
+  /// m, left offset of the box centre from the path, constant: the search plans the shift from here
+  /// to the meeting's lateral position, AddedMeeting::frenetOf().across.
+  double aside = 0.0;
   std::vector<double> back;  ///< m along at t0, t0 - kStep, ...; below 0: before the path's start
   double contact = 0.0;      ///< s after t0, of the contact
   std::vector<double> on;    ///< m along from t0 + step() to the contact, every step()
@@ -91,11 +93,15 @@ class AddedDrives {
   /// order; may be empty.
   std::vector<ApproachManner> mannersFor(const AddedMeeting& meeting) const;
 
-  /// Plans the motion of a vehicle of `size` that reaches the meeting at its contact time (a
-  /// vehicle of kPark stands at t0 `value` m before it and farther out and is not moved), back to
-  /// the recording's first frame or the start of the path. `variation` applies to kCruise alone.
-  /// Overwrites all fields of `drive`. Returns false if the manner is impossible; `drive` is then
-  /// unspecified. Does not check traffic or limits: see AddedPast.
+  /// Plans the motion of a vehicle of `size` that is at frenetOf(size).along of the meeting at its
+  /// contact time, back to the recording's first frame or the start of the path. Sets `aside` of
+  /// `drive` to the manner's, or as is_motorcycle_beside says. kPark: the vehicle stands `value` m
+  /// along before the meeting, and 0.15 times `value` m farther from the ego than
+  /// frenetOf(size).across; all entries of `back` and `on` are this place, although `contact` is
+  /// the meeting's: the search plans how it pulls out; false if `aside` exceeds kParkingDistance.
+  /// `variation` applies to kCruise alone. Overwrites all fields of `drive`. Returns false if the
+  /// manner is impossible; `drive` is then unspecified. Does not check traffic or limits: see
+  /// AddedPast.
   bool plan(const AddedMeeting& meeting, const ApproachManner& manner, const BoxSize& size,
             AddedDrive& drive, const SpeedVariation& variation = {}) const;
 

@@ -41,16 +41,18 @@ std::string newVehicleId(const Snapshot& past, const std::vector<AddedVehicle>& 
 /// surrounding traffic, together with or beside the ego, or from a standstill. Each keeps the
 /// limits of its class and its lane, touches no recorded agent, and existed before the ego could
 /// observe it: since the recording's first frame, from outside the ego's sensing range, or occluded
-/// by another vehicle. At most AddedVehicleOptions::candidates, or predicted_candidates if the
-/// ego's future is predicted. Live, the past cannot be changed, so it must be unobserved at t0.
-/// Random draws depend only on the request's seed.
+/// by another vehicle. In live scenes (`input.past` null), whose past cannot be changed, the
+/// vehicle must instead be out of the ego's view (out of range or occluded) at t0. Returns at most
+/// AddedVehicleOptions::candidates, or predicted_candidates if the ego's future is predicted. Does
+/// not use CollisionRequest::attacker. Random draws depend only on the request's seed.
 AddedVehicles addVehicles(const AddedVehicleInput& input, const AttackOptions& options);
 
 /// Returns the attack with the greatest scoreOf() by `vehicles`, the result of addVehicles() or
 /// addWalkers() for this input, with the vehicle's past in its trajectory; without an attack, the
-/// reason. Calls `realizer` with `motion` for the car-like vehicles and, if their score is below
-/// SearchOptions::good_share, for all others. `input.snapshot` must not contain the vehicles, and
-/// the request must not name an attacker. Throws as TrajectoryRealizer::realize().
+/// reason. Calls `realizer` with `motion` once for all car-like vehicles (isCarLike()) and, unless
+/// scoreOf() of their attack is at least SearchOptions::good_share, once for all others.
+/// `input.snapshot` must not contain the vehicles, and the request must not name an attacker.
+/// Throws as TrajectoryRealizer::realize().
 Attack realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInput& input,
                       const AttackOptions& options, const TrajectoryRealizer& realizer,
                       SearchedMotion motion);

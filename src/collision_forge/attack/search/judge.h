@@ -62,15 +62,18 @@ class AttackJudge {
   /// Verifies `attack` in the first four futures of `egos` (FoundAttack::hits) until it meets the
   /// request in one, and sets report, miss and confidence from that one. `attack` needs pattern and
   /// trajectory; `attacker` is its track in the snapshot. Returns true if the attack is accepted:
-  /// it meets the request and its confidence is at least min_confidence. A rejected attack adds 1
-  /// for refusal() to the count of its reason in the first future tried, or of a miss of the
-  /// pattern, and its report is the last one tried. Without `egos` the attack is rejected.
+  /// it meets the request and its confidence is at least min_confidence. For refusal(), a
+  /// rejected attack that meets the request in no future adds 1 to the count of its reason in the
+  /// first future tried, and an attack rejected by `exact` adds 1 to the misses of the pattern; low
+  /// confidence is kept apart, as the highest one. The report of a rejected attack is the last one
+  /// tried. Without `egos` the attack is rejected and not counted.
   bool accepts(Attack& attack, const Track& attacker, const std::vector<const Track*>& egos);
 
   /// Returns the status that explains why accepts() accepted no attack from these patterns:
   /// kLowConfidence with the highest confidence if one attack failed by that alone, else
   /// kNotBelievable if one failed by plausibility alone, else kNoAttackWithinLimits with the
-  /// counted reasons.
+  /// counted reasons. `patterns`: the patterns tried, whose number and number of attackers the last
+  /// message names.
   Status refusal(const std::vector<CollisionPattern>& patterns) const;
 
  private:

@@ -42,13 +42,17 @@ inline constexpr double kArrivalHeadingMargin = 0.03;
 inline constexpr double kParkingDistance = 4.5;
 
 /// Task of a driver on its route. All times in s; places along the route are in m from its start. A
-/// plan needs arrival > 0.
+/// plan needs arrival > 0 and is meant for 0 <= lead < departure <= arrival. A longer departure
+/// begins at t0 (of a standing vehicle: after `wait`); a lateral motion shorter than one time step,
+/// as for departure = lead = 0, takes one step.
 struct RoutePlan {
   double arrival = 0.0;    ///< s after t0 at which the box centre is at `at`
   PathPose at;             ///< pose of the box centre relative to the route at the arrival
   double departure = 0.0;  ///< s before the arrival at which the vehicle starts to leave its lane
-  double lead = 0.0;       ///< s before the arrival at which it has reached its lateral position
-  double late = 0.0;       ///< s before the arrival at which `late_acceleration` begins; 0: never
+  /// s before the arrival at which the lateral motion ends; from there the vehicle drives straight
+  /// at the angle at.lean to the route, to at.across at the arrival.
+  double lead = 0.0;
+  double late = 0.0;  ///< s before the arrival at which `late_acceleration` begins; 0: never
   /// m/s2 along the route, from `late` before the arrival to the arrival; negative: brakes
   double late_acceleration = 0.0;
   double wait = 0.0;  ///< s after t0 until which a vehicle that stands waits
@@ -89,8 +93,9 @@ class RouteDriver {
   /// Returns the pose of the vehicle's box centre on the route at t0.
   const PathPose& start() const { return start_; }
   /// Returns the lateral offset (m, left) at `along` (m) of a vehicle that keeps its lane: decays
-  /// from the offset and heading at t0 to 0, critically damped over 80 m; before start(), the
-  /// offset at t0.
+  /// from the offset and heading (at most kMaxLean) at t0 to 0, critically damped with the decay
+  /// length of 80 m: after 80 m, 74 % of the offset of a vehicle parallel to the lane are left.
+  /// Before start(), the offset at t0.
   double keptOffset(double along) const;
 
   /// Returns the calmest style and its speed that reach wanted.at.along at the arrival (to

@@ -12,7 +12,8 @@ using OutputLocks = std::vector<OutputLock>;
 /// Locks the output folders. Names that are "" or denote an earlier folder are skipped. Throws as
 /// OutputLock::ofFolder().
 OutputLocks lockFolders(const std::vector<std::string>& folders);
-/// Locks the output file `path`. Throws as OutputLock::ofFile().
+/// Locks the output file `path`, which must not be "". Returns one lock. Throws as
+/// OutputLock::ofFile().
 OutputLocks lockFile(const std::string& path);
 
 }  // namespace forge

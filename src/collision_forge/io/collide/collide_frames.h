@@ -10,9 +10,9 @@ namespace forge {
 bool areCollideFrames(const std::vector<double>& times);
 
 /// Returns the elements of ascending frame times (s) that can be frames of clips: all if
-/// areCollideFrames(), else the nearest one (of equally near ones the earlier) to each multiple of
-/// kCollideFrameInterval from the first to about the last, each element at most once. An empty
-/// input gives none.
+/// areCollideFrames(), else the nearest one (of equally near ones the earlier) to each of the times
+/// first + i * kCollideFrameInterval, i from 0 to (last - first) / kCollideFrameInterval rounded to
+/// the nearest, halves up, each element at most once. An empty input gives none.
 std::vector<double> collideFrames(const std::vector<double>& times);
 
 /// Returns the times (s, ascending) `now` + i * kCollideFrameInterval for i = `from` to `to`, both

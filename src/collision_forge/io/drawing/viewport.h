@@ -24,8 +24,9 @@ struct PixelRect {
 /// for both axes.
 class Viewport {
  public:
-  /// `center` (m) maps to the middle of `area`. `rightwards`: direction on the ground, rad from
-  /// east, that points right in the picture; with 0, north is up.
+  /// `center` (m) maps to the middle of `area`. `rightwards`: direction on the ground, rad
+  /// counterclockwise from east (the map's x axis), that points right in the picture; with 0, north
+  /// is up.
   Viewport(const PixelRect& area, const Vector2& center, double pixels_per_metre,
            double rightwards = 0.0);
 
@@ -50,8 +51,8 @@ class Viewport {
 
 /// Returns the mapping with the largest scale at which all `points` are at least `margin` (m)
 /// inside `area` and the shorter side shows at least `min_extent` (m). `rightwards` as in Viewport.
-/// Throws std::invalid_argument if there are no points. The middle of the points' extent is at the
-/// middle of `area`. `points`: m, map frame.
+/// Throws std::invalid_argument if there are no points. The middle of the points' extent,
+/// measured along the axes of the picture, is at the middle of `area`. `points`: m, map frame.
 Viewport fitViewport(const PixelRect& area, const std::vector<Vector2>& points, double margin,
                      double min_extent, double rightwards = 0.0);
 

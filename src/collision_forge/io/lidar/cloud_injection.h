@@ -28,14 +28,16 @@ class CloudBackground {
 
 /// The changes to make in one cloud.
 struct CloudEdit {
-  /// Added vehicles, in the cloud's frame; editCloud() sets their `fit`.
+  /// Added vehicles, in the cloud's frame. Their `fit` is not used: editCloud() takes
+  /// SurfaceReturns::fitOf() for its copies.
   std::vector<PosedBody> bodies;
   std::vector<VacatedBox> vacated;  ///< recorded vehicles whose points are removed
   /// Not owned; null: rays of removed points have no return.
   const CloudBackground* background = nullptr;
-  double range_noise = 0.0;  ///< m, standard deviation: LidarOptions::range_noise; noise is normal,
-                             ///< clamped to 3 deviations
-  std::uint64_t seed = 0;    ///< of the noise, of lost returns and of the vehicles' brightness
+  /// m, standard deviation of the ranges of returns from `bodies` (not from the background):
+  /// LidarOptions::range_noise; noise is normal, clamped to 3 deviations
+  double range_noise = 0.0;
+  std::uint64_t seed = 0;  ///< of the noise, of lost returns and of the vehicles' brightness
 };
 
 /// The number of points that an edit changed.
@@ -51,10 +53,12 @@ struct CloudChange {
 /// Changes the points of a cloud in place, ray by ray, and returns the numbers of changed points.
 ///
 /// - First, a return inside a vacated box moves to the background, or is lost.
-/// - Then a ray that meets a body in front of its return ends on the body, at its own time within
-///   the sweep and with an intensity of `surfaces`, or has no return, by the share of returns of
-///   `surfaces`. The new range is at most the recorded one, also in vacated boxes. A ray whose
-///   return is nearer keeps it. Rays without recorded return hit bodies, too.
+/// - Then a ray that meets a body in front of its return, as the first step left it, ends on the
+///   body, at its own time within the sweep and with an intensity of `surfaces`, or has no return,
+///   by the share of returns of `surfaces`. A ray whose return is nearer keeps it. Rays without
+///   recorded return hit bodies, too. The range with its noise is limited to the recorded range,
+///   so that the ray of a vacated point with a body behind this point ends at the recorded range,
+///   with the intensity of the body.
 /// - Removed points become what the cloud has for rays without return (SweepRays::empty_points; NaN
 ///   clears `is_dense`), so that the number of points never exceeds the number of rays. All other
 ///   points keep their bytes and their order. If no point is added or left out, `data` keeps its

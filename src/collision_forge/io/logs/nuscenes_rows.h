@@ -13,12 +13,14 @@ namespace forge {
 /// Receives the number of bytes read so far and in total, over all tables.
 using NuScenesProgress = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
-/// The parts of the tables that recordings need, as rows that refer to each other by index. Samples
-/// are complete; annotations and ego poses are limited to the selected scenes.
+/// The parts of the tables that recordings need, as rows that refer to each other by index. Scenes,
+/// samples and instances are complete; annotations, LIDAR_TOP sweeps and ego poses, with their
+/// tokens, are only the rows that belong to the selected scenes.
 struct NuScenesTables {
   // A std::uint32_t below is an index into one of the lists at the end, whose order is the order of
-  // the tables. Units as in NuScenesRecording.
-  /// A row of scene.json.
+  // the tables (ego_poses and attribute_sets: of their first use). Units as in NuScenesRecording.
+  /// A row of scene.json. Its lists of indices ascend, so they are in the order of the tables,
+  /// which need not be the order of time.
   struct Scene {
     std::string name;
     std::string description;
@@ -44,7 +46,7 @@ struct NuScenesTables {
   };
   /// A row of ego_pose.json.
   struct EgoPose {
-    bool is_read = false;                 ///< false for poses that no selected scene needs
+    bool is_read = false;                 ///< true for all poses after readNuScenesTables()
     std::int64_t timestamp_us = 0;        ///< microseconds since 1970
     std::array<double, 3> translation{};  ///< m, base_link in the map frame
     std::array<double, 4> rotation{};     ///< w, x, y, z
@@ -56,7 +58,7 @@ struct NuScenesTables {
   TokenIndex sample_tokens;
   TokenIndex instance_tokens;
   TokenIndex annotation_tokens;
-  /// Rows of sample_data with channel LIDAR_TOP, as in `ego_pose_of_sweep`.
+  /// Rows of sample_data of the selected scenes with channel LIDAR_TOP, as `ego_pose_of_sweep`.
   TokenIndex sweep_tokens;
   TokenIndex ego_pose_tokens;
   std::vector<Scene> scenes;
@@ -66,7 +68,7 @@ struct NuScenesTables {
   std::vector<std::vector<std::string>> attribute_sets;  ///< distinct lists of attribute names
   std::vector<Annotation> annotations;                   ///< of the selected scenes
   std::vector<std::uint32_t> ego_pose_of_sweep;          ///< in `ego_poses`
-  std::vector<EgoPose> ego_poses;                        ///< of the selected scenes
+  std::vector<EgoPose> ego_poses;                        ///< at the sweeps
 };
 
 /// Reads the tables in `folder` (DATAROOT/VERSION), each once. Calls `on_progress`, if set, every

@@ -30,18 +30,20 @@ struct PickleContent {
 /// Thread-safe.
 class PickleWorkers {
  public:
-  /// Reads "tracks", "map_features" and "metadata" of the scenario description in the file `path`.
-  /// Never executes code named in the pickle. Throws PickleError if the file cannot be read, has
-  /// values other than plain ones and NumPy arrays, exceeds the limits in pickle_worker, or takes
-  /// over a minute.
+  /// Reads "tracks", "map_features", "metadata" and "dynamic_map_states" of the scenario
+  /// description in the file `path`; keys that the file lacks are absent in the result. A value
+  /// that is neither plain nor a NumPy array becomes {"other": TYPE}. Never executes code named in
+  /// the pickle. Throws PickleError if the file cannot be read, is no pickle of a dict with
+  /// "metadata", exceeds the limits in pickle_worker, or takes over a minute, and if the process
+  /// ends or cannot be started.
   PickleContent read(const std::string& path);
   /// Returns the value as a pickle (protocol 3), as bytes. Arrays are float64, int64 and bool.
-  /// Throws PickleError for a content that is not valid, std::runtime_error if the process fails or
-  /// takes over a minute.
+  /// Throws PickleError for a content that is not valid, std::runtime_error if the process ends,
+  /// cannot be started or takes over a minute.
   std::string write(const PickleContent& content);
   /// Returns a pickled dict, as bytes, that maps each name in `files` (pairs of name and path) to
   /// the "metadata" of the scenario description at its path. Throws PickleError for a file that
-  /// cannot be read, std::runtime_error as write().
+  /// cannot be read or is no pickle of a dict with "metadata", std::runtime_error as write().
   std::string summarize(const std::vector<std::pair<std::string, std::string>>& files);
 
  private:

@@ -39,14 +39,16 @@ struct OsmFile {
   std::vector<OsmRelation> relations;              ///< in the file's order
 };
 
-/// Reads an OpenStreetMap file. Leaves out deleted elements, and nodes without a usable position.
+/// Reads an OpenStreetMap file. Leaves out deleted elements, and nodes without a usable position or
+/// beyond InputLimits::max_coordinate.
 ///
 /// Nodes have the position in their tags local_x and local_y, as Autoware writes; if any node has
 /// them, nodes without them are left out. If no node has these tags, their lat and lon are
 /// projected: UTM coordinates minus the UTM coordinates of the location's origin in `options`, as
-/// lanelet2's UtmProjector. Throws MapError for malformed XML and for a file without lanelets, and
-/// ConfigError if an origin is needed and missing. Adds the nodes that are left out to `warnings`.
-/// The location is the file's name without its extension.
+/// lanelet2's UtmProjector. Throws MapError for a file that is missing or cannot be read,
+/// for malformed XML and for a file without lanelets, and ConfigError if an origin is needed and
+/// missing. Adds the nodes that are left out to `warnings`. The location is the file's name without
+/// its extension.
 OsmFile readOsmFile(const std::string& path, const DataOptions& options, WarningCounter& warnings);
 
 }  // namespace forge

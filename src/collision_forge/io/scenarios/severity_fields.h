@@ -18,8 +18,9 @@ CrashSeverity readSeverity(JsonObject object);
 /// `drives`.
 void writeCarefulDrivers(JsonLineWriter& writer, const std::vector<CarefulDrive>& drives,
                          double now);
-/// Reads the array "careful_drivers" of `object`; `now` as above. Throws JsonLineError, also for an
-/// unknown driver and for a time outside of 0 to 3600 s from `now`.
+/// Reads the array "careful_drivers" of `object`; `now` as above. Throws JsonLineError, also if the
+/// field is missing or null, for more drives than kDriverModels has, for an unknown driver, and for
+/// a time outside of 0 to 3600 s from `now`.
 std::vector<CarefulDrive> readCarefulDrivers(JsonObject& object, double now);
 
 }  // namespace forge

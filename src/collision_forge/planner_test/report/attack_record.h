@@ -34,8 +34,21 @@ struct RecordedOutcome {
 /// Returns the page's record of an attack as one line of JSON without a line end: everything beyond
 /// its ReportRow, with times relative to t0. Keys: "ego_length", "ego_width", "request",
 /// "attacker", "supports", "aim", "report", "recorded", "crash", "limits" and "plans"; motions as
-/// writeTrajectory(). The program in page/ (detail.js) reads them. `attack` must be a reference to
-/// `scenario.answer` or to one of its alternatives, because only the former shows `scenario.plans`.
+/// writeTrajectory(). The program in page/ (detail.js) reads them.
+///
+/// - "aim": of the attack's pattern, "t" (s), the box centres "ego" and "attacker" (map frame), and
+///   "miss_distance" (m, PatternMiss::distance).
+/// - "report", "recorded": as writeCollisionReport(), of `attack.report` and `recorded->report`.
+/// - "crash": the motions "ego" and "other" from the contact on ("other" begins with the states of
+///   ShownCrash::other, if set), and "secondary_contacts" ("t", "is_ego", "agent"). Missing if
+///   `recorded->crash` is nullopt.
+/// - "limits": "of" ("strict" or the attacker's vehicle class), "max_forward_acceleration",
+///   "max_braking" and "max_lateral_acceleration" (strict: in any direction), m/s2, and
+///   "max_speed", m/s.
+/// - "plans": writePlans() of `scenario.plans` if `attack` is `scenario.answer`; an alternative has
+///   an empty array. Therefore `attack` must refer to `scenario.answer` or to one of its
+///   alternatives, and must not be a copy.
+///
 /// `recorded`: nullopt if the recording is not available; the record then lacks the keys "recorded"
 /// and "crash". `options`: source of the shown limits of the request's limit set.
 std::string attackRecord(const Scenario& scenario, const Attack& attack,
@@ -58,9 +71,11 @@ struct ShownTest {
 };
 
 /// Returns the page's record of one planner in one case as one line of JSON without a line end:
-/// "avoidability" of the case, the fields of writePlannerRow(), "drive" (motions as
-/// writeTrajectory()), and "pictures" ("name" and "link" of each). The key "drive" is missing
-/// without `shown.has_attack` and if dropMotions() has removed the motions. `row`: an element of
+/// "avoidability" of the case, the fields of writePlannerRow(), "drive", and "pictures" ("name" and
+/// "link" of each). "drive" has the motions "ego", "attacker" and, if the row has an evasion drive,
+/// "escape", as writeTrajectory(); "crash" as in attackRecord(), if `shown.crash` is set; and
+/// "plans" as writePlans(). The key "drive", and `shown.crash` with it, is left out without
+/// `shown.has_attack` and if dropMotions() has removed the motions. `row`: an element of
 /// `result.rows`.
 std::string plannerRecord(const PlannerTestResult& result, const PlannerRow& row,
                           const ShownTest& shown);

@@ -29,9 +29,10 @@ double lastTurnRate(const collision_forge::AgentTrack& track);
 Pose2 shownPose(const collision_forge::AgentTrack& track, const ros::Time& now);
 
 /// Returns the state at `now`, s: interpolated (stateAt()), or extrapolated from the newest state
-/// with its velocity and turn rate (lastTurnRate()), with the newest velocity unchanged. Returns
-/// nullopt without states, before the first state, in gaps above kMaxGap, and more than
-/// kLongestGuess after the newest state. States must be in the order of time.
+/// with its velocity and turn rate (by the rule of lastTurnRate(), from the states of `track`),
+/// with the newest velocity unchanged. Returns nullopt without states, before the first state, in
+/// gaps above kMaxGap, and more than kLongestGuess after the newest state. States must be in the
+/// order of time.
 std::optional<AgentState> shownState(const Track& track, double now);
 
 /// Returns the attacker's pose at `now`, interpolated between the points before and after; its last

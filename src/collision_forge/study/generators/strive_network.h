@@ -10,14 +10,16 @@ namespace forge {
 /// pairs of agents of the same window (graph edges). Poses (x, y in m, yaw in rad) are in the frame
 /// of the batch, the one of each window's ego at t0.
 struct StriveScene {
-  torch::Tensor window;     ///< [N] index of the window in the batch
-  torch::Tensor agent;      ///< [N] index of the agent in that window
-  torch::Tensor to;         ///< [E] receiving agent, index into [N]
-  torch::Tensor from;       ///< [E] sending agent, index into [N]
-  torch::Tensor place;      ///< [E] index of the sender among the N agents of its window, from 0
-  torch::Tensor pose;       ///< [N, 3] at t0, m and rad
-  torch::Tensor speed;      ///< [N] m/s at t0
-  torch::Tensor turn;       ///< [N] rad/s at t0, state of the bicycle: yaw rate * length / speed
+  torch::Tensor window;  ///< [N] index of the window in the batch
+  torch::Tensor agent;   ///< [N] index of the agent in that window
+  torch::Tensor to;      ///< [E] receiving agent, index into [N]
+  torch::Tensor from;    ///< [E] sending agent, index into [N]
+  torch::Tensor place;   ///< [E] index of the sender among the N agents of its window, from 0
+  torch::Tensor pose;    ///< [N, 3] at t0, m and rad
+  torch::Tensor speed;   ///< [N] m/s at t0
+  /// [N] at t0, state of the bicycle, without unit: yaw rate (rad/s) * StriveOptions::length (m) /
+  /// speed (m/s). Speeds below 2 m/s, and standing agents, count as 2 m/s; limited to +-2 pi.
+  torch::Tensor turn;
   torch::Tensor past;       ///< [N, feature] learned feature of the agent's history
   torch::Tensor map;        ///< [N, feature] learned feature of the lanes around it
   torch::Tensor condition;  ///< [N, 6], TrafficBatch::condition of the agent's window
@@ -46,7 +48,8 @@ class StriveNetwork : public torch::nn::Module {
   /// Returns the distribution of the latent of each agent given the history.
   StriveLatent prior(const StriveScene& scene);
   /// Returns the distribution of the latent given history and future. `future`: the batch of
-  /// `scene` with history and future frames.
+  /// `scene` with history and future frames. An agent of `scene` need not be observed in the
+  /// future: its unobserved frames count as zeros, with a flag.
   StriveLatent posterior(const StriveScene& scene, const TrafficBatch& future);
   /// Returns the poses [N, frames, 3] after t0, at 2 Hz, of agents that drive as kinematic bicycles
   /// with the controls that the decoder derives from `latent` [N, latent].
