@@ -18,7 +18,7 @@ struct AddedMeeting {
   double contact = 0.0;            ///< s after t0
   Side side = Side::kLeft;         ///< touched side of the ego
   double heading = 0.0;            ///< rad, attacker's heading minus the ego's, (-pi, pi]
-  double contact_position = 0.0;   ///< share of half the touched side, see attackerOffset()
+  double contact_position = 0.0;   ///< share of half the touched side, -1..1 (placement.h)
   /// m, left offset from the path of the box centre of a car (first of AddedVehicleOptions::kinds)
   /// at the contact
   double across = 0.0;

@@ -50,7 +50,8 @@ struct AddedVehicleOptions {
 };
 
 /// config/search.yaml, section search; fields with a default are not in the file. The study and
-/// tests change them for searches with another objective or a smaller budget.
+/// tests change them for searches with another objective or a smaller budget. An arrival is a pose,
+/// speed and time of the attacker at the contact (AimedArrival); a candidate is a motion to one.
 struct SearchOptions {
   double step = 0.0;         ///< s between trajectory points
   double tail = 0.0;         ///< s of trajectory after the impact
@@ -117,7 +118,7 @@ struct AttackOptions {
 };
 
 /// Attackers that a list of requests names: kAny: none, so any vehicle may attack; kEach: each
-/// motor vehicle (and agent of the asked class) of the snapshot by its id.
+/// motor vehicle of the snapshot by its id, and each agent of the class that the request names.
 enum class Attackers { kAny, kEach };
 
 /// Contents of a list of requests. The defaults of stride, ttas and min_ego_speed are in
