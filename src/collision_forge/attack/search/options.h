@@ -50,8 +50,9 @@ struct AddedVehicleOptions {
 };
 
 /// config/search.yaml, section search; fields with a default are not in the file. The study and
-/// tests change them for searches with another objective or a smaller budget. An arrival is a pose,
-/// speed and time of the attacker at the contact (AimedArrival); a candidate is a motion to one.
+/// tests change them for searches with another objective or a smaller budget. An arrival is
+/// the state of the attacker that a motion ends in, at the contact or a little before it (Arrival,
+/// `max_lead`); a candidate is a motion to an arrival.
 struct SearchOptions {
   double step = 0.0;         ///< s between trajectory points
   double tail = 0.0;         ///< s of trajectory after the impact

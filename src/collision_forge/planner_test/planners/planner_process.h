@@ -17,8 +17,9 @@ namespace forge {
 struct PlannerProcessOptions {
   double timeout = 0.0;        ///< s of the wall clock until a response to begin() or plan()
   double start_timeout = 0.0;  ///< s of the wall clock until the process is ready
-  std::map<std::string, double> parameters;  ///< parameters of the planner by name, handed to the
-                                             ///< process as environment variables NAME=VALUE
+  /// Parameters of the planner by name, handed to a process as environment variables NAME=VALUE, to
+  /// a node as ROS parameters /NAME of its own master.
+  std::map<std::string, double> parameters;
   std::string command;  ///< command line for /bin/sh; empty: the user gave none
   /// true: the command starts a ROS node; false: a process of the line protocol.
   bool is_node = false;

@@ -31,7 +31,7 @@ class SensorWriter {
       : sensors_(sensors), recording_(recording), bag_(bag) {}
 
   /// Writes /tf_static from base_link to every sensor, also a radar, latched; `start`: stamp and
-  /// record time.
+  /// record time. Throws BagError.
   void writeMounting(const ros::Time& start);
   /// Writes the files with timestamps up to `timestamp_us` (us, inclusive) that were not written
   /// yet, in the order of NuScenesSensorScene::files. Throws BagError if the bag cannot be written.

@@ -12,20 +12,19 @@ namespace forge {
 
 /// A request, and the scenario or cell of a catalogue from which it was made.
 struct NamedRequest {
-  std::string name;  ///< as CatalogueCell::name; "" for a request without a catalogue
+  std::string name;  ///< CatalogueCell::name, for a text PhraseReading::name; "": no catalogue
   CollisionRequest request;
 };
 
 /// Returns the requests that a message means, in the order in which the caller tries them until one
-/// has an attack: the cells of `message.name`, a name of a catalogue ("CCRb") or of one of its
-/// cells (at least one cell), else exactly one, from `message.text` or, if both are empty, from the
-/// other fields. Other fields of the message override the fields that a cell or text sets.
-/// `vocabulary`: catalogue and words for names and texts. For a text, sets `understood` and
-/// `not_understood` of `response`; the rest of it stays. `crash`: definition for all requests, as
-/// in fromMessage(). Returns kInvalidInput for an unknown name or one that the catalogue lists as
-/// not expressible, for a text that readPhrase() rejects, and if more than one of name, text and
-/// collision_type is set; else the status of fromMessage() or withFieldsOf(). Throws nothing for
-/// invalid messages.
+/// has an attack: the cells that `message.name` names (namedCells()), at least one, else exactly
+/// one, from `message.text` or, if both are empty, from the other fields. Other fields of the
+/// message override the fields that a cell or text sets. `vocabulary`: catalogue and words for
+/// names and texts. For a text, sets `understood` and `not_understood` of `response`; the rest of
+/// it stays. `crash`: definition for all requests, as in fromMessage(). Returns kInvalidInput for
+/// an unknown name or one that the catalogue lists as not expressible, for a text that readPhrase()
+/// rejects, and if more than one of name, text and collision_type is set; else the status of
+/// fromMessage() or withFieldsOf(). Throws nothing for invalid messages.
 std::variant<std::vector<NamedRequest>, Status> requestsOf(
     const collision_forge::GenerateCollision::Request& message, const RequestVocabulary& vocabulary,
     const CrashDefinition& crash, collision_forge::GenerateCollision::Response& response);
