@@ -62,6 +62,7 @@ struct RequestControls {
   std::optional<Turning> turning;      ///< vehicle that turns, of type ltap
   std::optional<Side> from_side;       ///< side from which the attacker comes
   std::optional<Hider> hidden_by;      ///< what hides the attacker
+  std::optional<bool> queue;           ///< a second vehicle stands ahead of the attacker
   std::vector<std::pair<const RangeControl*, Range>> ranges;  ///< given ones of kRangeControls
   std::optional<int> alternatives;                            ///< number of attacks per request
 

@@ -226,13 +226,13 @@ class VehicleInsertion {
   const char* tryOne(const AddedMeeting& meeting, const ApproachManner& manner,
                      std::vector<AddedVehicle>& found) {
     const auto& asked = input_.request.attacker_class;
-    const bool asks_for_bicycle = asked == AgentClass::kBicycle;
-    if (manner.rides && asked && *asked != AgentClass::kMotorcycle && !asks_for_bicycle) {
+    const bool asks_for_cycle = asked && isCycle(*asked);
+    if (manner.rides && asked && *asked != AgentClass::kMotorcycle && !asks_for_cycle) {
       has_way_ = true;
       return "are too wide";
     }
     const AddedKind kind =
-        drawKind(manner.rides && !asks_for_bicycle ? AgentClass::kMotorcycle : asked);
+        drawKind(manner.rides && !asks_for_cycle ? AgentClass::kMotorcycle : asked);
     const BoxSize size{kind.length, kind.width};
     nameNext(found);
     if (!drives_.plan(meeting, manner, size, drive_, variation_))

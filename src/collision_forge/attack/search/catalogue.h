@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "collision_forge/base/config/config_folder.h"
+#include "collision_forge/base/scene/attack.h"
 #include "collision_forge/base/scene/collision_request.h"
 
 namespace forge {
@@ -23,6 +25,13 @@ struct CatalogueEntry {
   CollisionRequest request;          ///< what all cells share
   std::vector<CatalogueCell> cells;  ///< one per combination of its grid; empty with `missing`
 };
+
+/// Returns true if `attack`, which was found for `request`, also meets `cell`: type, turning,
+/// class, manoeuvre, side of the ego and, as measured in `conditions`, the conditions of `cell`.
+/// Without `conditions`, a cell that has conditions is not met. A cell with a queue is met only by
+/// an attack with one.
+bool isInstance(const CollisionRequest& cell, const CollisionRequest& request, const Attack& attack,
+                const std::optional<ContactConditions>& conditions);
 
 /// Returns the catalogues in the configuration, sorted by name.
 std::vector<std::string> catalogueNames(const ConfigFolder& folder);

@@ -12,7 +12,7 @@ namespace forge {
 /// The default method: predicts patterns, then a realiser drives a recorded or added attacker into
 /// one of them. Both stages may run in other nodes; AttackJudge checks every attack in the same
 /// way. If the predictor fails without a future, its status is returned. For a request with
-/// `hidden_by`, searches attacks without it and adds the support vehicles that hide one.
+/// `hidden_by` or `queue`, searches attacks without them and adds the support vehicles.
 class SearchMethod : public AttackMethod {
  public:
   /// Uses SearchRealizer.
@@ -30,7 +30,9 @@ class SearchMethod : public AttackMethod {
     Future future;
   };
   Found search(const Moment& moment, const CollisionRequest& request) const;
-  Attack hiddenBy(const Found& found, const Moment& moment, const CollisionRequest& request) const;
+  Found searchHidden(const Moment& moment, const CollisionRequest& request) const;
+  Found hiddenBy(const Found& found, const Moment& moment, const CollisionRequest& request) const;
+  Attack queued(const Found& found, const Moment& moment, const CollisionRequest& request) const;
 
   AttackOptions options_;
   std::shared_ptr<const PatternPredictor> predictor_;

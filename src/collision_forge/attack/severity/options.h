@@ -53,6 +53,7 @@ struct VulnerableOptions {
   std::array<double, 4> fatal = {};  ///< of a fatal injury
   double bicycle_shift = 0.0;        ///< km/h more than a pedestrian's for the same probability
   double motorcycle_shift = 0.0;     ///< km/h, the same for a motorcyclist
+  double scooter_shift = 0.0;        ///< km/h, the same for the rider of a scooter
 };
 
 /// Motion on the road after the impact, until both parties stand.
@@ -73,7 +74,8 @@ struct SeverityBounds {
 
 /// config/severity.yaml, which has the sources.
 struct SeverityOptions {
-  std::array<BodyOptions, 11> bodies;  ///< in the order of AgentClass
+  std::array<BodyOptions, static_cast<std::size_t>(kLastAgentClass) + 1>
+      bodies;  ///< in the order of AgentClass
   double engagement =
       0.0;  ///< s from the first touch to the overlap in whose middle the impulse acts
   double friction = 0.0;  ///< largest ratio of tangential to normal impulse, >= 0

@@ -42,12 +42,16 @@ enum class VehicleClass {
   kMotorcycle,
   kBicycle,
   kPedestrian,
+  kChild,
+  kRunner,
+  kScooter,
 };
-inline constexpr std::array<VehicleClass, 10> kVehicleClasses = {
+inline constexpr std::array<VehicleClass, 13> kVehicleClasses = {
     VehicleClass::kCar,          VehicleClass::kVan,        VehicleClass::kEmergency,
     VehicleClass::kTruck,        VehicleClass::kBus,        VehicleClass::kArticulated,
     VehicleClass::kConstruction, VehicleClass::kMotorcycle, VehicleClass::kBicycle,
-    VehicleClass::kPedestrian};
+    VehicleClass::kPedestrian,   VehicleClass::kChild,      VehicleClass::kRunner,
+    VehicleClass::kScooter};
 
 /// Returns the class's key in config/vehicle_limits.yaml: "car", "van", ...
 const char* toString(VehicleClass vehicle_class);

@@ -124,9 +124,17 @@ struct CollisionReport {
   }
 };
 
-/// A vehicle without contact that hides the attacker.
+/// Purpose of a support vehicle: kParkedVehicle and kLeader hide the attacker, as Hider says;
+/// kQueue stands ahead of an attacker that stands in a lane.
+enum class SupportRole { kParkedVehicle, kLeader, kQueue };
+/// Returns "parked_vehicle", "leader" or "queue".
+const char* toString(SupportRole role);
+/// Returns the role of a name as toString() spells it; nullopt for another name.
+std::optional<SupportRole> supportRoleFromString(const std::string& name);
+
+/// A vehicle without contact before the crash that serves an attack.
 struct SupportVehicle {
-  Hider role = Hider::kParkedVehicle;
+  SupportRole role = SupportRole::kParkedVehicle;
   /// As of an attacker. After the last point it stands if its speed there is 0, else it is out of
   /// sight.
   AttackerTrajectory motion;

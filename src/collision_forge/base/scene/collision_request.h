@@ -58,6 +58,7 @@ struct CollisionRequest {
   Turning turning = Turning::kAttacker;  ///< of type kLtap
   std::optional<Side> from_side;         ///< kLeft or kRight: side from which the attacker comes
   std::optional<Hider> hidden_by;        ///< of ContactConditions::hidden_by
+  bool queue = false;  ///< a second vehicle stands ahead of the attacker, which stands in its lane
   std::optional<Range> attacker_speed;   ///< m/s; this and the next seven are ranges of
   std::optional<Range> deceleration;     ///< m/s2; fields of the same names of ContactConditions
   std::optional<Range> gap;              ///< m

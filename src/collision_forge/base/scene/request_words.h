@@ -24,8 +24,9 @@ const char* toString(Turning turning);
 std::optional<Turning> turningFromString(const std::string& name);
 
 /// Sets the field of a request whose value is a word: type, choice, believable, limits,
-/// attacker_class, manoeuvre, ego_side, turning, from_side or hidden_by, named as in files and
-/// messages. Returns false, and leaves the request unchanged, for another field or an unknown word.
+/// attacker_class, manoeuvre, ego_side, turning, from_side, hidden_by or queue, named as in files
+/// and messages. Returns false, and leaves the request unchanged, for another field or an unknown
+/// word.
 bool setRequestWord(const std::string& field, const std::string& word, CollisionRequest& request);
 
 /// Returns the manoeuvres with which an attack of this type can begin, in the order of kManoeuvres;

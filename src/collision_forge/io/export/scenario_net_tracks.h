@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <vector>
 
 #include "collision_forge/base/scene/track.h"
@@ -14,9 +13,8 @@ struct TrackTable {
   std::vector<Track> tracks;  ///< non-empty; each state's time is in `times`
 };
 
-/// Writes "tracks", with zeros in rows without a state. `heights`: m, box height by class.
-void writeTracks(PickleWriter& scenario, const TrackTable& table,
-                 const std::map<AgentClass, double>& heights);
+/// Writes "tracks", with zeros in rows without a state.
+void writeTracks(PickleWriter& scenario, const TrackTable& table);
 
 /// Writes the metadata's "object_summary".
 void writeObjectSummary(PickleWriter& metadata, const TrackTable& table);
