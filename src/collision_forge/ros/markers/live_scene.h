@@ -33,9 +33,10 @@ struct LiveScene {
 std::vector<OrientedBox> coveredByOthers(const LiveScene& live);
 
 /// Returns ego and agents, interpolated between frames, with trails. During an attack also the
-/// attacker as driven (namespace "attacker") and as recorded ("recorded"), and the countdown or
-/// verdict ("words"). After the contact ego and attacker move by `crash`, with a mark at the
-/// contact point ("contact"), and the recorded ego continues ("recorded").
+/// attacker as driven (namespace "attacker") and as recorded ("recorded"), its support vehicles
+/// ("supports"), and the countdown or verdict ("words"). After the contact ego and attacker move by
+/// `crash`, with a mark at the contact point ("contact"), and the recorded ego continues
+/// ("recorded").
 visualization_msgs::MarkerArray liveMarkers(const LiveScene& live);
 
 /// Returns the part of the map to show. During an attack it contains the ego, the attacker and the

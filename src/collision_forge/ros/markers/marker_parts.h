@@ -37,6 +37,9 @@ BoxSize sizeOf(const geometry_msgs::Vector3& size);
 /// Returns true if agents of this class (Agent constants) can attack unnamed: motor vehicles.
 bool canAttackClass(std::uint8_t agent_class);
 
+/// Returns true if `id` is the id of a support vehicle of the attack.
+bool isSupport(const std::string& id, const collision_forge::Attack& attack);
+
 /// Adds the short form of an agent's id (namespace "ids") beside `shown`, the agent's box in the
 /// picture. The side is chosen beside `framed`, the box in the newest frame, so that it changes
 /// only with a new frame. Adds no text if it would cover an obstacle on every side; else appends

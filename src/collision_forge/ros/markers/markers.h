@@ -11,6 +11,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "collision_forge/base/geometry/oriented_box.h"
 
@@ -55,10 +56,11 @@ struct CrashView {
 /// contact on, the result of the attack's report.
 visualization_msgs::MarkerArray crashMarkers(const CrashView& view);
 
-/// Returns a box for each agent, red for the attacker, and the short id beside each agent that can
-/// attack.
+/// Returns a box for each agent, red for the attacker and in the colour of support vehicles for the
+/// `supports` (ids), and the short id beside each agent that can attack.
 visualization_msgs::MarkerArray annotationMarkers(const collision_forge::AgentArray& agents,
-                                                  const std::string& attacker_id = "");
+                                                  const std::string& attacker_id = "",
+                                                  const std::vector<std::string>& supports = {});
 
 /// Returns an array that deletes all earlier markers.
 visualization_msgs::MarkerArray noMarkers(const std_msgs::Header& header);
