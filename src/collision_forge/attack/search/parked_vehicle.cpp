@@ -156,20 +156,25 @@ class ParkingSearch {
     });
   }
 
-  /// Returns the rank of a place, smallest first: beside the lanes, long hidden, seen late.
-  static std::tuple<bool, int, double> rankOf(const Place& place, const Hiding& hiding) {
-    return {place.is_in_lane, -std::min(hiding.hidden, kLongHidden), hiding.visible_for};
+  using Rank = std::tuple<bool, bool, int, double>;
+
+  /// Returns the rank of a place, smallest first: beside the lanes, of a car, long hidden, seen
+  /// late.
+  static Rank rankOf(const Place& place, const Hiding& hiding) {
+    return {place.is_in_lane, place.kind->agent_class != AgentClass::kCar,
+            -std::min(hiding.hidden, kLongHidden), hiding.visible_for};
   }
 
   /// Returns the place that hides the attacker best together with the chosen ones; null if none
-  /// hides it for longer than they do. A second vehicle stands as the first one, in a lane or
-  /// beside.
+  /// hides it for longer than they do. A second vehicle is of the kind of the first one and stands
+  /// as it does, in a lane or beside.
   const Place* bestOf(const std::vector<Place>& places, const std::vector<Place>& chosen,
                       const Place* before) const {
     const Place* best = nullptr;
-    std::tuple<bool, int, double> rank{true, 1, 0.0};
+    Rank rank{true, true, 1, 0.0};
     if (before) rank = rankOf(*before, hidingBy(chosen));
     for (const Place& place : places) {
+      if (before && place.kind != before->kind) continue;
       const bool is_apart = std::all_of(chosen.begin(), chosen.end(), [&](const Place& other) {
         return !overlaps(shrunk(other.box, -kBetween), place.box);
       });

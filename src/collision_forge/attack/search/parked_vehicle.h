@@ -12,10 +12,10 @@ namespace forge {
 /// until it comes into view within `visible_for` before the contact. Each stands since the first
 /// frame at the kerb side of a lane outside junctions and crosswalks, parallel to the lane, wholly
 /// on the drivable area, and clear of the ego and of all agents at all times. Places beside the
-/// lanes come first, then those that hide it for at least 1 s, then those from behind which it
-/// comes into view last. Returns an empty vector if there is no such place; `refusal` then gets its
-/// code, kRoadDoesNotAllow if no place is long and wide enough, and the reason, worded to follow
-/// "no parked_vehicle can be added: ".
+/// lanes come first, then cars, then those that hide it for at least 1 s, then those from behind
+/// which it comes into view last. Returns an empty vector if there is no such place; `refusal` then
+/// gets its code, kRoadDoesNotAllow if no place is long and wide enough, and the reason, worded to
+/// follow "no parked_vehicle can be added: ".
 std::vector<SupportVehicle> findParkedVehicles(const HidingInput& input,
                                                const AttackOptions& options, Status& refusal);
 

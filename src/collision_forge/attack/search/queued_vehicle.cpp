@@ -54,8 +54,11 @@ std::optional<SupportVehicle> findQueuedVehicle(const HidingInput& input,
   });
   const BoxSize size{car->length, car->width};
   const RecordedTraffic& traffic = search.traffic();
+  const double until = attacker.points.back().time - input.past.now;
+  const int last =
+      std::min(traffic.lastInstant(), static_cast<int>(std::ceil(until / traffic.interval())));
   const auto isFree = [&](const Pose2& pose) {
-    for (int instant = traffic.firstInstant(); instant <= traffic.lastInstant(); ++instant) {
+    for (int instant = traffic.firstInstant(); instant <= last; ++instant) {
       if (traffic.touches(pose, size, instant, kSupportClearance)) return false;
     }
     return true;
@@ -68,8 +71,7 @@ std::optional<SupportVehicle> findQueuedVehicle(const HidingInput& input,
       return SupportVehicle{SupportRole::kQueue,
                             standingVehicle(search.newId("queue", 0), *car, pose, input)};
     }
-    refusal = {StatusCode::kNoAttackWithinLimits,
-               "it would stand in the way of another agent, before or after t0"};
+    refusal = {StatusCode::kNoAttackWithinLimits, "it would stand in the way of another agent"};
   }
   return std::nullopt;
 }

@@ -13,10 +13,11 @@ namespace forge {
 bool isQueued(const HidingInput& input);
 
 /// Finds a place for a car (config/search.yaml, added.kinds) that stands ahead of the attacker in
-/// its lane from the first frame on, wholly on the drivable area and clear of all agents at all
-/// times: the second target of UN R157. The attacker must stand at the contact. Returns an empty
-/// result if there is no such place; `refusal` then gets its code, kRoadDoesNotAllow if all places
-/// are off the road, and the reason, worded to follow "no queue can be added: ".
+/// its lane from the first frame on, wholly on the drivable area and clear of all agents until the
+/// end of the attacker's motion: the second target of UN R157. The attacker must stand at the
+/// contact. Returns an empty result if there is no such place; `refusal` then gets its code,
+/// kRoadDoesNotAllow if all places are off the road, and the reason, worded to follow "no queue can
+/// be added: ".
 std::optional<SupportVehicle> findQueuedVehicle(const HidingInput& input,
                                                 const AttackOptions& options, Status& refusal);
 
