@@ -13,7 +13,8 @@ DRIVABLE = ('wheelbase_share', 'max_steering_angle', 'max_steering_rate', 'max_l
 LENGTHS = ('car', 'van', 'truck')
 # The row of limits of each class; for cars and trucks, row_of() also uses the length.
 ROWS = {'car': 'car', 'truck': 'truck', 'bus': 'bus', 'construction_vehicle': 'construction',
-        'emergency_vehicle': 'van', 'motorcycle': 'motorcycle', 'bicycle': 'bicycle', 'pedestrian': 'pedestrian'}
+        'emergency_vehicle': 'van', 'motorcycle': 'motorcycle', 'bicycle': 'bicycle', 'pedestrian': 'pedestrian',
+        'child': 'child', 'runner': 'runner', 'scooter': 'scooter'}
 
 
 class BadInput(Exception):

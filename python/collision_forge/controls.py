@@ -12,7 +12,7 @@ def control_fields(*, attacker: str = '', choice: str = '', mode: str = '', seed
                    turning: str = '', from_side: str = '', attacker_speed: Band = None, deceleration: Band = None,
                    gap: Band = None, headway: Band = None, lateral_speed: Band = None, impact_location: Band = None,
                    departure_time: Band = None, hidden_by: str = '', visible_for: Band = None,
-                   alternatives: int = 1) -> Dict[str, Any]:
+                   queue: bool = False, alternatives: int = 1) -> Dict[str, Any]:
     """Return the message fields of a request; srv/GenerateCollision.srv lists the allowed words.
 
     attacker: id of an agent; by default any that `choice` allows
@@ -34,6 +34,7 @@ def control_fields(*, attacker: str = '', choice: str = '', mode: str = '', seed
     departure_time: s after t0 at which an attacker that stands at t0 starts to move
     visible_for: s before contact from which on the ego sees the attacker; at most the time since t0
     hidden_by: what hides the attacker until then, parked_vehicle or leader
+    queue: a second vehicle stands ahead of the attacker, which stands in its lane
     alternatives: number of attacks, which differ in attacker or manoeuvre, at most 16
     """
     slowest, fastest = _pair('impact_speed', impact_speed)
@@ -42,7 +43,7 @@ def control_fields(*, attacker: str = '', choice: str = '', mode: str = '', seed
              'lateral_speed': lateral_speed, 'impact_location': impact_location, 'departure_time': departure_time,
              'visible_for': visible_for}
     limits_of = {name: _pair(name, band) for name, band in bands.items()}
-    return {'turning': turning, 'from_side': from_side, 'hidden_by': hidden_by,
+    return {'turning': turning, 'from_side': from_side, 'hidden_by': hidden_by, 'queue': queue,
             **{'min_' + name: pair[0] for name, pair in limits_of.items()},
             **{'max_' + name: pair[1] for name, pair in limits_of.items()},
             'attacker_id': attacker, 'choice': choice, 'mode': mode, 'seed': seed,

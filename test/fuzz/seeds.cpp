@@ -116,6 +116,7 @@ CollisionRequest demandingRequest() {
   request.overlap = Range{0.25, 1.0};
   request.from_side = Side::kLeft;
   request.hidden_by = Hider::kParkedVehicle;
+  request.queue = true;
   for (const RangeControl& control : kRangeControls) request.*control.asked = Range{0.25, 1.0};
   request.alternatives = 3;
   request.seed = 7;

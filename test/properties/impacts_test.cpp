@@ -62,10 +62,11 @@ TEST(Impacts, KeepMomentumAndNeverAddEnergy) {
 }
 
 CrashedVehicle anyParty(Random& random) {
-  const AgentClass classes[] = {AgentClass::kCar, AgentClass::kTruck, AgentClass::kMotorcycle,
-                                AgentClass::kPedestrian, AgentClass::kBus};
+  const AgentClass classes[] = {
+      AgentClass::kCar, AgentClass::kTruck, AgentClass::kMotorcycle, AgentClass::kPedestrian,
+      AgentClass::kBus, AgentClass::kChild, AgentClass::kScooter};
   const AgentClass agent_class = oneOf(classes, random);
-  const bool is_person = agent_class == AgentClass::kPedestrian;
+  const bool is_person = isOnFoot(agent_class);
   const BoxSize size{is_person ? 0.6 : random.uniform(2.0, 12.0),
                      is_person ? 0.7 : random.uniform(0.8, 2.6)};
   const double yaw = random.uniform(-M_PI, M_PI);

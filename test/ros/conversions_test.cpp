@@ -217,6 +217,7 @@ TEST(CollisionRequestMessage, RoundTripsConditions) {
   request.turning = Turning::kEgo;
   request.from_side = Side::kRight;
   request.hidden_by = Hider::kLeader;
+  request.queue = true;
   double value = 0.25;
   for (const RangeControl& control : kRangeControls) {
     request.*control.asked = Range{value, value + 0.125};
@@ -227,6 +228,7 @@ TEST(CollisionRequestMessage, RoundTripsConditions) {
   EXPECT_EQ(read.turning, Turning::kEgo);
   EXPECT_EQ(read.from_side, Side::kRight);
   EXPECT_EQ(read.hidden_by, Hider::kLeader);
+  EXPECT_TRUE(read.queue);
   for (const RangeControl& control : kRangeControls) {
     ASSERT_TRUE(read.*control.asked) << control.name;
     EXPECT_EQ((read.*control.asked)->min, (request.*control.asked)->min) << control.name;

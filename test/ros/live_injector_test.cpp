@@ -116,6 +116,30 @@ TEST_F(LiveInjectorTest, PublishesAtTheFrameRateOfBagsAndKeepsRecordedStamps) {
   EXPECT_NEAR(agentAt(10.7, "other").pose.position.x, 4.0 * 10.7, 1e-5);
 }
 
+TEST_F(LiveInjectorTest, SupportVehiclesStandWhereTheAttackHasThem) {
+  play(9.0, 10.0);
+  collision_forge::Attack with_support = attack();
+  auto& support = with_support.supports.emplace_back();
+  support.role = "parked_vehicle";
+  support.motion = attack("parked-1").trajectory;
+  support.motion.past.resize(1);
+  support.motion.past.front().stamp = ros::Time(9.0);
+  support.motion.past.front().pose.y = -6.0;
+  for (auto& point : support.motion.points) {
+    point.pose.position.x = 0.0;
+    point.pose.position.y = -6.0;
+    point.speed = 0.0;
+  }
+  injector_.setAttack(with_support);
+  published_.clear();
+  play(10.5, 11.0);
+  for (const double time : stamps()) EXPECT_EQ(agentAt(time, "parked-1").pose.position.y, -6.0);
+  injector_.setAttack({});
+  published_.clear();
+  play(11.5, 11.5);
+  EXPECT_THROW(agentAt(11.5, "parked-1"), std::out_of_range);
+}
+
 TEST_F(LiveInjectorTest, StampsDoNotDependOnTheOrderOfEgoAndAgents) {
   for (const bool is_ego_first : {true, false}) {
     injector_ = injectorThat(AfterContact::kStop);

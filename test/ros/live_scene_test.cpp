@@ -105,6 +105,25 @@ TEST_F(LiveSceneTest, ShowsNoAgentThatLeftOrHasNoExtent) {
   EXPECT_FALSE(shownArea(live_));
 }
 
+TEST_F(LiveSceneTest, ShowsSupportVehiclesOfARunningAttackOnceAndInTheirColour) {
+  for (const char* id : {"walker", "parked-1"}) {
+    auto& support = attack_.supports.emplace_back();
+    support.motion = attack_.trajectory;
+    support.motion.attacker_id = id;
+  }
+  EXPECT_TRUE(shown("supports").empty()) << "before the attack";
+  EXPECT_EQ(shown("agents").size(), 2U);
+  live_.attack = &attack_;
+  ASSERT_EQ(shown("supports").size(), 2U);
+  EXPECT_EQ(shown("supports")[0].color, colors::toMessage(colors::kSupport));
+  EXPECT_NEAR(shown("supports")[0].pose.position.x, 40.0 - 8.0 * 2.25, 1e-6);
+  EXPECT_TRUE(shown("agents").empty()) << "neither the attacker nor a support vehicle";
+  live_.now = ros::Time(16.0);
+  EXPECT_EQ(shown("supports").size(), 2U) << "they stand after the last point";
+  attack_.supports[0].motion.points.back().speed = 5.0;
+  EXPECT_EQ(shown("supports").size(), 1U) << "one drove on";
+}
+
 TEST_F(LiveSceneTest, ShowsTheDrivenAttackerAndItsRecordedGhost) {
   live_.attack = &attack_;
   ASSERT_EQ(shown("attacker").size(), 1U);

@@ -378,6 +378,25 @@ TEST(AnnotationMarkers, HaveABoxPerAgentAndTheIdOfPossibleAttackers) {
   EXPECT_EQ(inNamespace(array, "ids")[0].text, "c0ffee");
 }
 
+TEST(AnnotationMarkers, ShowSupportVehiclesInAColourOfTheirOwn) {
+  collision_forge::AgentArray agents;
+  agents.header = header(5.0);
+  agents.agents.resize(2);
+  for (auto& agent : agents.agents) {
+    agent.size = carSize();
+    agent.pose.orientation.w = 1.0;
+  }
+  agents.agents[0].id = "car";
+  agents.agents[1].id = "parked-1";
+  const auto boxes = inNamespace(annotationMarkers(agents, "", {"parked-1"}), "agents");
+  ASSERT_EQ(boxes.size(), 2U);
+  EXPECT_EQ(boxes[0].color, colors::toMessage(colors::agentColor(0)));
+  EXPECT_EQ(boxes[1].color, colors::toMessage(colors::kSupport));
+  for (std::uint8_t i = 0; i < colors::kAgentClasses.size(); ++i) {
+    EXPECT_FALSE(boxes[1].color == colors::toMessage(colors::agentColor(i)));
+  }
+}
+
 TEST(NoMarkers, DeleteAllEarlierMarkers) {
   const MarkerArray array = noMarkers(header(7.0));
   expectValid(array, 7.0);

@@ -58,10 +58,11 @@ TEST(ObjectArray, EveryAgentIsATrackedBox) {
 
 TEST(ObjectArray, ClassesAreMappedToTheConstantsOfTheMessage) {
   const std::pair<std::uint8_t, int> classes[] = {
-      {Agent::CAR, 6},        {Agent::TRUCK, 7},        {Agent::BUS, 9},
-      {Agent::TRAILER, 9},    {Agent::BICYCLE, 5},      {Agent::CONSTRUCTION_VEHICLE, 9},
-      {Agent::MOTORCYCLE, 8}, {Agent::ANIMAL, 0},       {Agent::EMERGENCY_VEHICLE, 9},
-      {Agent::PEDESTRIAN, 4}, {Agent::STATIC_OBJECT, 0}};
+      {Agent::CAR, 6},        {Agent::TRUCK, 7},         {Agent::BUS, 9},
+      {Agent::TRAILER, 9},    {Agent::BICYCLE, 5},       {Agent::CONSTRUCTION_VEHICLE, 9},
+      {Agent::MOTORCYCLE, 8}, {Agent::ANIMAL, 0},        {Agent::EMERGENCY_VEHICLE, 9},
+      {Agent::PEDESTRIAN, 4}, {Agent::STATIC_OBJECT, 0}, {Agent::CHILD, 4},
+      {Agent::RUNNER, 4},     {Agent::SCOOTER, 5}};
   for (const auto& [agent_class, classification] : classes) {
     const RosDecoder message = decoded(agentsOf({agent_class}));
     const bool is_known = classification != 0;

@@ -170,6 +170,23 @@ class TestPlannersTest(road.RoadTest):
         for result, speed in zip(lines_of(self.path('tested')), speeds):
             self.assertAlmostEqual(result['planners'][0]['contact']['impact_speed'], speed, 3)
 
+    def test_until_hit_draws_from_a_catalogue(self):
+        out = self.path('named')
+        names = ('26_lead_vehicle_stopped', '30_straight_crossing_paths')
+        result = road.run('test', *ROOT, '--until-hit', '--catalogue', 'nhtsa', '--name', *names, '--scene', 'scene-0001',
+                          'scene-0007', '--planners', 'idm', '--tries', 6, '--worst', 0, '--out', out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        results = lines_of(out)
+        self.assertEqual(len(results), 6)
+        cells = {'nhtsa/' + cell for cell in (names[0], names[1] + ' from_side=left', names[1] + ' from_side=right')}
+        for one in results:
+            self.assertTrue(any(cell in one['name'] for cell in cells), one['name'])
+        self.assertTrue(any(one['planners'] for one in results))
+        unknown = road.run('test', *ROOT, '--until-hit', '--catalogue', 'nhtsa', '--name', '26_lead_vehicle_stoped', '--planners',
+                           'idm', '--out', self.path('unknown'))
+        self.assertEqual(unknown.returncode, 1)
+        self.assertIn('did you mean 26_lead_vehicle_stopped?', unknown.stderr)
+
     def test_bad_lines_are_cases_of_their_own(self):
         scenarios, out = self.path('bad.jsonl'), self.path('out')
         attack = next(line for line in self.scenarios.read_text().splitlines() if '"code":"OK"' in line)

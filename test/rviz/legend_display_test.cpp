@@ -18,5 +18,9 @@ TEST(Legend, HasEveryClass) {
   }
 }
 
+TEST(Legend, NamesSupportVehicles) {
+  EXPECT_THAT(legendText().toStdString(), HasSubstr("support"));
+}
+
 }  // namespace
 }  // namespace forge

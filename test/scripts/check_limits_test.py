@@ -159,7 +159,8 @@ class DrivableLimits(CheckLimits):
                                          ('truck', 13.01, 'articulated'), ('bus', 18.0, 'bus'),
                                          ('emergency_vehicle', 5.0, 'van'),
                                          ('construction_vehicle', 14.0, 'construction'),
-                                         ('motorcycle', 2.0, 'motorcycle')):
+                                         ('motorcycle', 2.0, 'motorcycle'), ('child', 0.5, 'child'),
+                                         ('runner', 0.8, 'runner'), ('scooter', 1.28, 'scooter')):
             wheelbase = limits.drivable[row]['wheelbase_share'] * length
             greatest = limits.drivable[row]['max_speed']
             points = [Drive(wheelbase, greatest + more, 0.0, 0.001).points() for more in (-0.1, 0.1)]
@@ -167,6 +168,28 @@ class DrivableLimits(CheckLimits):
             lines = result.stdout.splitlines()
             self.assertRegex(lines[0], r'line 2: .* max_speed .* > {:.4f}'.format(greatest))
             self.assertTrue(lines[-1].startswith(row + ' (2 trajectories): '), lines)
+
+    def test_support_vehicles_are_checked(self):
+        car = Vehicle('car')
+
+        def with_support(role, points, x=0.0, y=50.0):
+            line = car.drive(10.0)
+            moved_points = [dict(point, x=point['x'] + x, y=point['y'] + y) for point in points]
+            line['supports'] = [dict(line['attacker'], role=role, id=role + '-1', trajectory=moved_points)]
+            return line
+
+        driven = car.drive(10.0)['attacker']['trajectory']
+        fast = car.drive(37.0)['attacker']['trajectory']
+        stands = [dict(point, x=driven[0]['x'], y=driven[0]['y'], v=0.0, a=0.0, kappa=0.0) for point in driven]
+        result = self.check(with_support('leader', driven), with_support('queue', stands))
+        self.assertEqual(result.returncode, 0, result.stdout)
+        self.assertIn('2 trajectories and 2 support vehicles of 2 requests, 0 violations', result.stdout)
+        for line, named in ((with_support('leader', fast), 'leader leader-1: max_speed 37.0000 > 36.0000'),
+                            (with_support('parked_vehicle', driven), 'parked_vehicle parked_vehicle-1: moves '),
+                            (with_support('leader', driven, y=0.5), 'leader leader-1: touches the attacker ')):
+            result = self.check(line)
+            self.assertEqual(result.returncode, 1)
+            self.assertIn(named, result.stdout)
 
     def test_a_class_without_limits_is_no_success(self):
         for agent_class, named in (('animal', 'no limits for the class "animal"'), (None, 'has no class')):

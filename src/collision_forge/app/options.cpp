@@ -84,6 +84,7 @@ void RequestControls::applyTo(CollisionRequest& request) const {
   if (turning) request.turning = *turning;
   if (from_side) request.from_side = from_side;
   if (hidden_by) request.hidden_by = hidden_by;
+  if (queue) request.queue = *queue;
   for (const auto& [control, range] : ranges) request.*control->asked = range;
   if (alternatives) request.alternatives = *alternatives;
 }
@@ -131,6 +132,10 @@ void addControls(CLI::App& app, RequestControls& controls) {
       app, "--hidden-by", controls.hidden_by,
       wordsOf<Hider>(std::vector<Hider>{Hider::kParkedVehicle, Hider::kLeader}),
       "vehicle that hides the attacker until it comes into view, added if need be; default: any");
+  addChoice<std::optional<bool>>(
+      app, "--queue", controls.queue, {{"true", true}, {"false", false}},
+      "true: a second vehicle stands ahead of the attacker, which stands in its lane; one is added "
+      "if need be; default: false");
   for (const RangeControl& control : kRangeControls) {
     app.add_option_function<std::pair<double, double>>(
            "--" + optionName(control.name),

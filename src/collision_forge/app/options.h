@@ -68,6 +68,7 @@ struct RequestControls {
   std::optional<Turning> turning;            ///< vehicle that turns, of type ltap
   std::optional<Side> from_side;   ///< kLeft or kRight of the ego: where the attacker comes from
   std::optional<Hider> hidden_by;  ///< vehicle that hides the attacker until it comes into view
+  std::optional<bool> queue;       ///< a second vehicle stands ahead of the attacker
   /// Elements of kRangeControls with the interval given for each, in the element's unit.
   std::vector<std::pair<const RangeControl*, Range>> ranges;
   std::optional<int> alternatives;  ///< number of attacks per request, from 1
@@ -79,7 +80,7 @@ struct RequestControls {
 /// --attacker.
 void addAttacker(CLI::App& app, RequestControls& controls);
 /// --believable, --limits, --attacker-class, --manoeuvre, --ego-side, --impact-speed, --overlap,
-/// --turning, --from-side, --hidden-by and an option for each of kRangeControls.
+/// --turning, --from-side, --hidden-by, --queue and an option for each of kRangeControls.
 void addControls(CLI::App& app, RequestControls& controls);
 
 /// --alternatives.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "attack/search/added_scene.h"
 #include "collision_forge/attack/search/generate_collision.h"
@@ -68,6 +69,27 @@ TEST(AddedWalkers, DepartAtTheRequestedTime) {
   }
 }
 
+/// The limits of config/vehicle_limits.yaml; a child walks at 5 km/h and a runner runs at 8 km/h in
+/// Euro NCAP's CPNCO and CPFA.
+TEST(AddedWalkers, ChildrenAndRunnersKeepTheirOwnLimits) {
+  const std::tuple<AgentClass, double, double> cases[] = {{AgentClass::kChild, 5.0 / 3.6, 3.5},
+                                                          {AgentClass::kRunner, 8.0 / 3.6, 5.0}};
+  for (const auto& [agent_class, speed, fastest] : cases) {
+    AddedScene scene = street();
+    scene.request.attacker_class = agent_class;
+    scene.request.attacker_speed = Range{speed - 0.3, speed + 0.3};
+    const Attack attack = answerIn(scene);
+    ASSERT_EQ(attack.status.code, StatusCode::kOk)
+        << toString(agent_class) << ": " << attack.status.message;
+    EXPECT_EQ(attack.trajectory.agent_class, agent_class);
+    EXPECT_TRUE(attack.report.verified());
+    EXPECT_NEAR(attack.report.conditions.attacker_speed, speed, 0.3 + 1e-6);
+    for (const TrajectoryPoint& point : attack.trajectory.points) {
+      EXPECT_LE(point.speed, fastest) << toString(agent_class);
+    }
+  }
+}
+
 TEST(AddedWalkers, NeedARoadside) {
   AddedScene scene = street();
   scene.map->drivable_area = {rectangle(-200.0, -60.0, 200.0, 60.0)};
@@ -78,13 +100,35 @@ TEST(AddedWalkers, NeedARoadside) {
       << attack.status.message;
 }
 
+/// Adds a recorded adult on the walkway who moves along it.
+void addAdult(AddedScene& scene, double speed) {
+  scene.request.choice = AttackerChoice::kExisting;
+  const Pose2 now{-9.0 - 2.5 * speed, -3.0, 0.0};
+  scene.others.push_back(AddedScene::longPast("walker", {0.7, 0.65}, now, speed));
+  scene.others.back().agent_class = AgentClass::kPedestrian;
+  scene.future.agents.push_back(futureTrack("walker", {0.7, 0.65}, now, speed));
+  scene.future.agents.back().agent_class = AgentClass::kPedestrian;
+}
+
+TEST(RecordedWalkers, AreRunnersIfTheyRunAtT0) {
+  for (const double speed : {1.4, 2.5}) {
+    AddedScene scene = street();
+    scene.request.attacker_class = AgentClass::kRunner;
+    addAdult(scene, speed);
+    const Attack attack = answerIn(scene);
+    if (speed < 2.0) {
+      EXPECT_EQ(attack.status.code, StatusCode::kNoCandidate) << attack.status.message;
+      continue;
+    }
+    ASSERT_EQ(attack.status.code, StatusCode::kOk) << attack.status.message;
+    EXPECT_EQ(attack.trajectory.attacker_id, "walker");
+    EXPECT_EQ(attack.trajectory.agent_class, AgentClass::kRunner);
+  }
+}
+
 TEST(RecordedWalkers, WalkAlongTheKerbAndThenStepOut) {
   AddedScene scene = street();
-  scene.request.choice = AttackerChoice::kExisting;
-  scene.others.push_back(AddedScene::longPast("walker", {0.7, 0.65}, {-12.0, -3.0, 0.0}, 1.2));
-  scene.others.back().agent_class = AgentClass::kPedestrian;
-  scene.future.agents.push_back(futureTrack("walker", {0.7, 0.65}, {-12.0, -3.0, 0.0}, 1.2));
-  scene.future.agents.back().agent_class = AgentClass::kPedestrian;
+  addAdult(scene, 1.2);
   const Attack attack = answerIn(scene);
   ASSERT_EQ(attack.status.code, StatusCode::kOk) << attack.status.message;
   EXPECT_EQ(attack.trajectory.attacker_id, "walker");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "collision_forge/base/config/config_error.h"
 
@@ -26,6 +27,22 @@ TEST(Catalogue, EveryScenarioHasCellsOrAReason) {
   for (const CatalogueEntry& entry : readCatalogue(kConfig, "all")) {
     EXPECT_EQ(entry.cells.empty(), !entry.missing.empty()) << entry.name;
     EXPECT_FALSE(entry.text.empty()) << entry.name;
+  }
+}
+
+/// The table of docs/catalogue.md: "| `NAME` | ... | scenarios | of these, can be requested |".
+TEST(Catalogue, TheDocumentationCountsTheScenarios) {
+  std::ifstream page(COLLISION_FORGE_SOURCE_DIR "/docs/catalogue.md");
+  const std::string text{std::istreambuf_iterator<char>(page), {}};
+  for (const std::string& name : catalogueNames(kConfig)) {
+    const auto entries = readCatalogue(kConfig, name);
+    const auto requested = std::count_if(entries.begin(), entries.end(),
+                                         [](const auto& entry) { return entry.missing.empty(); });
+    const std::size_t row = text.find("| `" + name + "` |");
+    ASSERT_NE(row, std::string::npos) << name;
+    const std::string line = text.substr(row, text.find('\n', row) - row);
+    EXPECT_THAT(line, testing::EndsWith("| " + std::to_string(entries.size()) + " | " +
+                                        std::to_string(requested) + " |"));
   }
 }
 

@@ -19,7 +19,7 @@ AddedScene street() {
   scene.map->drivable_area = {rectangle(-200.0, -4.5, 200.0, 8.0)};
   scene.map->walkways = {rectangle(-200.0, -7.0, 200.0, -4.5), rectangle(-200.0, 8.0, 200.0, 10.5)};
   scene.request = believableRequestFor(CollisionType::kJunctionCrossing);
-  scene.request.attacker_class = AgentClass::kPedestrian;
+  scene.request.attacker_class = AgentClass::kChild;
   scene.request.ego_side = Side::kFront;
   scene.request.from_side = Side::kRight;
   scene.request.hidden_by = Hider::kParkedVehicle;
@@ -35,7 +35,7 @@ Attack answerIn(AddedScene& scene) {
   return generateCollision(searchMethod(options), moment, scene.request, options.prediction);
 }
 
-TEST(ParkedVehicle, HidesAPedestrianUntilItStepsOut) {
+TEST(ParkedVehicle, HidesAChildUntilItStepsOut) {
   AddedScene scene = street();
   const Attack attack = answerIn(scene);
   ASSERT_EQ(attack.status.code, StatusCode::kOk) << attack.status.message;
@@ -45,6 +45,16 @@ TEST(ParkedVehicle, HidesAPedestrianUntilItStepsOut) {
   EXPECT_EQ(measured.hidden_by_id.substr(0, 7), "parked-");
   EXPECT_GE(measured.visible_for, usualSight(Hider::kParkedVehicle).min);
   EXPECT_LE(measured.visible_for, usualSight(Hider::kParkedVehicle).max);
+}
+
+TEST(ParkedVehicle, IsAVanIfItHidesAnAdult) {
+  AddedScene scene = street();
+  scene.request.attacker_class = AgentClass::kPedestrian;
+  const Attack attack = answerIn(scene);
+  ASSERT_EQ(attack.status.code, StatusCode::kOk) << attack.status.message;
+  ASSERT_FALSE(attack.supports.empty());
+  EXPECT_EQ(attack.supports.front().motion.agent_class, AgentClass::kTruck);
+  EXPECT_EQ(attack.report.conditions.hidden_by, Hider::kParkedVehicle);
 }
 
 TEST(ParkedVehicle, StandsParallelToTheLaneOnTheRoadAndTouchesNobody) {
@@ -102,7 +112,8 @@ TEST(ParkedVehicle, IsNotAddedWhereARecordedOneHides) {
   EXPECT_TRUE(second.supports.empty());
 }
 
-TEST(CutOutLeader, LeavesTheLaneBeforeAStandingVehicle) {
+/// The street with two lanes of the ego's direction and a request for a standing vehicle.
+AddedScene twoLanesAhead() {
   AddedScene scene = street();
   scene.map->lanes.push_back(straightLane("east_left", {-200.0, 3.5}, {200.0, 3.5}));
   scene.map->lanes.erase(std::find_if(scene.map->lanes.begin(), scene.map->lanes.end(),
@@ -110,6 +121,11 @@ TEST(CutOutLeader, LeavesTheLaneBeforeAStandingVehicle) {
   scene.request = believableRequestFor(CollisionType::kRearEnd);
   scene.request.mode = Mode::kReplay;
   scene.request.ego_side = Side::kFront;
+  return scene;
+}
+
+TEST(CutOutLeader, LeavesTheLaneBeforeAStandingVehicle) {
+  AddedScene scene = twoLanesAhead();
   scene.request.hidden_by = Hider::kLeader;
   const Attack attack = answerIn(scene);
   ASSERT_EQ(attack.status.code, StatusCode::kOk) << attack.status.message;
@@ -120,6 +136,52 @@ TEST(CutOutLeader, LeavesTheLaneBeforeAStandingVehicle) {
   EXPECT_NEAR(leader.points.front().pose.y, 0.0, 0.3) << "in the ego's lane at t0";
   EXPECT_NEAR(leader.points.back().pose.y, 3.5, 0.5) << "in the other lane at the end";
   EXPECT_NEAR(leader.points.back().pose.yaw, 0.0, 0.1);
+}
+
+TEST(Queue, StandsAheadOfTheStandingAttacker) {
+  for (const std::optional<Hider> hidden_by :
+       {std::optional<Hider>(), std::optional(Hider::kLeader)}) {
+    AddedScene scene = twoLanesAhead();
+    scene.request.hidden_by = hidden_by;
+    scene.request.queue = true;
+    const Attack attack = answerIn(scene);
+    ASSERT_EQ(attack.status.code, StatusCode::kOk) << attack.status.message;
+    EXPECT_EQ(attack.report.manoeuvre, Manoeuvre::kLeadStopped);
+    ASSERT_EQ(attack.supports.size(), hidden_by ? 2U : 1U);
+    const SupportVehicle& second = attack.supports.back();
+    EXPECT_EQ(second.role, SupportRole::kQueue);
+    const Pose2 there =
+        relativeTo(attack.report.attacker_at_contact, second.motion.points.front().pose);
+    const double gap = there.x - 0.5 * (attack.trajectory.size.length + second.motion.size.length);
+    EXPECT_GT(gap, 1.0);
+    EXPECT_LT(gap, 6.5);
+    EXPECT_NEAR(there.y, 0.0, 0.1);
+    for (const TrajectoryPoint& point : second.motion.points) EXPECT_EQ(point.speed, 0.0);
+    EXPECT_EQ(attack.report.first_other_id, "");
+  }
+}
+
+TEST(Queue, IsNotAddedBeforeARecordedOne) {
+  AddedScene scene = twoLanesAhead();
+  scene.request.queue = true;
+  const Attack first = answerIn(scene);
+  ASSERT_EQ(first.status.code, StatusCode::kOk) << first.status.message;
+  scene.add("standing", first.supports.back().motion.points.front().pose, 0.0);
+  scene.request.choice = AttackerChoice::kNew;
+  const Attack second = answerIn(scene);
+  ASSERT_EQ(second.status.code, StatusCode::kOk) << second.status.message;
+  EXPECT_TRUE(second.supports.empty());
+}
+
+TEST(Queue, NeedsRoadAheadOfTheAttacker) {
+  AddedScene scene = twoLanesAhead();
+  scene.request.queue = true;
+  const Attack first = answerIn(scene);
+  ASSERT_EQ(first.status.code, StatusCode::kOk) << first.status.message;
+  const double front = first.report.attacker_at_contact.x + 0.5 * first.trajectory.size.length;
+  scene.map->drivable_area = {rectangle(-200.0, -4.5, front + 1.0, 8.0)};
+  const Attack second = answerIn(scene);
+  EXPECT_NE(second.status.code, StatusCode::kOk);
 }
 
 }  // namespace

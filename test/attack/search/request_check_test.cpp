@@ -75,6 +75,9 @@ TEST(IsCandidate, DependsOnTheClass) {
                                                 {AgentClass::kTrailer, false},
                                                 {AgentClass::kBicycle, false},
                                                 {AgentClass::kPedestrian, false},
+                                                {AgentClass::kChild, false},
+                                                {AgentClass::kRunner, false},
+                                                {AgentClass::kScooter, false},
                                                 {AgentClass::kStaticObject, false}}) {
     snapshot.agents[0].agent_class = agent_class;
     EXPECT_EQ(isCandidate(snapshot.agents[0], snapshot, kOptions), expected)
@@ -343,16 +346,33 @@ TEST(CheckRequest, NamesAnInvalidSizeOrPoseOfTheAttacker) {
   expectRefusal(asking(4.0, "car"), snapshot, StatusCode::kInvalidInput, {"car", "pose"});
 }
 
-TEST(CheckRequest, PedestriansAttackInAllModesButAdaptive) {
-  CollisionRequest request = believableRequestFor(CollisionType::kJunctionCrossing);
-  request.attacker_class = AgentClass::kPedestrian;
+TEST(CheckRequest, PeopleOnFootAttackInAllModesButAdaptive) {
   AddedScene made;
   const AddedVehicleInput input = made.input();
-  EXPECT_EQ(checkRequest(request, input.snapshot, shippedOptions().prediction).code,
-            StatusCode::kOk);
+  for (const AgentClass on_foot :
+       {AgentClass::kPedestrian, AgentClass::kChild, AgentClass::kRunner}) {
+    CollisionRequest request = believableRequestFor(CollisionType::kJunctionCrossing);
+    request.attacker_class = on_foot;
+    EXPECT_EQ(checkRequest(request, input.snapshot, shippedOptions().prediction).code,
+              StatusCode::kOk);
+    request.mode = Mode::kAdaptive;
+    EXPECT_EQ(checkRequest(request, input.snapshot, shippedOptions().prediction).code,
+              StatusCode::kInvalidInput);
+  }
+}
+
+TEST(CheckRequest, AQueueNeedsAnAttackerThatStandsInTheLane) {
+  CollisionRequest request = asking(4.0);
+  request.queue = true;
+  EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
+  request.manoeuvre = Manoeuvre::kLeadBrakes;
+  expectRefusal(request, twoCars(), StatusCode::kInvalidInput, {"queue = true", "lead_brakes"});
+  request.manoeuvre.reset();
   request.mode = Mode::kAdaptive;
-  EXPECT_EQ(checkRequest(request, input.snapshot, shippedOptions().prediction).code,
-            StatusCode::kInvalidInput);
+  expectRefusal(request, twoCars(), StatusCode::kInvalidInput, {"queue = true", "adaptive"});
+  request.mode = Mode::kReplay;
+  request.type = CollisionType::kLaneChange;
+  expectRefusal(request, twoCars(), StatusCode::kInvalidInput, {"queue = true", "lane_change"});
 }
 
 TEST(IsCandidate, BicyclesAndPedestriansAreCandidatesOnlyIfTheyAreNamed) {

@@ -83,6 +83,11 @@ TEST(Severity, OfVulnerablePeopleIsByTheImpactSpeed) {
   EXPECT_NEAR(cyclist.other.mais3, walker.other.mais3, 1e-9);
   const CrashSeverity rider = hitBy(AgentClass::kMotorcycle, {2.1, 0.8}, 43.0 + 19.0);
   EXPECT_NEAR(rider.other.mais3, walker.other.mais3, 1e-9);
+  for (const AgentClass person : {AgentClass::kChild, AgentClass::kRunner, AgentClass::kScooter}) {
+    const CrashSeverity hit = hitBy(person, {0.6, 0.7}, 43.0);
+    EXPECT_NEAR(hit.other.mais3, walker.other.mais3, 1e-9) << toString(person);
+    EXPECT_EQ(hit.other.curve, std::string("Monfort and Mueller 2025, ") + toString(person));
+  }
   EXPECT_EQ(severityClass(hitBy(AgentClass::kPedestrian, {0.6, 0.7}, 5.0).other), "S1");
   EXPECT_EQ(severityClass(walker.other), "S2 to S3");
   EXPECT_EQ(severityClass(hitBy(AgentClass::kPedestrian, {0.6, 0.7}, 80.0).other), "S3");
@@ -126,6 +131,7 @@ TEST(SeverityOptions, MassesAndInertiasAreThoseOfMeasuredVehicles) {
   EXPECT_NEAR(body(AgentClass::kTruck, 7.0, 2.5).mass, 7500.0, 100.0);
   EXPECT_NEAR(body(AgentClass::kBus, 12.0, 2.55).mass, 13000.0, 100.0);
   EXPECT_EQ(body(AgentClass::kPedestrian, 0.6, 0.7).mass, 75.0);
+  EXPECT_LT(body(AgentClass::kChild, 0.5, 0.4).mass, 40.0);
   EXPECT_GE(body(AgentClass::kCar, 1.0, 1.0).mass, 700.0);
 }
 

@@ -68,7 +68,9 @@ TEST(Visibility, SharesAgreeWithRaysAgainstOutlines) {
     const OrientedBox target = boxes.back();
     boxes.pop_back();
     const double expected = shareByRays({0.0, 0.0}, target, boxes);
-    EXPECT_NEAR(viewOf({0.0, 0.0}, target, boxes).visible, expected, 0.02) << trial;
+    std::vector<Block> blocks;
+    for (const OrientedBox& box : boxes) blocks.push_back({box, 3.0});
+    EXPECT_NEAR(viewOf({0.0, 0.0}, {target, 1.5}, blocks).visible, expected, 0.02) << trial;
     if (expected > 0.02 && expected < 0.98) ++partly;
   }
   EXPECT_GT(partly, 20) << "cases of which a part is in view";
@@ -76,9 +78,29 @@ TEST(Visibility, SharesAgreeWithRaysAgainstOutlines) {
 
 TEST(Visibility, ABoxAroundTheObserverHidesNothing) {
   const BoxView view =
-      viewOf({0.0, 0.0}, {{10.0, 0.0, 0.0}, kCarSize}, {{{0.5, 0.0, 0.0}, kCarSize}});
+      viewOf({0.0, 0.0}, {{{10.0, 0.0, 0.0}, kCarSize}, 1.5}, {{{{0.5, 0.0, 0.0}, kCarSize}, 1.5}});
   EXPECT_EQ(view.visible, 1.0);
   EXPECT_FALSE(view.coverer);
+}
+
+/// A person 2 m behind a box of 1.8 m depth whose near side is 10 m away. By hand: the line from
+/// the eye, 1.5 m above the ground, over the near edge (10 m) and over the far edge (11.8 m) of the
+/// roof is 1.5 + (roof - 1.5) * 13.8 / edge m high at the person, 13.8 m away.
+TEST(Visibility, AHeadAboveTheRoofIsSeen) {
+  const auto isSeen = [](double roof, double height) {
+    const Block person{{{14.1, 0.0, 0.0}, {0.6, 0.6}}, height};
+    const Block car{{{10.9, 0.0, M_PI_2}, {4.5, 1.8}}, roof};
+    return viewOf({0.0, 0.0}, person, {car}).visible > 0.5;
+  };
+  EXPECT_FALSE(isSeen(1.5, 1.15)) << "a child behind a car";
+  EXPECT_FALSE(isSeen(1.5, 1.69)) << "1.69 - 1.50 m are less than a head";
+  EXPECT_TRUE(isSeen(1.5, 1.71));
+  EXPECT_TRUE(isSeen(1.5, 1.77)) << "an adult behind a car";
+  EXPECT_FALSE(isSeen(2.0, 1.77)) << "an adult behind a van";
+  EXPECT_FALSE(isSeen(1.7, 1.975)) << "over the near edge: 1.5 + 0.2 * 1.38 + 0.2 = 1.976 m";
+  EXPECT_TRUE(isSeen(1.7, 1.977));
+  EXPECT_FALSE(isSeen(0.9, 0.998)) << "over the far edge: 1.5 - 0.6 * 1.1695 + 0.2 = 0.998 m";
+  EXPECT_TRUE(isSeen(0.9, 1.0));
 }
 
 /// An ego at 10 m/s along x and a walker that steps out from behind a parked car, contact after 4
@@ -113,6 +135,19 @@ class SightTest : public testing::Test {
   Future future_;
   AttackerTrajectory walker_;
 };
+
+TEST_F(SightTest, ACarHidesAChildButNoAdultUnlessItIsHigh) {
+  const auto hiderOf = [&](AgentClass agent_class) {
+    walker_.agent_class = agent_class;
+    return sightOf(walker_, future_, kNow + kContact).hidden_by_id;
+  };
+  EXPECT_EQ(hiderOf(AgentClass::kChild), "parked");
+  EXPECT_EQ(hiderOf(AgentClass::kPedestrian), "");
+  future_.agents.front().height = 1.9;
+  EXPECT_EQ(hiderOf(AgentClass::kPedestrian), "parked");
+  future_.agents.front().height = 0.7;
+  EXPECT_EQ(hiderOf(AgentClass::kChild), "");
+}
 
 TEST_F(SightTest, BeginsWithinOneStepOfTheRays) {
   const Sight sight = sightOf(walker_, future_, kNow + kContact);

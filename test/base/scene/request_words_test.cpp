@@ -23,7 +23,7 @@ TEST(RequestWords, ParsesEveryListedCollisionType) {
 }
 
 TEST(RequestWords, ClassesAreReadBack) {
-  for (int number = 0; number <= static_cast<int>(AgentClass::kStaticObject); ++number) {
+  for (int number = 0; number <= static_cast<int>(kLastAgentClass); ++number) {
     const auto agent_class = static_cast<AgentClass>(number);
     EXPECT_EQ(agentClassFromString(toString(agent_class)), agent_class);
   }

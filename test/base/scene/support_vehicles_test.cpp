@@ -82,7 +82,7 @@ TEST(SupportVehicles, AMovingOneThatEndedBeforeAFutureBeginsIsNotAdded) {
 TEST(SupportVehicles, ReplaceTheAgentOfTheirIdFromT0On) {
   Scene scene = recordedScene();
   scene.agents = {straightTrack("leader", {20.0, 0.0, 0.0}, kNow - 3.5, kNow + 10.0)};
-  SupportVehicle leader{Hider::kLeader, {"leader", AgentClass::kCar, kCarSize, {}}};
+  SupportVehicle leader{SupportRole::kLeader, {"leader", AgentClass::kCar, kCarSize, {}}};
   for (double time = 0.0; time <= 3.0; time += 0.5) {
     leader.motion.points.push_back({kNow + time, {20.0 + 10.0 * time, time, 0.1}, 10.0});
   }

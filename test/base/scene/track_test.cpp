@@ -15,10 +15,10 @@ Track trackOf(const std::vector<std::pair<double, Pose2>>& poses) {
   return track;
 }
 
-TEST(CanAttack, HoldsForMotorVehiclesBicyclesAndPedestrians) {
+TEST(CanAttack, HoldsForMotorVehiclesCyclesAndPeopleOnFoot) {
   std::vector<std::string> attackers;
   std::vector<std::string> motor_vehicles;
-  for (int i = 0; i <= static_cast<int>(AgentClass::kStaticObject); ++i) {
+  for (int i = 0; i <= static_cast<int>(kLastAgentClass); ++i) {
     const auto agent_class = static_cast<AgentClass>(i);
     if (canAttack(agent_class)) attackers.push_back(toString(agent_class));
     if (isMotorVehicle(agent_class)) motor_vehicles.push_back(toString(agent_class));
@@ -26,17 +26,30 @@ TEST(CanAttack, HoldsForMotorVehiclesBicyclesAndPedestrians) {
   EXPECT_THAT(motor_vehicles,
               testing::UnorderedElementsAre("car", "truck", "bus", "construction_vehicle",
                                             "emergency_vehicle", "motorcycle"));
-  motor_vehicles.insert(motor_vehicles.end(), {"bicycle", "pedestrian"});
+  motor_vehicles.insert(motor_vehicles.end(),
+                        {"bicycle", "scooter", "pedestrian", "child", "runner"});
   EXPECT_THAT(attackers, testing::UnorderedElementsAreArray(motor_vehicles));
 }
 
 TEST(IsVehicle, HoldsForAllButPeopleAnimalsAndThings) {
   std::vector<std::string> others;
-  for (int i = 0; i <= static_cast<int>(AgentClass::kStaticObject); ++i) {
+  for (int i = 0; i <= static_cast<int>(kLastAgentClass); ++i) {
     const auto agent_class = static_cast<AgentClass>(i);
     if (!isVehicle(agent_class)) others.push_back(toString(agent_class));
   }
-  EXPECT_THAT(others, testing::UnorderedElementsAre("pedestrian", "animal", "static_object"));
+  EXPECT_THAT(others, testing::UnorderedElementsAre("pedestrian", "child", "runner", "animal",
+                                                    "static_object"));
+}
+
+TEST(TypicalHeight, OrdersTheClassesByHeight) {
+  const auto height = [](AgentClass agent_class, double length) {
+    return typicalHeight(agent_class, {length, 2.0});
+  };
+  EXPECT_LT(height(AgentClass::kChild, 0.5), height(AgentClass::kCar, 4.5));
+  EXPECT_LT(height(AgentClass::kCar, 4.5), height(AgentClass::kPedestrian, 0.7));
+  EXPECT_EQ(height(AgentClass::kPedestrian, 0.7), height(AgentClass::kRunner, 0.7));
+  EXPECT_LT(height(AgentClass::kPedestrian, 0.7), height(AgentClass::kTruck, 5.7)) << "a van";
+  EXPECT_LT(height(AgentClass::kTruck, 5.7), height(AgentClass::kTruck, 8.0));
 }
 
 TEST(StateAt, InterpolatesPoseAndVelocity) {

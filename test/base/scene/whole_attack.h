@@ -202,7 +202,7 @@ inline Attack wholeAttack(double now) {
   attack.effort = 0.03;
   const Pose2 kerb{22.0, -4.5, 0.04};
   attack.supports = {
-      {Hider::kLeader,
+      {SupportRole::kQueue,
        {"parked-1",
         AgentClass::kBus,
         {11.5, 2.75},

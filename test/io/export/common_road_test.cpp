@@ -423,7 +423,10 @@ TEST_F(CommonRoad, TypesAreValidInTheSchema) {
       {AgentClass::kMotorcycle, "motorcycle"},
       {AgentClass::kBicycle, "bicycle"},
       {AgentClass::kPedestrian, "pedestrian"},
-      {AgentClass::kAnimal, "unknown"}};
+      {AgentClass::kAnimal, "unknown"},
+      {AgentClass::kChild, "pedestrian"},
+      {AgentClass::kRunner, "pedestrian"},
+      {AgentClass::kScooter, "bicycle"}};
   CrashRecord record = slowCarRecord();
   record.other_agents.clear();
   for (const auto& type : types)

@@ -83,6 +83,27 @@ TEST_F(OpenScenario, TheAttackerOfAFreeEgoStartsByTheTimeGapOfTheEgo) {
       "attacker']"));
 }
 
+TEST_F(OpenScenario, PeopleOnFootArePedestriansWithTheirHeightAndScootersBicycles) {
+  CrashRecord record = slowCarRecord();
+  record.other_agents.resize(1);
+  Track& agent = record.other_agents[0];
+  const std::string dimensions = "//Pedestrian/BoundingBox/Dimensions";
+  for (const AgentClass on_foot : {AgentClass::kChild, AgentClass::kRunner}) {
+    agent.agent_class = on_foot;
+    agent.height.reset();
+    auto document = written(record, ".xosc");
+    EXPECT_STREQ(at(document, "//Pedestrian").attribute("pedestrianCategory").value(),
+                 "pedestrian");
+    EXPECT_EQ(at(document, dimensions).attribute("height").as_double(),
+              typicalHeight(on_foot, agent.size));
+    agent.height = 1.03;
+    document = written(record, ".xosc");
+    EXPECT_EQ(at(document, dimensions).attribute("height").as_double(), 1.03);
+  }
+  agent.agent_class = AgentClass::kScooter;
+  at(written(record, ".xosc"), "//Vehicle[@vehicleCategory='bicycle']");
+}
+
 TEST_F(OpenScenario, TheFlavourOfCarlaHasOnlyWhatScenarioRunnerReads) {
   const auto document = written(slowCarRecord(), ".xosc", false, true);
   EXPECT_EQ(at(document, "//FileHeader").attribute("revMinor").as_int(), 0);

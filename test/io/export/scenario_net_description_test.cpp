@@ -23,14 +23,13 @@ PickleContent scenarioNamed(const std::string& name, std::optional<double> step 
   map.features = features;
   map.location = "a-town";
   map.drivable_area = {{{{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}, {}}};
-  TrackTable table{{0.0, 0.1, 0.2}, {{"ego", AgentClass::kCar, {4.0, 2.0}, {}}}};
+  TrackTable table{{0.0, 0.1, 0.2}, {{"ego", AgentClass::kCar, {4.0, 2.0}, {}, 1.5}}};
   for (const double time : table.times) {
     table.tracks[0].states.push_back({time, {10.0 * time, 0.0, 0.0}, {10.0, 0.0}});
   }
   const auto write_own = [&](PickleWriter& own) { own.text("scene", name); };
   ExportOptions options;
   options.radius = radius;
-  options.heights[AgentClass::kCar] = 1.5;
   return describe({name, table, step, 1, map, lights, write_own}, {{0.0, 0.0}}, options);
 }
 

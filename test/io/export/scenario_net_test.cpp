@@ -34,9 +34,9 @@ CrashRecord sampleRecord() {
   record.step = kStep;
   record.now = 0.2;
   record.contact = 0.35;
-  record.ego = {kEgoId, AgentClass::kCar, {4.0, 2.0}, statesAt({0, 1, 2, 3}, 0.0)};
-  record.attacker = {"a1", AgentClass::kTruck, {8.0, 2.5}, statesAt({1, 2, 3}, 4.0)};
-  record.other_agents = {{"b1", AgentClass::kPedestrian, {0.5, 0.75}, statesAt({0, 3}, -9.0)}};
+  record.ego = {kEgoId, AgentClass::kCar, {4.0, 2.0}, statesAt({0, 1, 2, 3}, 0.0), 1.5};
+  record.attacker = {"a1", AgentClass::kTruck, {8.0, 2.5}, statesAt({1, 2, 3}, 4.0), 1.5};
+  record.other_agents = {{"b1", AgentClass::kPedestrian, {0.5, 0.75}, statesAt({0, 3}, -9.0), 1.5}};
   record.lanes.location = "a-town";
   return record;
 }
@@ -45,10 +45,6 @@ ExportPlan planIn(const std::string& folder) {
   ExportPlan plan;
   plan.folder = folder;
   plan.options.radius = 60.0;
-  for (const AgentClass agent_class :
-       {AgentClass::kCar, AgentClass::kTruck, AgentClass::kPedestrian}) {
-    plan.options.heights[agent_class] = 1.5;
-  }
   return plan;
 }
 

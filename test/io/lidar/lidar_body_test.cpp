@@ -15,7 +15,9 @@ const std::pair<AgentClass, Vector3d> kBodies[] = {
     {AgentClass::kTruck, {7.0, 2.6, 3.2}},       {AgentClass::kTruck, {14.0, 2.6, 3.8}},
     {AgentClass::kBus, {11.5, 2.9, 3.4}},        {AgentClass::kTrailer, {10.0, 2.6, 3.8}},
     {AgentClass::kMotorcycle, {2.1, 0.8, 1.5}},  {AgentClass::kBicycle, {1.8, 0.6, 1.7}},
-    {AgentClass::kPedestrian, {0.7, 0.7, 1.75}}, {AgentClass::kStaticObject, {0.5, 2.0, 1.1}}};
+    {AgentClass::kPedestrian, {0.7, 0.7, 1.75}}, {AgentClass::kStaticObject, {0.5, 2.0, 1.1}},
+    {AgentClass::kChild, {0.5, 0.45, 1.15}},     {AgentClass::kRunner, {0.8, 0.6, 1.8}},
+    {AgentClass::kScooter, {1.28, 0.7, 1.87}}};
 
 /// The highest value of a point of any piece along an axis, by rays against it from far outside.
 double reachAlong(const LidarBody& body, const Vector3d& direction) {
@@ -38,8 +40,8 @@ TEST(LidarBody, FillsItsBox) {
     const LidarBody body = lidarBodyOf(agent_class, size);
     EXPECT_LE(body.pieces.size(), 16u) << toString(agent_class);
     EXPECT_NEAR(reachAlong(body, Vector3d::UnitZ()), size.z(), 0.02) << toString(agent_class);
-    const bool is_rider = agent_class == AgentClass::kPedestrian;
-    EXPECT_NEAR(reachAlong(body, Vector3d::UnitX()), size.x() / 2.0, is_rider ? 0.3 : 0.06)
+    const bool is_on_foot = isOnFoot(agent_class);
+    EXPECT_NEAR(reachAlong(body, Vector3d::UnitX()), size.x() / 2.0, is_on_foot ? 0.3 : 0.06)
         << toString(agent_class);
     EXPECT_LT(reachAlong(body, Vector3d::UnitY()), size.y() / 2.0 + 0.02) << toString(agent_class);
   }
@@ -76,6 +78,18 @@ TEST(LidarBody, IncidenceIsTheCosineAtTheSurface) {
 TEST(LidarBody, RaysFromInsideMiss) {
   EXPECT_FALSE(firstHit(lidarBodyOf(AgentClass::kStaticObject, {2.0, 2.0, 2.0}), {0.0, 0.0, 1.0},
                         Vector3d::UnitX()));
+}
+
+TEST(LidarBody, TheRiderOfAScooterStandsOnItsBoard) {
+  const LidarBody scooter = lidarBodyOf(AgentClass::kScooter, {1.28, 0.7, 1.87});
+  const auto behind = [&](double z) {
+    return firstHit(scooter, {-5.0, 0.0, z}, Vector3d::UnitX());
+  };
+  ASSERT_TRUE(behind(1.75));
+  EXPECT_EQ(behind(1.75)->surface, SurfaceKind::kCloth) << "the head";
+  EXPECT_NEAR(behind(1.75)->distance, 5.0, 0.2) << "in the middle of the board";
+  ASSERT_TRUE(behind(0.12));
+  EXPECT_NE(behind(0.12)->surface, SurfaceKind::kCloth) << "the board";
 }
 
 TEST(LidarBody, PedestriansSwingTheirLegs) {

@@ -111,6 +111,9 @@ TEST(NuScenesRecording, everyCategoryHasItsClass) {
       {"vehicle.motorcycle", AgentClass::kMotorcycle},
       {"vehicle.bicycle", AgentClass::kBicycle},
       {"human.pedestrian.stroller", AgentClass::kPedestrian},
+      {"human.pedestrian.adult", AgentClass::kPedestrian},
+      {"human.pedestrian.child", AgentClass::kChild},
+      {"human.pedestrian.personal_mobility", AgentClass::kScooter},
       {"animal", AgentClass::kAnimal},
       {"movable_object.trafficcone", AgentClass::kStaticObject},
       {"static_object.bicycle_rack", AgentClass::kStaticObject}};

@@ -184,7 +184,7 @@ TEST(ScenarioFile, HasSupportsOnlyIfThereAreAny) {
   Scenario scenario = attack();
   scenario.answer = wholeAttack(kNow);
   std::string line = scenarioLine(scenario);
-  replaceIn(line, "\"role\":\"leader\"", "\"role\":\"hedge\"");
+  replaceIn(line, "\"role\":\"queue\"", "\"role\":\"hedge\"");
   try {
     static_cast<void>(readScenarioLine("file", line, shippedLimits()));
     FAIL();

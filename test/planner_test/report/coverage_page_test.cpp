@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace forge {
 namespace {
 
@@ -12,11 +14,18 @@ using testing::Not;
 
 std::vector<CatalogueEntry> catalogue() {
   CatalogueEntry cut_in{"set/cut_in", "a car <cuts> in", "", "", {}, {}};
-  cut_in.cells = {
-      {"set/cut_in speed=1", {}}, {"set/cut_in speed=2", {}}, {"set/cut_in speed=3", {}}};
+  CollisionRequest cell;
+  cell.type = CollisionType::kLaneChange;
+  for (const double speed : {1.0, 2.0, 3.0}) {
+    cell.attacker_speed = Range{speed - 0.2, speed + 0.2};
+    cut_in.cells.push_back({"set/cut_in speed=" + std::to_string(std::lround(speed)), cell});
+  }
+  CollisionRequest crossing;
+  crossing.type = CollisionType::kJunctionCrossing;
+  crossing.attacker_class = AgentClass::kChild;
   return {cut_in,
           {"set/doors", "a door opens", "", "doors do not open", {}, {}},
-          {"other/x", "not asked for", "", "", {}, {{"other/x", {}}}}};
+          {"other/x", "a child crosses", "", "", {}, {{"other/x", crossing}}}};
 }
 
 Scenario scenarioOf(const std::string& name, StatusCode code) {
@@ -47,7 +56,7 @@ std::string rowOf(const std::string& page, const std::string& cell) {
 }
 
 TEST(Coverage, CountsRequestsAttacksAndTestsByCell) {
-  Coverage coverage;
+  Coverage coverage(catalogue());
   coverage.add(scenarioOf("set/cut_in speed=1", StatusCode::kOk), "a:1");
   coverage.add(scenarioOf("set/cut_in speed=1", StatusCode::kOk), "a:2");
   coverage.add(scenarioOf("set/cut_in speed=1", StatusCode::kRoadDoesNotAllow), "a:3");
@@ -55,20 +64,57 @@ TEST(Coverage, CountsRequestsAttacksAndTestsByCell) {
   coverage.add(testOf("a:1", true, true));
   coverage.add(testOf("a:2", false, false));
   coverage.add(testOf("b:1", true, true));
-  const std::string page = coverage.page(catalogue());
+  const std::string page = coverage.page();
   EXPECT_THAT(page, AllOf(HasSubstr("set: 1 of 3 cells generated"), HasSubstr("a car &lt;cuts> in"),
                           HasSubstr("cannot be requested: doors do not open"),
-                          Not(HasSubstr("not asked for"))));
-  EXPECT_THAT(rowOf(page, "cut_in speed=1"),
-              HasSubstr("<td>3</td><td>2</td><td>2</td><td>1 (1) / 1</td><td class=\"reason\">1 "
-                        "ROAD_DOES_NOT_ALLOW</td>"));
-  EXPECT_THAT(rowOf(page, "cut_in speed=2"), HasSubstr("<td>1</td><td>1</td><td>0</td><td></td>"));
+                          Not(HasSubstr("a child crosses"))));
+  EXPECT_THAT(
+      rowOf(page, "cut_in speed=1"),
+      HasSubstr("<td>3</td><td>2</td><td>2</td><td>0</td><td>1 (1) / 1</td><td class=\"reason\">1 "
+                "ROAD_DOES_NOT_ALLOW</td>"));
+  EXPECT_THAT(rowOf(page, "cut_in speed=2"),
+              HasSubstr("<td>1</td><td>1</td><td>0</td><td>0</td><td></td>"));
   EXPECT_THAT(rowOf(page, "cut_in speed=3"), HasSubstr("no request"));
 }
 
-TEST(Coverage, IsEmptyWithoutARequestOfACatalogue) {
-  Coverage coverage;
-  coverage.add(scenarioOf("", StatusCode::kOk), "a:1");
+TEST(Coverage, CountsAttacksOfOtherRequestsInTheCellsThatTheyMeet) {
+  Coverage coverage(catalogue());
+  Scenario cut_in = scenarioOf("", StatusCode::kOk);
+  cut_in.asked.request.type = CollisionType::kLaneChange;
+  coverage.add(cut_in, "a:1");
+  EXPECT_TRUE(coverage.empty()) << "its conditions are unknown";
+  ContactConditions measured;
+  measured.attacker_speed = 2.1;
+  coverage.add(cut_in, "a:2", measured);
+  cut_in.asked.request.attacker_speed = Range{0.0, 5.0};
+  cut_in.answer.report.conditions.attacker_speed = 3.1;
+  coverage.add(cut_in, "a:3");
+  Scenario child = scenarioOf("", StatusCode::kOk);
+  child.asked.request.type = CollisionType::kJunctionCrossing;
+  child.answer.trajectory.agent_class = AgentClass::kChild;
+  coverage.add(child, "a:4");
+  child.answer.trajectory.agent_class = AgentClass::kPedestrian;
+  coverage.add(child, "a:5");
+  coverage.add(testOf("a:4", true, true));
+  const std::string page = coverage.page();
+  EXPECT_THAT(page, AllOf(HasSubstr("set: 2 of 3 cells generated"),
+                          HasSubstr("other: 1 of 1 cell generated")));
+  EXPECT_THAT(rowOf(page, "cut_in speed=1"), HasSubstr("<td>0</td><td>0</td><td>0</td><td>0</td>"));
+  for (const char* cell : {"cut_in speed=2", "cut_in speed=3"}) {
+    EXPECT_THAT(rowOf(page, cell), HasSubstr("<td>0</td><td>0</td><td>0</td><td>1</td>"));
+  }
+  EXPECT_THAT(rowOf(page, "x"),
+              HasSubstr("<td>0</td><td>0</td><td>0</td><td>1</td><td>1 (1) / 0</td>"));
+}
+
+TEST(Coverage, IsEmptyWithoutARequestOfACatalogueAndAnAttackThatMeetsACell) {
+  Coverage coverage(catalogue());
+  Scenario scenario = scenarioOf("", StatusCode::kOk);
+  scenario.asked.request.type = CollisionType::kRearEnd;
+  coverage.add(scenario, "a:1");
+  scenario.asked.request.type = CollisionType::kLaneChange;
+  scenario.answer.status.code = StatusCode::kNoCandidate;
+  coverage.add(scenario, "a:2");
   EXPECT_TRUE(coverage.empty());
 }
 

@@ -136,7 +136,7 @@ class AttackerView {
     if (last_speed_) approach.braking = (*last_speed_ - approach.speed) / kStep;
     last_speed_ = approach.speed;
     approach.is_same_direction =
-        track_.agent_class != AgentClass::kPedestrian && std::abs(angle) <= options_.same_direction;
+        !isOnFoot(track_.agent_class) && std::abs(angle) <= options_.same_direction;
     approach.is_conflict = !approach.is_same_direction && meets(*state, along, speed);
     return approach;
   }

@@ -77,7 +77,8 @@ struct Approach {
   double deviation = 0.0;
   double speed = 0.0;    ///< m/s along the path, negative if oncoming
   double braking = 0.0;  ///< m/s2, deceleration along the path
-  /// true: no pedestrian, and its heading is within DriverOptions::same_direction of the path's
+  /// true: not a person on foot, and its heading is within DriverOptions::same_direction of the
+  /// path's
   bool is_same_direction = true;
   /// For agents of other directions: at constant velocities there is a contact within
   /// `conflict_horizon`. All models react to it, with their own delay and full braking.

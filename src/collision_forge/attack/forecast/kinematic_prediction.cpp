@@ -13,7 +13,7 @@ constexpr double kLaneReturnDistance = 15.0;
 
 Track trackFrom(const Track& past, double now, double horizon, double step,
                 const std::function<Pose2(double)>& pose_after) {
-  Track future{past.id, past.agent_class, past.size, {}};
+  Track future{past.id, past.agent_class, past.size, {}, past.height};
   const int steps = static_cast<int>(std::ceil(horizon / step));
   future.states.reserve(static_cast<std::size_t>(steps) + 1);
   for (int i = 0; i <= steps; ++i) {

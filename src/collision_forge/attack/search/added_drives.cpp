@@ -178,10 +178,9 @@ std::vector<ApproachManner> AddedDrives::mannersBeside(const AddedMeeting& meeti
 
 std::vector<ApproachManner> AddedDrives::mannersOncoming(const AddedMeeting& meeting) const {
   std::vector<ApproachManner> manners;
-  const bool is_cycling = input_.request.attacker_class == AgentClass::kBicycle;
   // A slow vehicle cannot cross the centre line in time.
   for (const double speed : speedsOf(meeting)) {
-    if (speed >= kLeastCrossingSpeed || is_cycling)
+    if (speed >= kLeastCrossingSpeed || isCycling())
       manners.push_back({ApproachManner::kCruise, speed});
   }
   manners = joined({manners, followsOf(meeting)});
@@ -206,6 +205,12 @@ std::vector<ApproachManner> AddedDrives::mannersCrossing(const AddedMeeting& mee
   return manners;
 }
 
+/// Returns true if the request asks for a bicycle or a scooter.
+bool AddedDrives::isCycling() const {
+  const std::optional<AgentClass>& asked = input_.request.attacker_class;
+  return asked && isCycle(*asked);
+}
+
 /// Returns speeds in the requested range and the speeds of recorded vehicles on the path, of the
 /// ego and of the configuration.
 std::vector<double> AddedDrives::speedsOf(const AddedMeeting& meeting) const {
@@ -213,7 +218,7 @@ std::vector<double> AddedDrives::speedsOf(const AddedMeeting& meeting) const {
   if (const std::optional<Range>& asked = input_.request.attacker_speed) {
     for (const double speed : valuesTriedIn(*asked)) addSpeed(speed, speeds);
   }
-  if (input_.request.attacker_class == AgentClass::kBicycle) {
+  if (isCycling()) {
     for (const double speed : kCyclingSpeeds) addSpeed(speed, speeds);
     return speeds;
   }

@@ -111,6 +111,7 @@ class AddedDrives {
   std::vector<ApproachManner> mannersBeside(const AddedMeeting& meeting) const;
   std::vector<ApproachManner> mannersOncoming(const AddedMeeting& meeting) const;
   std::vector<ApproachManner> mannersCrossing(const AddedMeeting& meeting) const;
+  bool isCycling() const;
   std::vector<double> speedsOf(const AddedMeeting& meeting) const;
   std::vector<ApproachManner> trainsOf(const AddedMeeting& meeting) const;
   std::vector<double> closingsFor(const AddedMeeting& meeting) const;

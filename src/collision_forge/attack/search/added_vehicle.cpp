@@ -226,14 +226,14 @@ class VehicleInsertion {
   const char* tryOne(const AddedMeeting& meeting, const ApproachManner& manner,
                      std::vector<AddedVehicle>& found) {
     const auto& asked = input_.request.attacker_class;
-    const bool asks_for_bicycle = asked == AgentClass::kBicycle;
+    const bool asks_for_cycle = asked && isCycle(*asked);
     if (manner.is_motorcycle_beside && asked && *asked != AgentClass::kMotorcycle &&
-        !asks_for_bicycle) {
+        !asks_for_cycle) {
       has_way_ = true;
       return "are too wide";
     }
-    const AddedKind kind = drawKind(
-        manner.is_motorcycle_beside && !asks_for_bicycle ? AgentClass::kMotorcycle : asked);
+    const AddedKind kind =
+        drawKind(manner.is_motorcycle_beside && !asks_for_cycle ? AgentClass::kMotorcycle : asked);
     const BoxSize size{kind.length, kind.width};
     nameNext(found);
     if (!drives_.plan(meeting, manner, size, drive_, variation_))

@@ -20,8 +20,7 @@ constexpr double kClearance = 0.3;    // m to recorded agents while it waits
 constexpr double kSearchStep = 0.25;  // m between the places that are tried from the meeting out
 constexpr double kNearest = 1.5;      // m from the meeting
 constexpr double kFarthest = 18.0;    // m; a runner gets that far in the longest time to attack
-constexpr double kFromKerb[] = {0.7, 1.5, 2.5};  // m that it waits behind the edge of the road
-constexpr double kFastest = 2.6;  // m/s, mean of a runner over the way, started from rest
+constexpr double kFromKerb[] = {0.7, 1.5, 2.5};   // m that it waits behind the edge of the road
 constexpr double kContacts[] = {0.0, -0.3, 0.3};  // s, added to the requested time
 constexpr std::size_t kMost = 8;                  // walkers that are searched
 
@@ -31,6 +30,7 @@ class WalkerInsertion {
       : input_(input),
         options_(options),
         past_(input.known()),
+        agent_class_(input.request.attacker_class.value_or(AgentClass::kPedestrian)),
         traffic_(past_, input.future, input.request.tta, kInterval),
         random_(input.request.seed) {}
 
@@ -38,7 +38,8 @@ class WalkerInsertion {
     AddedVehicles walkers;
     if (!input_.past) {
       walkers.status = {StatusCode::kNoCandidate,
-                        "no pedestrian can be added live: the ego has seen the roadside"};
+                        std::string("no ") + toString(agent_class_) +
+                            " can be added live: the ego has seen the roadside"};
       return walkers;
     }
     for (const Track* ego : egos()) {
@@ -93,7 +94,7 @@ class WalkerInsertion {
         ++reasons_[reason];
         continue;
       }
-      Track track{newVehicleId(past_, found), AgentClass::kPedestrian, size, {}};
+      Track track{newVehicleId(past_, found), agent_class_, size, {}};
       for (const AgentState& frame : past_.ego.states) {
         track.states.push_back({frame.time, start, {0.0, 0.0}});
       }
@@ -116,8 +117,8 @@ class WalkerInsertion {
   const char* whyNotFrom(const Pose2& start, const BoxSize& size, double away,
                          double contact) const {
     const std::optional<Range>& departure = input_.request.departure_time;
-    if (away > kFastest * (contact - (departure ? departure->min : 0.0)))
-      return "would have to run too fast";
+    const double duration = contact - (departure ? departure->min : 0.0);
+    if (away > gaitOf(agent_class_).fastest_mean * duration) return "would have to run too fast";
     if (!isWherePeopleWalk(start.position(), input_.lanes)) return "would wait where nobody walks";
     if (input_.lanes.drivable().contains(start.position())) return "would wait in the road";
     for (int instant = traffic_.firstInstant(); instant <= 0; ++instant) {
@@ -130,14 +131,14 @@ class WalkerInsertion {
 
   BoxSize drawSize() {
     const auto& kinds = options_.added.kinds;
-    const auto kind = std::find_if(kinds.begin(), kinds.end(), [](const AddedKind& each) {
-      return each.agent_class == AgentClass::kPedestrian;
+    const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const AddedKind& each) {
+      return each.agent_class == agent_class_;
     });
     return {kind->length + random_.bell(kind->length_deviation), kind->width};
   }
 
   Status refusal() const {
-    std::string message = "no pedestrian can be added";
+    std::string message = std::string("no ") + toString(agent_class_) + " can be added";
     const char* sign = ": ";
     for (const auto& [reason, count] : reasons_) {
       message += sign + std::to_string(count) + " " + reason;
@@ -149,6 +150,7 @@ class WalkerInsertion {
   const AddedVehicleInput& input_;
   const AttackOptions& options_;
   const Snapshot& past_;
+  AgentClass agent_class_;
   RecordedTraffic traffic_;
   Random random_;
   std::map<std::string, int> reasons_;

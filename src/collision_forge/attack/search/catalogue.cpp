@@ -158,6 +158,30 @@ class Reader {
 
 }  // namespace
 
+bool isInstance(const CollisionRequest& cell, const CollisionRequest& request, const Attack& attack,
+                const std::optional<ContactConditions>& conditions) {
+  const auto fits = [](const auto& wanted, const auto& is) { return !wanted || *wanted == is; };
+  const CollisionReport& report = attack.report;
+  if (cell.type != request.type || cell.turning != request.turning ||
+      !fits(cell.attacker_class, attack.trajectory.agent_class) ||
+      !fits(cell.manoeuvre, report.manoeuvre) || !fits(cell.ego_side, report.ego_side)) {
+    return false;
+  }
+  const bool has_queue = std::any_of(
+      attack.supports.begin(), attack.supports.end(),
+      [](const SupportVehicle& support) { return support.role == SupportRole::kQueue; });
+  if (cell.queue && !has_queue) return false;
+  if (!asksForConditions(cell)) return true;
+  if (!conditions || !fits(cell.from_side, conditions->from_side)) return false;
+  if (cell.hidden_by && conditions->hidden_by != cell.hidden_by) return false;
+  return std::all_of(std::begin(kRangeControls), std::end(kRangeControls),
+                     [&](const RangeControl& control) {
+                       const std::optional<Range>& range = cell.*control.asked;
+                       const double measured = (*conditions).*control.measured;
+                       return !range || (measured >= range->min && measured <= range->max);
+                     });
+}
+
 std::vector<std::string> catalogueNames(const ConfigFolder& folder) {
   std::vector<std::string> names;
   for (const std::string& file : folder.files(kFolder)) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "collision_forge/base/config/config_folder.h"
+#include "collision_forge/base/scene/attack.h"
 #include "collision_forge/base/scene/collision_request.h"
 
 namespace forge {
@@ -32,6 +34,14 @@ struct CatalogueEntry {
   /// the file.
   std::vector<CatalogueCell> cells;
 };
+
+/// Returns true if `attack`, which was found for `request`, also meets `cell`: type and turning (of
+/// `request`), class, manoeuvre, side of the ego and, as measured in `conditions` at the contact of
+/// `attack`, the conditions of `cell`: `from_side`, `hidden_by` and kRangeControls. Without
+/// `conditions`, a cell that has conditions is not met. A cell with a queue is met only by an
+/// attack with a support vehicle of role kQueue. Ignores `impact_speed` and `overlap` of `cell`.
+bool isInstance(const CollisionRequest& cell, const CollisionRequest& request, const Attack& attack,
+                const std::optional<ContactConditions>& conditions);
 
 /// Returns the names of the catalogues in the configuration (files catalogue/NAME.yaml, without
 /// extension), sorted; empty without such files.

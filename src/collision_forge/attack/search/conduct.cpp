@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "collision_forge/attack/search/walker_path.h"
 #include "collision_forge/attack/verify/believability.h"
 #include "collision_forge/attack/verify/step_out.h"
 #include "collision_forge/attack/verify/verification.h"
@@ -12,9 +13,6 @@ namespace {
 // s before the contact at which a standing vehicle starts, chosen on recorded scenes
 // (docs/results.md).
 constexpr double kStarts[] = {1.6, 2.3, 3.2};
-// m/s of a pedestrian who steps out: walking, fast and running; recorded walkers have 1.24.
-constexpr double kWalkingSpeeds[] = {1.3, 1.7, 2.4};
-constexpr double kWalkingAcceleration = 1.0;  // m/s2, Euro NCAP's walker
 // Cost per second off the lane before before_contact of config/believability.yaml.
 constexpr double kDepartureWeight = 0.2;
 
@@ -46,13 +44,15 @@ class DrivingConduct : public Conduct {
 
 class WalkingConduct : public Conduct {
  public:
-  explicit WalkingConduct(const SearchInput& input)
-      : is_believable_(!input.request.crash.believable), lanes_(input.lanes) {}
+  WalkingConduct(AgentClass agent_class, const SearchInput& input)
+      : gait_(gaitOf(agent_class)),
+        is_believable_(!input.request.crash.believable),
+        lanes_(input.lanes) {}
 
   std::vector<double> startsBefore(double distance) const override {
     std::vector<double> starts;
-    for (const double speed : kWalkingSpeeds) {
-      starts.push_back(std::max(0.0, distance) / speed + 0.5 * speed / kWalkingAcceleration);
+    for (const double speed : gait_.speeds) {
+      starts.push_back(std::max(0.0, distance) / speed + 0.5 * speed / gait_.acceleration);
     }
     return starts;
   }
@@ -67,6 +67,7 @@ class WalkingConduct : public Conduct {
   double departureCost(double) const override { return 0.0; }
 
  private:
+  Gait gait_;
   bool is_believable_;  // whatever the motion
   const LaneIndex& lanes_;
 };
@@ -75,7 +76,7 @@ class WalkingConduct : public Conduct {
 
 std::unique_ptr<const Conduct> conductOf(AgentClass agent_class, const SearchInput& input,
                                          const VerificationOptions& options) {
-  if (agent_class == AgentClass::kPedestrian) return std::make_unique<WalkingConduct>(input);
+  if (isOnFoot(agent_class)) return std::make_unique<WalkingConduct>(agent_class, input);
   return std::make_unique<DrivingConduct>(input, options.believability);
 }
 

@@ -10,12 +10,12 @@ namespace forge {
 
 /// Road use of an attacker until the contact, and whether it is acceptable.
 struct RoadVerdict {
-  RoadUse road;               ///< as roadUseOfAttack(); of a pedestrian only on_lane = 1 is set
+  RoadUse road;               ///< as roadUseOfAttack(); of a person on foot only on_lane = 1 is set
   bool is_believable = true;  ///< the motion is plausible, or the request does not require it
 };
 
-/// How attackers of a kind move until the contact: vehicles drive on lanes, pedestrians walk beside
-/// the road and step out. Immutable.
+/// How attackers of a kind move until the contact: vehicles drive on lanes, people on foot walk
+/// beside the road and step out. Immutable.
 class Conduct {
  public:
   virtual ~Conduct() = default;
@@ -29,7 +29,7 @@ class Conduct {
                             double contact) const = 0;
   /// Returns the cost of leaving the lane `departure` s before the contact, as a share of the
   /// futures: 0 up to BelievabilityOptions::before_contact, then 0.2 per s; always 0 for
-  /// pedestrians.
+  /// people on foot.
   virtual double departureCost(double departure) const = 0;
 };
 

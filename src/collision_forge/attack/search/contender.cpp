@@ -42,7 +42,7 @@ void addRoutes(Contender& entry, const SearchInput& input, const AttackOptions& 
     entry.routes.emplace_back(way->second, now, entry.driver->limits(), variation);
     return;
   }
-  if (entry.track->agent_class == AgentClass::kPedestrian) {
+  if (isOnFoot(entry.track->agent_class)) {
     addWalks(entry, input, variation);
     return;
   }

@@ -140,13 +140,14 @@ class LeaderSearch {
     if (distance(ego, {courseAt(now_ + tried.time_gap), size}) < kLeastGap) {
       return "drive too close to the ego";
     }
-    leader.role = Hider::kLeader;
+    leader.role = SupportRole::kLeader;
     leader.motion = {search_.newId("leader", 0), kind.agent_class, size, {}};
     if (!drive(cut_out, leader.motion)) return "break a limit";
     if (!endsInLane(cut_out, leader.motion)) return "miss the neighbouring lane";
     if (const char* problem = whyNot(leader.motion)) return problem;
-    const Hiding hiding = search_.hidingBy([&](double time, std::vector<OrientedBox>& boxes) {
-      boxes.push_back({poseAt(leader.motion, time), size});
+    const Hiding hiding = search_.hidingBy([&](double time, std::vector<Block>& blocks) {
+      blocks.push_back(
+          {{poseAt(leader.motion, time), size}, typicalHeight(kind.agent_class, size)});
     });
     return search_.isInRange(hiding) ? nullptr : "do not hide the attacker until visible_for";
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "collision_forge/attack/verify/visibility.h"
 #include "collision_forge/base/scene/find_track.h"
 
 namespace forge {
@@ -31,30 +30,46 @@ RecordedTraffic trafficOf(const HidingInput& input) {
 
 }  // namespace
 
+AttackerTrajectory standingVehicle(const std::string& id, const AddedKind& kind, const Pose2& pose,
+                                   const HidingInput& input) {
+  AttackerTrajectory motion{id, kind.agent_class, {kind.length, kind.width}, {}};
+  for (const AgentState& frame : input.past.ego.states) {
+    motion.past.push_back({frame.time, pose, Vector2::Zero()});
+  }
+  const double begin = input.attacker.points.front().time;
+  const double end = input.attacker.points.back().time;
+  for (double time = begin; time < end + kFrameInterval; time += kFrameInterval) {
+    motion.points.push_back({time, pose, 0.0, 0.0, 0.0});
+  }
+  return motion;
+}
+
 HidingSearch::HidingSearch(const HidingInput& input) : input_(input), traffic_(trafficOf(input)) {
   observe();
 }
 
 void HidingSearch::observe() {
+  const std::string& id = input_.attacker.attacker_id;
+  Track attacker{id, input_.attacker.agent_class, input_.attacker.size, {}};
+  if (const Track* recorded = findTrack(input_.future.agents, id)) {
+    attacker.height = recorded->height;
+  }
   for (double time = input_.attacker.points.front().time; time < input_.contact - 1e-9;
        time += kSightStep) {
     const auto ego = stateAt(input_.future.ego, time);
     if (!ego) continue;
-    Look look{
-        time, ego->pose.position(), {poseAt(input_.attacker, time), input_.attacker.size}, {}};
+    Look look{time, ego->pose.position(), blockAt(attacker, poseAt(input_.attacker, time)), {}};
     for (const Track& agent : input_.future.agents) {
       const auto state = stateAt(agent, time);
-      if (agent.id != input_.attacker.attacker_id && state) {
-        look.others.push_back(boxAt(agent, state->pose));
-      }
+      if (agent.id != id && state) look.others.push_back(blockAt(agent, state->pose));
     }
     looks_.push_back(std::move(look));
   }
 }
 
-Hiding HidingSearch::hidingBy(const AddBoxes& add) const {
+Hiding HidingSearch::hidingBy(const AddBlocks& add) const {
   const auto isHidden = [&](const Look& look) {
-    std::vector<OrientedBox> others = look.others;
+    std::vector<Block> others = look.others;
     add(look.time, others);
     return viewOf(look.from, look.target, others).visible < kSeenShare;
   };
@@ -71,12 +86,12 @@ bool HidingSearch::isInRange(const Hiding& hiding) const {
          hiding.visible_for <= input_.visible_for.max;
 }
 
-bool HidingSearch::mayHide(const OrientedBox& box) const {
+bool HidingSearch::mayHide(const Block& block) const {
   return std::any_of(looks_.begin(), looks_.end(), [&](const Look& look) {
     const double before = input_.contact - look.time;
     const bool is_near_sight =
         before >= input_.visible_for.min && before <= input_.visible_for.max + 2.0 * kSightStep;
-    return is_near_sight && viewOf(look.from, look.target, {box}).visible < kSeenShare;
+    return is_near_sight && viewOf(look.from, look.target, {block}).visible < kSeenShare;
   });
 }
 

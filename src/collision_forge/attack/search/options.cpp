@@ -34,7 +34,10 @@ static std::vector<AddedKind> readKinds(Section section) {
         {"emergency_vehicle", AgentClass::kEmergencyVehicle},
         {"motorcycle", AgentClass::kMotorcycle},
         {"bicycle", AgentClass::kBicycle},
-        {"pedestrian", AgentClass::kPedestrian}}) {
+        {"pedestrian", AgentClass::kPedestrian},
+        {"child", AgentClass::kChild},
+        {"runner", AgentClass::kRunner},
+        {"scooter", AgentClass::kScooter}}) {
     Section row = section.section(name);
     kinds.push_back({agent_class, row.share("share"), row.positive("length"),
                      row.nonNegative("length_deviation"), row.positive("width")});

@@ -37,7 +37,8 @@ struct AddedKind {
 struct AddedVehicleOptions {
   std::vector<AddedKind> kinds;  ///< one per kind of the file, in the order car, van, truck (both
                                  ///< AgentClass::kTruck), bus, construction and emergency vehicle,
-                                 ///< motorcycle, bicycle, pedestrian; the first is the car
+                                 ///< motorcycle, bicycle, pedestrian, child, runner, scooter; the
+                                 ///< first is the car
   int candidates = 0;            ///< most vehicles searched if the ego's future is known
   int predicted_candidates = 0;  ///< most vehicles searched if the ego's future is predicted
   /// difference of scoreOf() by which an added attacker must exceed a recorded one

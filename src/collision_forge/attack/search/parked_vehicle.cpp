@@ -29,8 +29,20 @@ constexpr std::size_t kMost = 2;         // parked vehicles
 /// A place where a parked vehicle fits.
 struct Place {
   OrientedBox box;
+  const AddedKind* kind = nullptr;
   bool is_in_lane = false;
 };
+
+/// Returns true for cars and vans.
+bool parks(const AddedKind& kind, const DriveLimitOptions& limits) {
+  const BoxSize size{kind.length, kind.width};
+  const VehicleClass kept = vehicleClassOf(kind.agent_class, size, limits);
+  return kept == VehicleClass::kCar || kept == VehicleClass::kVan;
+}
+
+Block blockOf(const OrientedBox& box, const AddedKind& kind) {
+  return {box, typicalHeight(kind.agent_class, box.size)};
+}
 
 class ParkingSearch {
  public:
@@ -45,17 +57,21 @@ class ParkingSearch {
 
   std::vector<SupportVehicle> run(Status& refusal) {
     const std::vector<Place> places = fittingPlaces();
-    std::vector<OrientedBox> chosen;
+    std::vector<Place> chosen;
     const Place* best = nullptr;
     for (std::size_t count = 0; count < kMost; ++count) {
       const Place* added = bestOf(places, chosen, best);
       if (!added) break;
-      chosen.push_back(added->box);
+      chosen.push_back(*added);
       best = added;
     }
     if (chosen.empty()) refusal = refusalOf(places.size());
     std::vector<SupportVehicle> supports;
-    for (const OrientedBox& box : chosen) supports.push_back(parked(box, supports.size()));
+    for (const Place& place : chosen) {
+      supports.push_back(
+          {SupportRole::kParkedVehicle, standingVehicle(search_.newId("parked", supports.size()),
+                                                        *place.kind, place.box.center, input_)});
+    }
     return supports;
   }
 
@@ -80,16 +96,16 @@ class ParkingSearch {
     const std::optional<double> kerb = kerbBeside(middle, side);
     if (!kerb) return;
     for (const AddedKind& kind : options_.added.kinds) {
-      if (kind.agent_class != AgentClass::kCar) continue;
+      if (!parks(kind, options_.verification.drivable)) continue;
       const double across = *kerb - kKerbGap - 0.5 * kind.width;
       const OrientedBox box{compose(middle, {0.0, side * across, 0.0}), {kind.length, kind.width}};
-      if (!search_.mayHide(box)) continue;
+      if (!search_.mayHide(blockOf(box, kind))) continue;
       if (const char* reason = whyNotAt(box)) {
         ++reasons_[reason];
         continue;
       }
       const bool is_in_lane = !input_.lanes.lanesNear(box.center, kInLane, kLaneHeading).empty();
-      places.push_back({box, is_in_lane});
+      places.push_back({box, &kind, is_in_lane});
     }
   }
 
@@ -134,53 +150,43 @@ class ParkingSearch {
     });
   }
 
-  Hiding hidingBy(const std::vector<OrientedBox>& parked) const {
-    return search_.hidingBy([&](double, std::vector<OrientedBox>& boxes) {
-      boxes.insert(boxes.end(), parked.begin(), parked.end());
+  Hiding hidingBy(const std::vector<Place>& parked) const {
+    return search_.hidingBy([&](double, std::vector<Block>& blocks) {
+      for (const Place& place : parked) blocks.push_back(blockOf(place.box, *place.kind));
     });
   }
 
-  /// Returns the rank of a place, smallest first: beside the lanes, long hidden, seen late.
-  static std::tuple<bool, int, double> rankOf(const Place& place, const Hiding& hiding) {
-    return {place.is_in_lane, -std::min(hiding.hidden, kLongHidden), hiding.visible_for};
+  using Rank = std::tuple<bool, bool, int, double>;
+
+  /// Returns the rank of a place, smallest first: beside the lanes, of a car, long hidden, seen
+  /// late.
+  static Rank rankOf(const Place& place, const Hiding& hiding) {
+    return {place.is_in_lane, place.kind->agent_class != AgentClass::kCar,
+            -std::min(hiding.hidden, kLongHidden), hiding.visible_for};
   }
 
   /// Returns the place that hides the attacker best together with the chosen ones; null if none
-  /// hides it for longer than they do. A second vehicle stands as the first one, in a lane or
-  /// beside.
-  const Place* bestOf(const std::vector<Place>& places, const std::vector<OrientedBox>& chosen,
+  /// hides it for longer than they do. A second vehicle is of the kind of the first one and stands
+  /// as it does, in a lane or beside.
+  const Place* bestOf(const std::vector<Place>& places, const std::vector<Place>& chosen,
                       const Place* before) const {
     const Place* best = nullptr;
-    std::tuple<bool, int, double> rank{true, 1, 0.0};
+    Rank rank{true, true, 1, 0.0};
     if (before) rank = rankOf(*before, hidingBy(chosen));
     for (const Place& place : places) {
-      const bool is_apart = std::all_of(
-          chosen.begin(), chosen.end(),
-          [&](const OrientedBox& other) { return !overlaps(shrunk(other, -kBetween), place.box); });
+      if (before && place.kind != before->kind) continue;
+      const bool is_apart = std::all_of(chosen.begin(), chosen.end(), [&](const Place& other) {
+        return !overlaps(shrunk(other.box, -kBetween), place.box);
+      });
       if (!is_apart) continue;
-      std::vector<OrientedBox> all = chosen;
-      all.push_back(place.box);
+      std::vector<Place> all = chosen;
+      all.push_back(place);
       const Hiding hiding = hidingBy(all);
       if (!search_.isInRange(hiding) || !(rankOf(place, hiding) < rank)) continue;
       best = &place;
       rank = rankOf(place, hiding);
     }
     return best;
-  }
-
-  SupportVehicle parked(const OrientedBox& box, std::size_t number) const {
-    AttackerTrajectory motion;
-    motion.attacker_id = search_.newId("parked", number);
-    motion.size = box.size;
-    for (const AgentState& frame : input_.past.ego.states) {
-      motion.past.push_back({frame.time, box.center, Vector2::Zero()});
-    }
-    const double begin = input_.attacker.points.front().time;
-    const double end = input_.attacker.points.back().time;
-    for (double time = begin; time < end + kFrameInterval; time += kFrameInterval) {
-      motion.points.push_back({time, box.center, 0.0, 0.0, 0.0});
-    }
-    return {Hider::kParkedVehicle, motion};
   }
 
   Status refusalOf(std::size_t fitting) const {

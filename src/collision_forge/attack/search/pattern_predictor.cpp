@@ -35,7 +35,7 @@ double speedMismatch(const CollisionPattern& pattern, const Motion& motion, doub
 bool approachFitsType(const Track& agent, const Snapshot& snapshot,
                       const CollisionRequest& request) {
   if (request.crash.rules == TypeRules::kAngle) return true;
-  if (agent.agent_class == AgentClass::kPedestrian) return true;  // turns on the spot
+  if (isOnFoot(agent.agent_class)) return true;  // turns on the spot
   const double approach =
       angleBetween(snapshot.ego.states.back().pose.yaw, agent.states.back().pose.yaw);
   return approachFits(approach, request.bands());

@@ -21,6 +21,11 @@ const std::vector<PhraseRule> kFixedRules = {
     {"(?:from )?behind (?:(?:a|an|the|two|some) )?(?:parked|standing|stationary) "
      "(?:cars?|vans?|vehicles?)",
      "hidden_by=parked_vehicle"},
+    {"(?:at )?(?:the )?(?:end|tail) of (?:a |the )?(?:traffic )?queue|(?:two|2) "
+     "(?:stopped|stationary|standing) (?:cars|vehicles)",
+     "queue=true manoeuvre=lead_stopped"},
+    {"(?:pedestrian|adult|person)(?= runs? (?:across|out|(?:in|on)to the " ROAD "))",
+     "attacker_class=runner"},
     // Would be read as road users, vehicles behind or ahead, or signs.
     {"(?:from )?behind (?:(?:a|an|the|two|some) )?(?:(?:large|small|parked|standing|stationary) "
      ")*(?:cars?|vans?|trucks?|bus|vehicles?|obstacles?|obstruction)",
@@ -206,7 +211,11 @@ const std::vector<PhraseRule> kFixedRules = {
      "attacker_class=construction_vehicle"},
     {"motor ?cycl(?:e|es|ist|ists)|motor ?bikes?", "attacker_class=motorcycle"},
     {"(?:bi)?cycl(?:e|es|ist|ists)|bikes?", "attacker_class=bicycle"},
-    {"pedestrians?|peds?|persons?|adults?|walkers?|joggers?|runners?|jaywalkers?|on foot",
+    {"(?:e )?(?:kick )?scooters?|scooter riders?|personal mobility(?: devices?)?|segways?",
+     "attacker_class=scooter"},
+    {"child(?:ren)?|kids?|toddlers?|(?:school)?(?:boy|girl)s?|pupils?", "attacker_class=child"},
+    {"joggers?|runners?|running (?:pedestrian|adult|person)", "attacker_class=runner"},
+    {"pedestrians?|peds?|persons?|adults?|walkers?|jaywalkers?|on foot",
      "attacker_class=pedestrian"},
     {"cars?|taxi|cab|van|sedan|suv|hatchback", "attacker_class=car"},
     // Choices.

@@ -149,6 +149,14 @@ Status checkConditions(const CollisionRequest& request) {
     return contradicts("departure_time = ", request.departure_time->min,
                        " s at least is after the contact, tta = ", request.tta, " s");
   }
+  if (request.queue && request.type != CollisionType::kRearEnd) {
+    return contradicts("queue = true requires type = rear_end, not type = ",
+                       toString(request.type));
+  }
+  if (request.queue && manoeuvre.value_or(Manoeuvre::kLeadStopped) != Manoeuvre::kLeadStopped) {
+    return contradicts("queue = true requires manoeuvre = lead_stopped, not manoeuvre = ",
+                       toString(*manoeuvre));
+  }
   const bool keeps_speed =
       manoeuvre == Manoeuvre::kLeadStopped || manoeuvre == Manoeuvre::kLeadSlow;
   if (keeps_speed && request.deceleration && request.deceleration->min > kBrakingLead) {
@@ -174,10 +182,10 @@ bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionO
 bool stands(const Track& agent) { return estimateMotion(agent).speed < kStandstillSpeed; }
 
 bool asksForPedestrian(const CollisionRequest& request, const Snapshot& snapshot) {
-  if (request.attacker_class) return *request.attacker_class == AgentClass::kPedestrian;
+  if (request.attacker_class) return isOnFoot(*request.attacker_class);
   const Track* attacker =
       request.attacker ? findTrack(snapshot.agents, *request.attacker) : nullptr;
-  return attacker != nullptr && attacker->agent_class == AgentClass::kPedestrian;
+  return attacker != nullptr && isOnFoot(attacker->agent_class);
 }
 
 CollisionRequest withFullId(CollisionRequest request, const Snapshot& snapshot) {
@@ -241,6 +249,9 @@ Status checkControls(const CollisionRequest& request) {
     return refuse(StatusCode::kInvalidInput, "hidden_by = ", toString(*request.hidden_by),
                   " is not supported with mode = adaptive");
   }
+  if (request.mode == Mode::kAdaptive && request.queue) {
+    return refuse(StatusCode::kInvalidInput, "queue = true is not supported with mode = adaptive");
+  }
   if (request.mode == Mode::kAdaptive && request.alternatives > 1) {
     return refuse(StatusCode::kInvalidInput, "alternatives = ", request.alternatives,
                   " is not supported with mode = adaptive, which drives one attacker");
@@ -263,7 +274,7 @@ Status checkRequest(const CollisionRequest& request, const Snapshot& snapshot,
   if (controls.code != StatusCode::kOk) return controls;
   if (request.mode == Mode::kAdaptive && asksForPedestrian(request, snapshot)) {
     return refuse(StatusCode::kInvalidInput,
-                  "mode = adaptive is not supported for a pedestrian as the attacker");
+                  "mode = adaptive is not supported for a person on foot as the attacker");
   }
   const Status ego = checkEgo(snapshot);
   if (ego.code != StatusCode::kOk) return ego;

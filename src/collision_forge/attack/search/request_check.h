@@ -19,8 +19,8 @@ bool isCandidate(const Track& agent, const Snapshot& snapshot, const PredictionO
 /// its track, which must have one.
 bool stands(const Track& agent);
 
-/// Returns true if the request names the class pedestrian or, without a class, a pedestrian of the
-/// snapshot as attacker.
+/// Returns true if the request names a class on foot (isOnFoot()) or, without a class, a person on
+/// foot of the snapshot as attacker.
 bool asksForPedestrian(const CollisionRequest& request, const Snapshot& snapshot);
 
 /// Maximum number of attacks per request.
@@ -35,13 +35,14 @@ CollisionRequest withFullId(CollisionRequest request, const Snapshot& snapshot);
 /// impact speed, overlap or one of kRangeControls, a turning ego in another type than ltap, fields
 /// that exclude each other (`from_side`, `ego_side`, `impact_location`, speeds, times), a number of
 /// attacks outside 1 to kMaxAlternatives, plausible or adaptive attackers with strict limits,
-/// several adaptive attacks, or adaptive attacks with `hidden_by`. Returns kOk otherwise.
+/// several adaptive attacks, adaptive attacks with `hidden_by` or `queue`, or `queue` with another
+/// type than rear_end or another manoeuvre than lead_stopped. Returns kOk otherwise.
 Status checkControls(const CollisionRequest& request);
 
 /// Returns the first reason to reject a request before any search, else kOk: TTA out of range or
-/// NaN, checkControls(), an adaptive pedestrian (asksForPedestrian()), too short or NaN history, an
-/// ego without size, an unknown, absent, unfit or hitched attacker, one that moves at t0 with a
-/// `departure_time`. The attacker must be named by its full id; see withFullId().
+/// NaN, checkControls(), an adaptive person on foot (asksForPedestrian()), too short or NaN
+/// history, an ego without size, an unknown, absent, unfit or hitched attacker, one that moves at
+/// t0 with a `departure_time`. The attacker must be named by its full id; see withFullId().
 Status checkRequest(const CollisionRequest& request, const Snapshot& snapshot,
                     const PredictionOptions& options);
 

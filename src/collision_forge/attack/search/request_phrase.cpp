@@ -383,8 +383,8 @@ class Reader {
   void resolveType() {
     CollisionRequest& request = reading_.request;
     if (!reading_.name.empty()) return;
-    const bool walks = request.attacker_class == AgentClass::kPedestrian ||
-                       request.attacker_class == AgentClass::kBicycle;
+    const std::optional<AgentClass>& of_class = request.attacker_class;
+    const bool walks = of_class && (isOnFoot(*of_class) || isCycle(*of_class));
     if (!crossing_.empty() && !walks && !request.manoeuvre && !has_type_) {
       request.manoeuvre = Manoeuvre::kStraightCrossing;
     }
@@ -407,7 +407,7 @@ class Reader {
     }
     if (!hints_.empty()) return hints_.front();
     if (!pace_.empty() && !request.from_side) return CollisionType::kRearEnd;
-    if (walks && (request.from_side || request.attacker_class == AgentClass::kPedestrian)) {
+    if (walks && (request.from_side || isOnFoot(*request.attacker_class))) {
       return CollisionType::kJunctionCrossing;
     }
     return CollisionType::kAny;

@@ -8,6 +8,7 @@
 #include "collision_forge/attack/search/cut_out_leader.h"
 #include "collision_forge/attack/search/judge.h"
 #include "collision_forge/attack/search/parked_vehicle.h"
+#include "collision_forge/attack/search/queued_vehicle.h"
 #include "collision_forge/attack/search/request_check.h"
 #include "collision_forge/attack/verify/verification.h"
 #include "collision_forge/base/scene/support_vehicles.h"
@@ -44,10 +45,10 @@ std::vector<std::optional<Side>> sidesOf(const CollisionRequest& request) {
   return {Side::kRight, Side::kLeft};
 }
 
-/// Returns the request without what the support vehicles provide; behind a leader, a vehicle
-/// stands.
+/// Returns the request without what the support vehicles provide; behind a leader and in a queue, a
+/// vehicle stands.
 CollisionRequest openRequest(CollisionRequest request) {
-  if (request.hidden_by == Hider::kLeader && !request.manoeuvre) {
+  if ((request.hidden_by == Hider::kLeader || request.queue) && !request.manoeuvre) {
     request.manoeuvre = Manoeuvre::kLeadStopped;
   }
   request.hidden_by.reset();
@@ -98,7 +99,15 @@ SearchMethod::SearchMethod(const AttackOptions& options,
     : options_(options), predictor_(std::move(predictor)), realizer_(std::move(realizer)) {}
 
 Attack SearchMethod::answer(const Moment& moment, const CollisionRequest& request) const {
-  if (!request.hidden_by) return search(moment, request).attack;
+  if (!request.hidden_by && !request.queue) return search(moment, request).attack;
+  const Found found =
+      request.hidden_by ? searchHidden(moment, request) : search(moment, openRequest(request));
+  if (!request.queue || found.attack.status.code != StatusCode::kOk) return found.attack;
+  return queued(found, moment, request);
+}
+
+SearchMethod::Found SearchMethod::searchHidden(const Moment& moment,
+                                               const CollisionRequest& request) const {
   CollisionRequest open = openRequest(request);
   std::optional<Status> refusal;
   for (const std::optional<Side>& side : sidesOf(request)) {
@@ -107,20 +116,20 @@ Attack SearchMethod::answer(const Moment& moment, const CollisionRequest& reques
       open.tta = request.tta + shift;
       const Found found = search(moment, open);
       const bool is_found = found.attack.status.code == StatusCode::kOk;
-      const Attack answer = is_found ? hiddenBy(found, moment, request) : found.attack;
-      if (answer.status.code == StatusCode::kOk) return answer;
+      const Found answer = is_found ? hiddenBy(found, moment, request) : found;
+      if (answer.attack.status.code == StatusCode::kOk) return answer;
       // An attack that nothing hides says more than a side without an attack.
-      if (!refusal || (is_found && shift == 0.0)) refusal = answer.status;
+      if (!refusal || (is_found && shift == 0.0)) refusal = answer.attack.status;
       if (!is_found || request.hidden_by == Hider::kLeader) break;
     }
   }
-  return rejection(*refusal);
+  return {rejection(*refusal), {}};
 }
 
-Attack SearchMethod::hiddenBy(const Found& found, const Moment& moment,
-                              const CollisionRequest& request) const {
+SearchMethod::Found SearchMethod::hiddenBy(const Found& found, const Moment& moment,
+                                           const CollisionRequest& request) const {
   const auto refuse = [](const std::string& why) {
-    return rejection({StatusCode::kNoAttackWithinLimits, why});
+    return Found{rejection({StatusCode::kNoAttackWithinLimits, why}), {}};
   };
   const VerificationOptions& options = options_.verification;
   auto future = futureHit(found.attack, found.future, moment, openRequest(request), options);
@@ -133,7 +142,7 @@ Attack SearchMethod::hiddenBy(const Found& found, const Moment& moment,
     answer.report.confidence = confidence;
     return shortcomingOf(answer.report, request);
   };
-  if (judge().empty()) return answer;  // recorded vehicles hide it
+  if (judge().empty()) return {answer, *future};  // recorded vehicles hide it
   const std::string hider = toString(*request.hidden_by);
   if (!moment.past) {
     return refuse("no " + hider + " can be added live: the ego has seen where it would have been");
@@ -152,11 +161,47 @@ Attack SearchMethod::hiddenBy(const Found& found, const Moment& moment,
   }
   if (answer.supports.empty()) {
     refused.message = "no " + hider + " can be added: " + refused.message;
-    return rejection(refused);
+    return {rejection(refused), {}};
   }
   addSupports(answer.supports, *future);
   const std::string shortcoming = judge();
   if (!shortcoming.empty()) return refuse("behind a " + hider + ", the attack " + shortcoming);
+  return {answer, *future};
+}
+
+Attack SearchMethod::queued(const Found& found, const Moment& moment,
+                            const CollisionRequest& request) const {
+  const auto refuse = [](const std::string& why) {
+    return rejection({StatusCode::kNoAttackWithinLimits, why});
+  };
+  const VerificationOptions& options = options_.verification;
+  auto future = futureHit(found.attack, found.future, moment, openRequest(request), options);
+  if (!future) return refuse("the attack hits none of the ego's futures as requested");
+  Attack answer = found.attack;
+  const HidingInput input{answer.trajectory, answer.report.contact_time,
+                          *future,           moment.past ? *moment.past : moment.snapshot,
+                          *moment.lanes,     {}};
+  if (answer.report.manoeuvre != Manoeuvre::kLeadStopped) {
+    return refuse("the attacker does not stand in the ego's lane");
+  }
+  if (isQueued(input)) return answer;
+  if (!moment.past) {
+    return refuse("no queue can be added live: the ego has seen where it would have been");
+  }
+  Status refused;
+  auto vehicle = findQueuedVehicle(input, options_, refused);
+  if (!vehicle) {
+    refused.message = "no queue can be added: " + refused.message;
+    return rejection(refused);
+  }
+  addSupports({*vehicle}, *future);
+  answer.supports.push_back(std::move(*vehicle));
+  const double confidence = answer.report.confidence;
+  answer.report =
+      verify(answer.trajectory, {moment.snapshot, *future, request, *moment.lanes}, options);
+  answer.report.confidence = confidence;
+  const std::string shortcoming = shortcomingOf(answer.report, request);
+  if (!shortcoming.empty()) return refuse("before a queue, the attack " + shortcoming);
   return answer;
 }
 

@@ -17,8 +17,10 @@ namespace forge {
 /// the result is kNoCandidate. For a request with `hidden_by`, searches attacks without it (from
 /// either side, for kParkedVehicle also 0.3 s earlier and later; for kLeader with the manoeuvre
 /// kLeadStopped unless one is requested) and adds the support vehicles that hide one; rejected if
-/// neither recorded nor support vehicles hide one. Plausible attackers are searched by
-/// SearchedMotion::kByRoutes first, then, except pedestrians, by kAny if that finds no attack.
+/// neither recorded nor support vehicles hide one. For a request with `queue`, searches attacks of
+/// kLeadStopped and adds a support vehicle that stands ahead of the attacker unless an agent does
+/// (isQueued()); rejected if there is no place for one. Plausible attackers are searched by
+/// SearchedMotion::kByRoutes first, then, except people on foot, by kAny if that finds no attack.
 class SearchMethod : public AttackMethod {
  public:
   /// Uses SearchRealizer. `predictor` must not be null.
@@ -36,7 +38,9 @@ class SearchMethod : public AttackMethod {
     Future future;
   };
   Found search(const Moment& moment, const CollisionRequest& request) const;
-  Attack hiddenBy(const Found& found, const Moment& moment, const CollisionRequest& request) const;
+  Found searchHidden(const Moment& moment, const CollisionRequest& request) const;
+  Found hiddenBy(const Found& found, const Moment& moment, const CollisionRequest& request) const;
+  Attack queued(const Found& found, const Moment& moment, const CollisionRequest& request) const;
 
   AttackOptions options_;
   std::shared_ptr<const PatternPredictor> predictor_;

@@ -76,6 +76,7 @@ void readPart(Section& section, VulnerableOptions& vulnerable) {
   Section shift = section.section("rider_shift");
   vulnerable.bicycle_shift = shift.nonNegative("bicycle");
   vulnerable.motorcycle_shift = shift.nonNegative("motorcycle");
+  vulnerable.scooter_shift = shift.nonNegative("scooter");
   shift.finish();
 }
 

@@ -57,6 +57,7 @@ struct VulnerableOptions {
   std::array<double, 4> fatal = {};  ///< of a fatal injury
   double bicycle_shift = 0.0;        ///< km/h more than a pedestrian needs for the same probability
   double motorcycle_shift = 0.0;     ///< km/h, the same for a motorcyclist
+  double scooter_shift = 0.0;        ///< km/h, the same for the rider of a scooter
 };
 
 /// Motion on the road after the impact, until both parties stand.
@@ -82,7 +83,8 @@ struct SeverityBounds {
 
 /// config/severity.yaml, which has the sources.
 struct SeverityOptions {
-  std::array<BodyOptions, 11> bodies;  ///< in the order of AgentClass
+  /// In the order of AgentClass.
+  std::array<BodyOptions, static_cast<std::size_t>(kLastAgentClass) + 1> bodies;
   /// s from the first touch, at unchanged velocities, to the overlap in whose middle the impulse
   /// acts
   double engagement = 0.0;

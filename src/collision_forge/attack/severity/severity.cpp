@@ -11,12 +11,10 @@ namespace {
 constexpr double kKmh = 1.0 / 3.6;  // m/s
 
 bool isRider(AgentClass agent_class) {
-  return agent_class == AgentClass::kMotorcycle || agent_class == AgentClass::kBicycle;
+  return agent_class == AgentClass::kMotorcycle || isCycle(agent_class);
 }
 
-bool isVulnerable(AgentClass agent_class) {
-  return agent_class == AgentClass::kPedestrian || isRider(agent_class);
-}
+bool isVulnerable(AgentClass agent_class) { return isOnFoot(agent_class) || isRider(agent_class); }
 
 bool hasOccupants(AgentClass agent_class) {
   return isMotorVehicle(agent_class) && !isVulnerable(agent_class);
@@ -78,6 +76,7 @@ void addVulnerable(AgentClass person, const CrashedVehicle& vehicle, double clos
   constexpr double kClassShare = 0.1;
   const double shift = person == AgentClass::kMotorcycle ? curves.motorcycle_shift
                        : person == AgentClass::kBicycle  ? curves.bicycle_shift
+                       : person == AgentClass::kScooter  ? curves.scooter_shift
                                                          : 0.0;
   const double edge =
       vehicle.agent_class == AgentClass::kCar ? curves.car_bonnet_edge : curves.other_bonnet_edge;

@@ -8,8 +8,8 @@ namespace forge {
 
 /// Motion of a crashed vehicle or person on the road after an impact: a rigid body on four wheels
 /// that roll, brake or are locked, each with Coulomb friction against its local sliding velocity. A
-/// pedestrian, animal, rider (motorcycle, bicycle) or object has no wheels and slides on the same
-/// four points.
+/// person on foot, animal, rider (motorcycle, bicycle, scooter) or object has no wheels and slides
+/// on the same four points.
 class SlidingBody {
  public:
   /// `party`: state at the impact; the body starts without yaw rate and with unlocked wheels.

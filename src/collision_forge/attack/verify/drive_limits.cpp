@@ -19,6 +19,9 @@ constexpr EnumWord<VehicleClass> kClassWords[] = {
     {VehicleClass::kMotorcycle, "motorcycle"},
     {VehicleClass::kBicycle, "bicycle"},
     {VehicleClass::kPedestrian, "pedestrian"},
+    {VehicleClass::kChild, "child"},
+    {VehicleClass::kRunner, "runner"},
+    {VehicleClass::kScooter, "scooter"},
 };
 
 void readRow(Section& section, DriveLimits& row) {
@@ -57,6 +60,12 @@ VehicleClass vehicleClassOf(AgentClass agent_class, const BoxSize& size,
       return VehicleClass::kBicycle;
     case AgentClass::kPedestrian:
       return VehicleClass::kPedestrian;
+    case AgentClass::kChild:
+      return VehicleClass::kChild;
+    case AgentClass::kRunner:
+      return VehicleClass::kRunner;
+    case AgentClass::kScooter:
+      return VehicleClass::kScooter;
     default:
       return size.length > options.car_length ? VehicleClass::kVan : VehicleClass::kCar;
   }

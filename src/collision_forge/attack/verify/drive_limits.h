@@ -41,16 +41,21 @@ enum class VehicleClass {
   kConstruction,  ///< construction vehicle
   kMotorcycle,    ///< motorcycle with rider
   kBicycle,       ///< bicycle with rider
-  kPedestrian,    ///< person on foot, as a box that turns like a very short vehicle
+  kPedestrian,    ///< adult on foot, as a box that turns like a very short vehicle
+  kChild,         ///< child on foot, as a box like kPedestrian
+  kRunner,        ///< adult on foot who runs, as a box like kPedestrian
+  kScooter,       ///< e-scooter or other personal mobility device, with its rider
 };
-inline constexpr std::array<VehicleClass, 10> kVehicleClasses = {
+inline constexpr std::array<VehicleClass, 13> kVehicleClasses = {
     VehicleClass::kCar,          VehicleClass::kVan,        VehicleClass::kEmergency,
     VehicleClass::kTruck,        VehicleClass::kBus,        VehicleClass::kArticulated,
     VehicleClass::kConstruction, VehicleClass::kMotorcycle, VehicleClass::kBicycle,
-    VehicleClass::kPedestrian};
+    VehicleClass::kPedestrian,   VehicleClass::kChild,      VehicleClass::kRunner,
+    VehicleClass::kScooter};
 
 /// Returns the class's key in config/vehicle_limits.yaml: "car", "van", "emergency", "truck",
-/// "bus", "articulated", "construction", "motorcycle", "bicycle" or "pedestrian".
+/// "bus", "articulated", "construction", "motorcycle", "bicycle", "pedestrian", "child", "runner"
+/// or "scooter".
 const char* toString(VehicleClass vehicle_class);
 
 /// Keys `drivable` and `lengths` of config/vehicle_limits.yaml, which has the sources.

@@ -114,8 +114,8 @@ void judgeContact(const AttackerTrajectory& trajectory, const VerificationInput&
         stateAt(input.future.ego, start.time).value_or(input.future.ego.states.front());
     const Pose2 offset = relativeTo(report.ego_at_contact, report.attacker_at_contact);
     const DrivingSide driving_side = input.lanes.map().driving_side;
-    // A pedestrian may turn towards the road at any time.
-    const bool approaches = trajectory.agent_class == AgentClass::kPedestrian ||
+    // A person on foot may turn towards the road at any time.
+    const bool approaches = isOnFoot(trajectory.agent_class) ||
                             approachFits(angleBetween(ego_now.pose.yaw, start.pose.yaw), type);
     report.type_kept = report.type_kept && approaches &&
                        contactFits(input.request.type, offset, input.future.ego.size,
@@ -245,7 +245,7 @@ CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationI
   report.road = roadUseOn(input.lanes);
   const LaneIndex& driven = drivenLanes(input.request, input.lanes);
   const RoadUse judged = &driven == &input.lanes ? report.road : roadUseOn(driven);
-  report.unbelievable = trajectory.agent_class == AgentClass::kPedestrian
+  report.unbelievable = isOnFoot(trajectory.agent_class)
                             ? implausibleWalk(stepOutOf(points, report.contact_time, input.lanes))
                             : implausibilityOf(judged, points, trajectory.size, report.contact_time,
                                                driven, believability);

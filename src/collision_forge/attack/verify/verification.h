@@ -47,7 +47,7 @@ double offRoadShare(const AttackerTrajectory& trajectory, const CollisionReport&
 
 /// verifyMotion() and offRoadShare(); if there is a contact, also the severity (severityOf()), the
 /// manoeuvre (detectManoeuvre()), and the road use and plausibility (roadUseOfAttack(),
-/// implausibilityOf(), for pedestrians implausibleWalk()), which verified() does not include.
+/// implausibilityOf(), for people on foot implausibleWalk()), which verified() does not include.
 /// Leaves confidence and careful_drivers at their defaults. Throws as verifyMotion() and
 /// severityOf().
 CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationInput& input,

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "collision_forge/base/scene/find_track.h"
+
 namespace forge {
 namespace {
 
@@ -34,9 +36,14 @@ Angles anglesOf(const OrientedBox& box, const Vector2& from, const Vector2& refe
   return angles;
 }
 
-/// Returns the distance (m) along a unit direction at which a ray enters the box; infinite if it
-/// misses the box.
-double entryOf(const OrientedBox& box, const Vector2& from, const Vector2& direction) {
+/// Distances (m) along a ray at which it enters and leaves a box; infinite if it misses the box.
+struct Passage {
+  double enters = std::numeric_limits<double>::infinity();
+  double leaves = std::numeric_limits<double>::infinity();
+};
+
+/// Returns the passage of the ray along a unit direction.
+Passage passageOf(const OrientedBox& box, const Vector2& from, const Vector2& direction) {
   const Vector2 ahead = box.center.heading();
   const Vector2 start = from - box.center.position();
   const Vector2 left(-ahead.y(), ahead.x());
@@ -48,7 +55,7 @@ double entryOf(const OrientedBox& box, const Vector2& from, const Vector2& direc
     const double place = start.dot(axes[i]);
     const double speed = direction.dot(axes[i]);
     if (std::abs(speed) < kSame) {
-      if (std::abs(place) > extents[i]) return std::numeric_limits<double>::infinity();
+      if (std::abs(place) > extents[i]) return {};
       continue;
     }
     const double one = (-extents[i] - place) / speed;
@@ -56,7 +63,16 @@ double entryOf(const OrientedBox& box, const Vector2& from, const Vector2& direc
     enters = std::max(enters, std::min(one, other));
     leaves = std::min(leaves, std::max(one, other));
   }
-  return enters <= leaves ? enters : std::numeric_limits<double>::infinity();
+  return enters <= leaves ? Passage{enters, leaves} : Passage{};
+}
+
+/// Returns true if the line from the eye over the roof of a nearer block leaves the head of the
+/// target in view.
+bool isSeenAbove(double roof, const Passage& nearer, const Block& target, double distance) {
+  const auto shadow = [&](double edge) {
+    return kEyeHeight + (roof - kEyeHeight) * distance / edge;
+  };
+  return target.height - std::max(shadow(nearer.enters), shadow(nearer.leaves)) >= kHeadHeight;
 }
 
 double unitedLength(std::vector<Angles>& parts) {
@@ -73,7 +89,7 @@ double unitedLength(std::vector<Angles>& parts) {
 
 /// Agents that may hide the attacker at one time.
 struct Agents {
-  std::vector<OrientedBox> boxes;
+  std::vector<Block> blocks;
   std::vector<const Track*> tracks;
 };
 
@@ -85,7 +101,7 @@ Agents agentsNear(const Future& future, const std::string& attacker, double time
     const auto state = stateAt(track, time);
     if (!state) continue;
     if ((state->pose.position() - from).norm() > reach + circumradius(track.size)) continue;
-    agents.boxes.push_back(boxAt(track, state->pose));
+    agents.blocks.push_back(blockAt(track, state->pose));
     agents.tracks.push_back(&track);
   }
   return agents;
@@ -105,26 +121,33 @@ std::optional<Hider> kindOf(const Track& hider, const Pose2& ego, double begin, 
 
 }  // namespace
 
-BoxView viewOf(const Vector2& from, const OrientedBox& target,
-               const std::vector<OrientedBox>& others) {
+Block blockAt(const Track& agent, const Pose2& pose) {
+  return {boxAt(agent, pose), heightOf(agent)};
+}
+
+BoxView viewOf(const Vector2& from, const Block& target, const std::vector<Block>& others) {
   BoxView view;
-  const Vector2 reference = target.center.position() - from;
-  if (distanceToPoint(target, from) <= 0.0) return view;
-  const Angles whole = anglesOf(target, from, reference);
-  const double reach = reference.norm() + circumradius(target.size);
+  const Vector2 reference = target.box.center.position() - from;
+  if (distanceToPoint(target.box, from) <= 0.0) return view;
+  const Angles whole = anglesOf(target.box, from, reference);
+  const double reach = reference.norm() + circumradius(target.box.size);
   std::vector<Angles> covered;
   double most = 0.0;
   for (std::size_t i = 0; i < others.size(); ++i) {
-    const double away = (others[i].center.position() - from).norm();
-    if (away > reach + circumradius(others[i].size)) continue;
-    if (distanceToPoint(others[i], from) <= 0.0) continue;
-    Angles part = anglesOf(others[i], from, reference);
+    const OrientedBox& other = others[i].box;
+    const double away = (other.center.position() - from).norm();
+    if (away > reach + circumradius(other.size)) continue;
+    if (distanceToPoint(other, from) <= 0.0) continue;
+    Angles part = anglesOf(other, from, reference);
     part = {std::max(part.low, whole.low), std::min(part.high, whole.high)};
     if (part.high - part.low <= kSame) continue;
     // If two convex shapes are apart, one is before the other on every common ray.
     const double middle = std::atan2(reference.y(), reference.x()) + 0.5 * (part.low + part.high);
     const Vector2 direction(std::cos(middle), std::sin(middle));
-    if (entryOf(others[i], from, direction) >= entryOf(target, from, direction)) continue;
+    const Passage passage = passageOf(other, from, direction);
+    const double distance = passageOf(target.box, from, direction).enters;
+    if (passage.enters >= distance) continue;
+    if (isSeenAbove(others[i].height, passage, target, distance)) continue;
     covered.push_back(part);
     if (part.high - part.low > most) {
       most = part.high - part.low;
@@ -137,16 +160,19 @@ BoxView viewOf(const Vector2& from, const OrientedBox& target,
 
 Sight sightOf(const AttackerTrajectory& trajectory, const Future& future, double contact) {
   const double begin = trajectory.points.front().time;
+  const Track* recorded = findTrack(future.agents, trajectory.attacker_id);
+  Track attacker{trajectory.attacker_id, trajectory.agent_class, trajectory.size, {}};
+  if (recorded) attacker.height = recorded->height;
   const auto steps = static_cast<int>(std::ceil((contact - begin) / kSightStep - kSame));
   for (int step = steps - 1; step >= 0; --step) {
     const double time = begin + step * kSightStep;
     const auto ego = stateAt(future.ego, time);
     if (!ego) continue;
-    const OrientedBox target{poseAt(trajectory, time), trajectory.size};
+    const Block target = blockAt(attacker, poseAt(trajectory, time));
     const Vector2 from = ego->pose.position();
-    const double reach = (target.center.position() - from).norm() + circumradius(target.size);
+    const double reach = (target.box.center.position() - from).norm() + circumradius(attacker.size);
     const Agents agents = agentsNear(future, trajectory.attacker_id, time, from, reach);
-    const BoxView view = viewOf(from, target, agents.boxes);
+    const BoxView view = viewOf(from, target, agents.blocks);
     if (view.visible >= kSeenShare) continue;
     const Track& hider = *agents.tracks[*view.coverer];
     return {std::min(time + kSightStep, contact), hider.id,

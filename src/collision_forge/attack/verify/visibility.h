@@ -15,6 +15,19 @@ namespace forge {
 inline constexpr double kSeenShare = 0.4;
 inline constexpr double kSightStep = 0.1;  ///< s between the times at which sightOf() looks
 
+/// m above the ground from which the ego looks: the front camera of nuScenes' car.
+inline constexpr double kEyeHeight = 1.5;
+/// m; an agent counts as seen above a lower one if this much of its top is in view: a head.
+inline constexpr double kHeadHeight = 0.2;
+
+/// A box on flat ground with a height.
+struct Block {
+  OrientedBox box;
+  double height = 0.0;  ///< m
+};
+/// Returns the agent's block at `pose`, with its typical height if its own is unknown.
+Block blockAt(const Track& agent, const Pose2& pose);
+
 /// The part of a box that an observer at a point sees.
 struct BoxView {
   double visible = 1.0;  ///< share 0..1 of the angle under which the box appears
@@ -23,12 +36,13 @@ struct BoxView {
   std::optional<std::size_t> coverer;
 };
 
-/// Returns the view from `from` (m, map frame) of `target` among `others`. Boxes are opaque, on the
-/// ground plane and apart from each other; one of `others` that contains `from` covers nothing, and
-/// a target that contains `from` is wholly visible. Exact: unites the angles that the boxes before
+/// Returns the view from `from` (m, map frame) of `target` among `others`. Blocks are opaque, on
+/// the ground plane and apart from each other. One of `others` that contains `from` covers nothing,
+/// nor does one over whose roof an eye at kEyeHeight above `from` sees the upper kHeadHeight of
+/// `target`; this is tested in the middle of the angle that both share. A target that contains
+/// `from` is wholly visible. Exact apart from that: unites the angles that the boxes before
 /// `target` cover.
-BoxView viewOf(const Vector2& from, const OrientedBox& target,
-               const std::vector<OrientedBox>& others);
+BoxView viewOf(const Vector2& from, const Block& target, const std::vector<Block>& others);
 
 /// Since when the ego sees the attacker.
 struct Sight {

@@ -5,7 +5,21 @@
 #include <iterator>
 #include <utility>
 
+#include "collision_forge/base/geometry/enum_words.h"
+
 namespace forge {
+
+static constexpr EnumWord<SupportRole> kRoleWords[] = {
+    {SupportRole::kParkedVehicle, "parked_vehicle"},
+    {SupportRole::kLeader, "leader"},
+    {SupportRole::kQueue, "queue"},
+};
+
+const char* toString(SupportRole role) { return wordOf(kRoleWords, role); }
+
+std::optional<SupportRole> supportRoleFromString(const std::string& name) {
+  return valueOf(kRoleWords, name);
+}
 
 PatternMiss missBetween(const Pose2& expected, const Pose2& actual) {
   return {(actual.position() - expected.position()).norm(),

@@ -149,9 +149,20 @@ struct CollisionReport {
   }
 };
 
-/// A vehicle without contact that hides the attacker.
+/// Purpose of a support vehicle.
+enum class SupportRole {
+  kParkedVehicle,  ///< hides the attacker, Hider::kParkedVehicle
+  kLeader,         ///< hides the attacker, Hider::kLeader
+  kQueue           ///< stands ahead of an attacker that stands in its lane
+};
+/// Returns "parked_vehicle", "leader" or "queue".
+const char* toString(SupportRole role);
+/// Returns the role of a name as toString() spells it; nullopt for another name.
+std::optional<SupportRole> supportRoleFromString(const std::string& name);
+
+/// A vehicle without contact before the crash that serves an attack.
 struct SupportVehicle {
-  Hider role = Hider::kParkedVehicle;  ///< how the vehicle hides the attacker
+  SupportRole role = SupportRole::kParkedVehicle;  ///< purpose of the vehicle
   /// Id, class, size, points and past of the support, as for an attacker. After the last point the
   /// support stands if its speed there is 0, else it is no longer part of the scene.
   AttackerTrajectory motion;
@@ -172,8 +183,8 @@ struct Attack {
   /// Penalty for unusual driving, subtracted from the confidence to rank attacks (scoreOf()): 0 for
   /// the most common behaviour, and if the request does not ask for plausible attackers.
   double effort = 0.0;
-  /// Vehicles that hide the attacker, added to the recorded agents; empty unless the request has
-  /// `hidden_by`.
+  /// Vehicles that hide the attacker or stand ahead of it, added to the recorded agents; empty
+  /// unless the request has `hidden_by` or `queue`.
   std::vector<SupportVehicle> supports = {};
   /// Further attacks if the request asks for more than one (findAlternatives()), without this one;
   /// they have no alternatives of their own.

@@ -69,6 +69,9 @@ struct CollisionRequest {
                                   ///< ego from which the attacker comes
   /// Kind of vehicle that must hide the attacker, ContactConditions::hidden_by.
   std::optional<Hider> hidden_by;
+  /// True: a second vehicle must stand ahead of the attacker, which stands in its lane
+  /// (kLeadStopped, type kRearEnd). False: not required.
+  bool queue = false;
   std::optional<Range> attacker_speed;  ///< m/s; this field and the next seven bound the
   std::optional<Range> deceleration;    ///< m/s2; fields of the same names in ContactConditions
   std::optional<Range> gap;             ///< m

@@ -65,6 +65,7 @@ bool setRequestWord(const std::string& field, const std::string& word, Collision
   if (field == "turning") return set(turningFromString(word), request.turning);
   if (field == "from_side") return set(sideFromString(word), request.from_side);
   if (field == "hidden_by") return set(hiderFromString(word), request.hidden_by);
+  if (field == "queue") return set(valueOf(kFlagWords, word), request.queue);
   return false;
 }
 

@@ -25,10 +25,11 @@ const char* toString(Turning turning);
 std::optional<Turning> turningFromString(const std::string& name);
 
 /// Sets the field of a request whose value is a word: type, choice, believable, limits,
-/// attacker_class, manoeuvre, ego_side, turning, from_side or hidden_by, named as in files and
-/// messages. Words are spelled as in the type's FromString function, believable "true" or "false".
-/// Does not test whether the request as a whole is valid: from_side also accepts "front" and
-/// "rear". Returns false, and leaves the request unchanged, for another field or an unknown word.
+/// attacker_class, manoeuvre, ego_side, turning, from_side, hidden_by or queue, named as in files
+/// and messages. Words are spelled as in the type's FromString function, believable and queue
+/// "true" or "false". Does not test whether the request as a whole is valid: from_side also accepts
+/// "front" and "rear". Returns false, and leaves the request unchanged, for another field or an
+/// unknown word.
 bool setRequestWord(const std::string& field, const std::string& word, CollisionRequest& request);
 
 /// Returns the manoeuvres with which an attack of this type can begin, in the order of kManoeuvres;

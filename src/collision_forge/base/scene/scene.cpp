@@ -10,7 +10,7 @@ namespace forge {
 namespace {
 
 Track between(const Track& track, double first, double last) {
-  Track part{track.id, track.agent_class, track.size, {}};
+  Track part{track.id, track.agent_class, track.size, {}, track.height};
   std::copy_if(track.states.begin(), track.states.end(), std::back_inserter(part.states),
                [=](const AgentState& state) {
                  return state.time >= first - kTimeEpsilon && state.time <= last + kTimeEpsilon;
@@ -20,7 +20,7 @@ Track between(const Track& track, double first, double last) {
 
 /// Returns the track's states at `times` (ascending) at which it has one.
 Track statesAt(const Track& track, const std::vector<double>& times) {
-  Track part{track.id, track.agent_class, track.size, {}};
+  Track part{track.id, track.agent_class, track.size, {}, track.height};
   auto time = times.begin();
   for (const AgentState& state : track.states) {
     while (time != times.end() && *time < state.time - kTimeEpsilon) ++time;

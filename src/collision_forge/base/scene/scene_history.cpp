@@ -80,6 +80,7 @@ Snapshot SceneHistory::snapshot() const {
       Track& track = tracks.try_emplace(agent.id, Track{agent.id, {}, {}, {}}).first->second;
       track.agent_class = agent.agent_class;
       track.size = agent.size;
+      track.height = agent.height;
       if (track.states.empty() || track.states.back().time < frame.time) {
         track.states.push_back({frame.time, agent.states.front().pose, Vector2::Zero()});
       }

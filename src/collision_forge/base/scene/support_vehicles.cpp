@@ -25,7 +25,10 @@ void replace(std::vector<Track>& agents, Track track) {
 Track trackOf(const SupportVehicle& support, const Track* recorded, double end) {
   const AttackerTrajectory& motion = support.motion;
   Track track{motion.attacker_id, motion.agent_class, motion.size, motion.past};
-  if (recorded && !motion.isAdded()) track.states = recorded->states;
+  if (recorded && !motion.isAdded()) {
+    track.states = recorded->states;
+    track.height = recorded->height;
+  }
   const double begin = motion.points.front().time - kTimeEpsilon;
   auto& states = track.states;
   states.erase(std::find_if(states.begin(), states.end(),
@@ -46,7 +49,7 @@ void addSupports(const std::vector<SupportVehicle>& supports, Snapshot& snapshot
   for (const SupportVehicle& support : supports) {
     const Track* recorded = findTrack(snapshot.agents, support.motion.attacker_id);
     const Track whole = trackOf(support, recorded, snapshot.now);
-    Track seen{whole.id, whole.agent_class, whole.size, {}};
+    Track seen{whole.id, whole.agent_class, whole.size, {}, whole.height};
     for (const AgentState& state : snapshot.ego.states) {
       if (const auto found = stateAt(whole, state.time)) seen.states.push_back(*found);
     }

@@ -23,6 +23,9 @@ constexpr EnumWord<AgentClass> kClassNames[] = {
     {AgentClass::kPedestrian, "pedestrian"},
     {AgentClass::kAnimal, "animal"},
     {AgentClass::kStaticObject, "static_object"},
+    {AgentClass::kChild, "child"},
+    {AgentClass::kRunner, "runner"},
+    {AgentClass::kScooter, "scooter"},
 };
 
 }  // namespace
@@ -38,18 +41,62 @@ bool canAttack(AgentClass agent_class) {
          std::end(kAttackerClasses);
 }
 
+bool isOnFoot(AgentClass agent_class) {
+  return agent_class == AgentClass::kPedestrian || agent_class == AgentClass::kChild ||
+         agent_class == AgentClass::kRunner;
+}
+
+bool isCycle(AgentClass agent_class) {
+  return agent_class == AgentClass::kBicycle || agent_class == AgentClass::kScooter;
+}
+
 bool isMotorVehicle(AgentClass agent_class) {
-  return canAttack(agent_class) && agent_class != AgentClass::kBicycle &&
-         agent_class != AgentClass::kPedestrian;
+  return canAttack(agent_class) && !isCycle(agent_class) && !isOnFoot(agent_class);
 }
 
 bool isVehicle(AgentClass agent_class) {
-  return agent_class != AgentClass::kPedestrian && agent_class != AgentClass::kAnimal &&
+  return !isOnFoot(agent_class) && agent_class != AgentClass::kAnimal &&
          agent_class != AgentClass::kStaticObject;
 }
 
 bool isCarLike(AgentClass agent_class) {
   return isMotorVehicle(agent_class) && agent_class != AgentClass::kMotorcycle;
+}
+
+double typicalHeight(AgentClass agent_class, const BoxSize& size) {
+  // m; a shorter truck is a van or a pick-up, as lengths.van of config/vehicle_limits.yaml
+  constexpr double kLongestVan = 6.3;
+  switch (agent_class) {
+    // Medians of nuScenes' annotations (anchors of mmdetection3d's nuScenes models), unless said.
+    case AgentClass::kCar:
+      return 1.5;  // the parked cars of Euro NCAP's CPNCO have 1.48 and 1.53 m
+    case AgentClass::kTruck:
+      return size.length < kLongestVan ? 2.0 : 2.84;  // vans: own choice
+    case AgentClass::kBus:
+      return 3.47;
+    case AgentClass::kTrailer:
+      return 3.87;
+    case AgentClass::kConstructionVehicle:
+      return 3.19;
+    case AgentClass::kEmergencyVehicle:
+      return 2.0;  // as vans
+    case AgentClass::kMotorcycle:
+      return 1.47;
+    case AgentClass::kBicycle:
+      return 1.28;
+    case AgentClass::kPedestrian:
+    case AgentClass::kRunner:
+      return 1.77;
+    case AgentClass::kChild:
+      return 1.15;  // Euro NCAP's child target
+    case AgentClass::kScooter:
+      return 1.87;  // median of the personal mobility devices of nuScenes' mini part
+    case AgentClass::kAnimal:
+      return 0.5;  // own choice
+    case AgentClass::kStaticObject:
+      break;
+  }
+  return 0.98;
 }
 
 std::optional<AgentState> stateAt(const Track& track, double time, double max_gap) {

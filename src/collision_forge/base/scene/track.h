@@ -21,14 +21,18 @@ enum class AgentClass {
   kPedestrian,
   kAnimal,
   kStaticObject,  ///< anything else, for instance a barrier or debris
+  kChild,         ///< on foot
+  kRunner,        ///< adult on foot who runs
+  kScooter,       ///< e-scooter or other personal mobility device, with its rider
 };
+inline constexpr AgentClass kLastAgentClass = AgentClass::kScooter;
 
 /// Returns the lower-case name as in messages and files, for instance "construction_vehicle".
 const char* toString(AgentClass agent_class);
 /// Returns the class of a name as toString() spells it; nullopt for another name.
 std::optional<AgentClass> agentClassFromString(const std::string& name);
-/// Classes that can be the attacker. Bicycles and pedestrians, the last two, are attackers only if
-/// the request names the class or the agent.
+/// Classes that can be the attacker. The last five, cycles (isCycle()) and people on foot
+/// (isOnFoot()), are attackers only if the request names the class or the agent.
 inline constexpr AgentClass kAttackerClasses[] = {
     AgentClass::kCar,
     AgentClass::kTruck,
@@ -38,16 +42,26 @@ inline constexpr AgentClass kAttackerClasses[] = {
     AgentClass::kMotorcycle,
     AgentClass::kBicycle,
     AgentClass::kPedestrian,
+    AgentClass::kChild,
+    AgentClass::kRunner,
+    AgentClass::kScooter,
 };
 /// Returns true for the classes of kAttackerClasses.
 bool canAttack(AgentClass agent_class);
-/// Returns true for the attacker classes but bicycles and pedestrians; so not for trailers.
+/// Returns true for pedestrians, children and runners.
+bool isOnFoot(AgentClass agent_class);
+/// Returns true for bicycles and scooters.
+bool isCycle(AgentClass agent_class);
+/// Returns true for the attacker classes but cycles and people on foot; so not for trailers.
 bool isMotorVehicle(AgentClass agent_class);
-/// Returns true for all classes but pedestrians, animals and static objects; so also for trailers
-/// and bicycles.
+/// Returns true for all classes but people on foot, animals and static objects; so also for
+/// trailers and cycles.
 bool isVehicle(AgentClass agent_class);
 /// Returns true for motor vehicles but motorcycles.
 bool isCarLike(AgentClass agent_class);
+
+/// Returns the typical height (m) of a class and box size, for boxes of unknown height.
+double typicalHeight(AgentClass agent_class, const BoxSize& size);
 
 /// State of one agent at one time. Global map frame; `pose` is the centre of the box.
 struct AgentState {
@@ -63,6 +77,7 @@ struct Track {
   AgentClass agent_class = AgentClass::kCar;
   BoxSize size;
   std::vector<AgentState> states;
+  std::optional<double> height = {};  ///< m, of the box; empty if the log has none
 };
 
 /// s; stateAt() does not interpolate between states farther apart than this.
@@ -81,6 +96,11 @@ bool endsAt(const Track& track, double time);
 /// Sets each velocity from the positions by central differences; one-sided at the ends and beside
 /// gaps above `max_gap` (s), zero for a state without a neighbour.
 void deriveVelocities(Track& track, double max_gap = kMaxGap);
+
+/// Returns the track's height (m), or a typical one if it is unknown.
+inline double heightOf(const Track& track) {
+  return track.height.value_or(typicalHeight(track.agent_class, track.size));
+}
 
 /// Returns the box of the track's size, centred at `pose`.
 inline OrientedBox boxAt(const Track& track, const Pose2& pose) { return {pose, track.size}; }

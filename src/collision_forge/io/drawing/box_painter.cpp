@@ -49,6 +49,8 @@ void paintAgent(Canvas& canvas, const Viewport& viewport, const AgentBox& agent,
                 double line_width) {
   switch (agent.agent_class) {
     case AgentClass::kPedestrian:
+    case AgentClass::kChild:
+    case AgentClass::kRunner:
     case AgentClass::kAnimal: {
       const double radius = 0.25 * (agent.box.size.length + agent.box.size.width);
       canvas.fillCircle(viewport.toPixel(agent.box.center.position()),

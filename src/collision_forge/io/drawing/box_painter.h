@@ -16,7 +16,7 @@ std::vector<Vector2> boxPixels(const Viewport& viewport, const OrientedBox& box)
 void paintVehicle(Canvas& canvas, const Viewport& viewport, const OrientedBox& box,
                   const Color& color, double line_width);
 
-/// Paints an agent by class: vehicles as paintVehicle(), pedestrians and animals as dots, static
+/// Paints an agent by class: vehicles as paintVehicle(), people on foot and animals as dots, static
 /// objects without a wedge.
 void paintAgent(Canvas& canvas, const Viewport& viewport, const AgentBox& agent, const Color& color,
                 double line_width);

@@ -179,6 +179,8 @@ std::vector<Lanelet> laneletsOf(const LaneMap& map, double lane_width, int first
 const char* staticTypeOf(AgentClass agent_class) {
   switch (agent_class) {
     case AgentClass::kPedestrian:
+    case AgentClass::kChild:
+    case AgentClass::kRunner:
     case AgentClass::kAnimal:
       return "";
     case AgentClass::kStaticObject:
@@ -203,8 +205,11 @@ const char* dynamicTypeOf(AgentClass agent_class) {
     case AgentClass::kMotorcycle:
       return "motorcycle";
     case AgentClass::kBicycle:
+    case AgentClass::kScooter:
       return "bicycle";
     case AgentClass::kPedestrian:
+    case AgentClass::kChild:
+    case AgentClass::kRunner:
       return "pedestrian";
     case AgentClass::kAnimal:
     case AgentClass::kStaticObject:

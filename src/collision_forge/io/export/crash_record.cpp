@@ -132,7 +132,7 @@ class RecordBuilder {
   /// Returns the states at the steps for which `at` returns one.
   template <class StateAtTime>
   Track sampled(const Track& like, const StateAtTime& at) const {
-    Track track{like.id, like.agent_class, like.size, {}};
+    Track track{like.id, like.agent_class, like.size, {}, like.height};
     for (std::size_t index = 0; index < count_; ++index) {
       std::optional<AgentState> state = at(sceneTime(index));
       if (!state) continue;

@@ -72,7 +72,11 @@ Tags tagsOf(AgentClass agent_class) {
       return {"VehicleMotorcycle", "HumanMotorcyclist"};
     case AgentClass::kBicycle:
       return {"VehicleCycle", "HumanCyclist"};
+    case AgentClass::kScooter:
+      return {"VehicleCycle"};
     case AgentClass::kPedestrian:
+    case AgentClass::kChild:
+    case AgentClass::kRunner:
       return {"HumanPedestrian"};
     case AgentClass::kAnimal:
       return {"RoadUserAnimal"};
@@ -134,7 +138,7 @@ bool changesLane(Manoeuvre manoeuvre) {
 Tags behaviourOf(const CrashRecord& record) {
   const Attack& attack = record.scenario.answer;
   const CollisionReport& report = attack.report;
-  if (attack.trajectory.agent_class == AgentClass::kPedestrian) {
+  if (isOnFoot(attack.trajectory.agent_class)) {
     const double fastest =
         std::max_element(
             attack.trajectory.points.begin(), attack.trajectory.points.end(),
@@ -166,17 +170,6 @@ std::string quoted(const std::string& text) {
     safe += letter == '\n' ? ' ' : letter;
   }
   return safe + "\"";
-}
-
-/// Returns true if the attack is one that the request without its ranges would accept.
-bool isInstance(const CollisionRequest& asked, const Scenario& scenario) {
-  const CollisionRequest& request = scenario.asked.request;
-  const Attack& attack = scenario.answer;
-  const auto fits = [](const auto& wanted, const auto& is) { return !wanted || *wanted == is; };
-  return asked.type == request.type && asked.turning == request.turning &&
-         fits(asked.attacker_class, attack.trajectory.agent_class) &&
-         fits(asked.manoeuvre, attack.report.manoeuvre) &&
-         fits(asked.ego_side, attack.report.ego_side) && !asked.from_side;
 }
 
 class OpenLabelWriter : public CrashWriter {
@@ -246,13 +239,19 @@ class OpenLabelWriter : public CrashWriter {
     json.endArray();
     json.endObject();
     json.endObject();
+    const SceneRequest& asked = record.scenario.asked;
+    std::optional<ContactConditions> conditions;
+    if (asksForConditions(asked.request)) conditions = record.scenario.answer.report.conditions;
     for (const CatalogueEntry& entry : plan_.catalogue) {
-      if (!entry.missing.empty() || !isInstance(entry.request, record.scenario)) continue;
+      if (!entry.missing.empty() ||
+          !isInstance(entry.request, asked.request, record.scenario.answer, conditions)) {
+        continue;
+      }
       begin(entry.name, "1");
       json.endObject();
     }
-    if (!record.scenario.asked.name.empty()) {
-      begin(record.scenario.asked.name, "1");
+    if (!asked.name.empty()) {
+      begin(asked.name, "1");
       json.endObject();
     }
     json.endObject();

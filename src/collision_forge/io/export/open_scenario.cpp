@@ -19,6 +19,7 @@ using pugi::xml_node;
 constexpr double kWheelDiameter = 0.65;    // m
 constexpr double kTrackWidthShare = 0.85;  // of a vehicle's width
 constexpr double kWalkerMass = 75.0;       // kg
+constexpr double kChildMass = 23.0;        // kg, of seven years
 constexpr double kThingMass = 100.0;       // kg
 
 constexpr double kSlowEgo = 1.0;       // m/s; a slower ego has no meaningful time to a place
@@ -46,8 +47,11 @@ const char* categoryOf(AgentClass agent_class) {
     case AgentClass::kMotorcycle:
       return "motorbike";
     case AgentClass::kBicycle:
+    case AgentClass::kScooter:
       return "bicycle";
     case AgentClass::kPedestrian:
+    case AgentClass::kChild:
+    case AgentClass::kRunner:
       return "pedestrian";
     case AgentClass::kAnimal:
       return "animal";
@@ -72,8 +76,12 @@ const char* blueprintOf(AgentClass agent_class) {
     case AgentClass::kMotorcycle:
       return "vehicle.kawasaki.ninja";
     case AgentClass::kBicycle:
+    case AgentClass::kScooter:
       return "vehicle.bh.crossbike";
+    case AgentClass::kChild:
+      return "walker.pedestrian.0009";
     case AgentClass::kPedestrian:
+    case AgentClass::kRunner:
     case AgentClass::kAnimal:
       return "walker.pedestrian.0001";
     case AgentClass::kStaticObject:
@@ -206,7 +214,9 @@ class ScenarioWriter {
     } else {
       body = addElement(
           object, "Pedestrian",
-          {{"mass", xmlNumber(kWalkerMass)}, {"name", name}, {"pedestrianCategory", category}});
+          {{"mass", xmlNumber(agent_class == AgentClass::kChild ? kChildMass : kWalkerMass)},
+           {"name", name},
+           {"pedestrianCategory", category}});
       if (plan_.for_carla) body.append_attribute("model") = name.c_str();
       addBox(body, entity);
     }
@@ -222,7 +232,7 @@ class ScenarioWriter {
   }
 
   void addBox(xml_node body, const Entity& entity) const {
-    const double height = plan_.options.heights.at(entity.track->agent_class);
+    const double height = heightOf(*entity.track);
     xml_node box = addElement(body, "BoundingBox");
     addElement(box, "Center",
                {{"x", xmlNumber(entity.axle_to_middle)}, {"y", "0"}, {"z", xmlNumber(height / 2)}});

@@ -5,7 +5,6 @@
 
 #include "collision_forge/base/map/geo_point.h"
 #include "collision_forge/base/map/lane_map.h"
-#include "collision_forge/base/scene/track.h"
 
 namespace forge {
 
@@ -21,21 +20,6 @@ struct ExportOptions {
   /// m around the paths of ego and attacker within which lanes and other agents are exported.
   double radius = 0.0;
   double lane_width = kLaneWidth;  ///< m, of lanes without an outline
-  /// m, box height by class: medians of nuScenes' annotations (anchors of mmdetection3d's nuScenes
-  /// models). Emergency vehicles, mostly cars, have no anchor; animals are an estimate.
-  std::map<AgentClass, double> heights = {
-      {AgentClass::kCar, 1.73},
-      {AgentClass::kTruck, 2.84},
-      {AgentClass::kBus, 3.47},
-      {AgentClass::kTrailer, 3.87},
-      {AgentClass::kConstructionVehicle, 3.19},
-      {AgentClass::kEmergencyVehicle, 1.73},
-      {AgentClass::kMotorcycle, 1.47},
-      {AgentClass::kBicycle, 1.28},
-      {AgentClass::kPedestrian, 1.77},
-      {AgentClass::kAnimal, 0.5},
-      {AgentClass::kStaticObject, 0.98},
-  };
   /// Origin of the map frame, by LaneMap::location; 0, 0 for others.
   std::map<std::string, GeoPoint> origins;
 };

@@ -59,7 +59,7 @@ PickleContent describe(const ScenarioDescription& scenario, const std::vector<Ve
   writer.text("id", scenario.name);
   writer.text("version", kVersion);
   writer.count("length", scenario.table.times.size());
-  writeTracks(writer, scenario.table, options.heights);
+  writeTracks(writer, scenario.table);
   writeLights(writer, scenario.lights, scenario.table.times);
   const auto& recorded = scenario.map.features;
   const bool has_edges =

@@ -60,7 +60,7 @@ std::vector<RowTime> rowsEvery(double step, const std::vector<double>& frames) {
 
 /// Returns the track's states at the rows, interpolated over gaps of at most `max_gap` s.
 Track sampled(const Track& track, const std::vector<RowTime>& rows, double max_gap) {
-  Track result{track.id, track.agent_class, track.size, {}};
+  Track result{track.id, track.agent_class, track.size, {}, track.height};
   for (const RowTime& row : rows) {
     std::optional<AgentState> state = stateAt(track, row.of_scene, max_gap);
     if (!state) continue;

@@ -1,6 +1,7 @@
 #include "collision_forge/io/export/scenario_net_tracks.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 
 namespace forge {
@@ -13,8 +14,11 @@ const char* typeOf(const Track& track) {
   switch (track.agent_class) {
     case AgentClass::kMotorcycle:
     case AgentClass::kBicycle:
+    case AgentClass::kScooter:
       return "CYCLIST";
     case AgentClass::kPedestrian:
+    case AgentClass::kChild:
+    case AgentClass::kRunner:
       return "PEDESTRIAN";
     case AgentClass::kAnimal:
       return "OTHER";
@@ -121,11 +125,10 @@ void writeCounts(PickleWriter& metadata, const std::string& of_all, const TypeCo
 
 }  // namespace
 
-void writeTracks(PickleWriter& scenario, const TrackTable& table,
-                 const std::map<AgentClass, double>& heights) {
+void writeTracks(PickleWriter& scenario, const TrackTable& table) {
   scenario.beginObject("tracks");
   for (const Track& track : table.tracks) {
-    writeTrack(scenario, track, table.times, heights.at(track.agent_class));
+    writeTrack(scenario, track, table.times, heightOf(track));
   }
   scenario.endObject();
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <vector>
 
 #include "collision_forge/base/scene/track.h"
@@ -16,10 +15,9 @@ struct TrackTable {
   std::vector<Track> tracks;
 };
 
-/// Writes "tracks" into a scenario, with zeros, and `valid` false, in rows without a state.
-/// `heights`: m, box height, for every class.
-void writeTracks(PickleWriter& scenario, const TrackTable& table,
-                 const std::map<AgentClass, double>& heights);
+/// Writes "tracks" into a scenario, with zeros, and `valid` false, in rows without a state. Box
+/// heights are those of heightOf().
+void writeTracks(PickleWriter& scenario, const TrackTable& table);
 
 /// Writes the metadata's "object_summary", for each track: type, object_id, track_length (number of
 /// rows of the table), moving_distance (length of the path, m), valid_length (number of states) and

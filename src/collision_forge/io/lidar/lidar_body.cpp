@@ -268,6 +268,34 @@ void addWalker(LidarBody& body, double walked) {
       octagon(SurfaceKind::kCloth, {0.0, 0.0, 0.92 * height}, {0.1, 0.08, 0.08 * height}, 2));
 }
 
+/// A person who stands on the board of an e-scooter.
+void addScooter(LidarBody& body) {
+  constexpr double kBoard = 0.15;  // m above the ground
+  const double front = body.size.x() / 2.0;
+  const double radius = std::min(0.12, 0.2 * body.size.x());  // of the wheels
+  for (const double x : {front - radius, -front + radius}) {
+    body.pieces.push_back(octagon(SurfaceKind::kTyre, {x, 0.0, radius}, {radius, 0.03, radius}, 1));
+  }
+  const double column = front - 2.0 * radius;
+  body.pieces.push_back(
+      PieceMaker(SurfaceKind::kPaint, {-column, -0.08, kBoard - 0.05}, {column, 0.08, kBoard})
+          .piece());
+  body.pieces.push_back(PieceMaker(SurfaceKind::kPaint, {column, -0.03, kBoard},
+                                   {column + 0.06, 0.03, 0.6 * body.size.z()})
+                            .piece());
+  const std::size_t rider = body.pieces.size();
+  addWalker(body, 0.0);
+  for (std::size_t i = rider; i < body.pieces.size(); ++i) {
+    for (ConvexPiece::Plane& plane : body.pieces[i].planes) {
+      // A rider that is lower by the board stands on it: z' = board + z (height - board) / height.
+      const double share = (body.size.z() - kBoard) / body.size.z();
+      const Vector3d scaled(plane.normal.x(), plane.normal.y(), plane.normal.z() / share);
+      plane.offset = (plane.offset + scaled.z() * kBoard) / scaled.norm();
+      plane.normal = scaled.normalized();
+    }
+  }
+}
+
 void addBox(LidarBody& body) {
   const Vector3d half(body.size.x() / 2.0, body.size.y() / 2.0, 0.0);
   body.pieces.push_back(
@@ -327,7 +355,12 @@ LidarBody lidarBodyOf(AgentClass agent_class, const Vector3d& size, double walke
     case AgentClass::kBicycle:
       addTwoWheeler(body);
       break;
+    case AgentClass::kScooter:
+      addScooter(body);
+      break;
     case AgentClass::kPedestrian:
+    case AgentClass::kChild:
+    case AgentClass::kRunner:
       addWalker(body, walked);
       break;
     case AgentClass::kAnimal:

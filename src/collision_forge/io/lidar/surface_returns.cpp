@@ -100,7 +100,7 @@ std::optional<BodyHit> PosedBody::hitOf(const LidarRay& ray) const {
 void SurfaceReturns::learn(const PointCloud& cloud, const CloudLayout& layout,
                            const SweepRays& sweep, const std::vector<PosedBody>& recorded) {
   for (PosedBody posed : recorded) {
-    if (!isVehicle(posed.body.agent_class) && posed.body.agent_class != AgentClass::kPedestrian) {
+    if (!isVehicle(posed.body.agent_class) && !isOnFoot(posed.body.agent_class)) {
       continue;
     }
     Group& group = groups_[groupOf(posed.body)];

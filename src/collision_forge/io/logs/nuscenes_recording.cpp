@@ -44,7 +44,7 @@ Eigen::Vector3d velocityAt(const std::vector<Sighting>& sightings, std::size_t i
   return velocityBetween(sightings[first], sightings[first + 1]);
 }
 
-/// Has at least one entry per class.
+/// Has at least one entry per class; a subcategory comes before its category.
 constexpr std::pair<const char*, AgentClass> kCategories[] = {
     {"vehicle.car", AgentClass::kCar},
     {"vehicle.truck", AgentClass::kTruck},
@@ -54,6 +54,9 @@ constexpr std::pair<const char*, AgentClass> kCategories[] = {
     {"vehicle.emergency", AgentClass::kEmergencyVehicle},
     {"vehicle.motorcycle", AgentClass::kMotorcycle},
     {"vehicle.bicycle", AgentClass::kBicycle},
+    {"human.pedestrian.child", AgentClass::kChild},
+    {"human.pedestrian.personal_mobility", AgentClass::kScooter},
+    {"human.pedestrian.runner", AgentClass::kRunner},  // not of nuScenes
     {"human.pedestrian", AgentClass::kPedestrian},
     {"animal", AgentClass::kAnimal},
     {"movable_object", AgentClass::kStaticObject},
@@ -164,7 +167,8 @@ Scene toScene(const NuScenesRecording& recording, const EgoVehicle& ego,
             {annotation.instance,
              agentClassOfCategory(annotation.category).value_or(AgentClass::kStaticObject),
              {annotation.size.x(), annotation.size.y()},
-             {}});
+             {},
+             annotation.size.z()});
       }
       scene.agents[entry->second].states.push_back(agentState(annotation, time));
     }

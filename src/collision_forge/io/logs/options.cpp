@@ -30,7 +30,7 @@ void readOptions(Section& section, std::map<std::string, DrivingSide>& locations
 
 void readOptions(Section& section, std::map<std::string, AgentClass>& categories) {
   std::vector<std::pair<std::string, AgentClass>> classes;
-  for (int i = 0; i <= static_cast<int>(AgentClass::kStaticObject); ++i) {
+  for (int i = 0; i <= static_cast<int>(kLastAgentClass); ++i) {
     const auto known = static_cast<AgentClass>(i);
     classes.emplace_back(toString(known), known);
   }

@@ -128,6 +128,7 @@ RecordedTrack::RecordedTrack(const std::string& id, const PickleField& field,
     const Eigen::Vector3d median = medianSize(sizes);
     track.size = {median.x(), median.y()};
     height = median.z();
+    if (height > 0.0) track.height = height;
     has_other_size = isOtherSize(sizes.front(), median);
   }
   if (speeds.empty()) deriveVelocities(track);

@@ -52,6 +52,7 @@ void writeConditions(JsonLineWriter& writer, const CollisionRequest& request) {
   if (request.turning != Turning::kAttacker) writer.text("turning", toString(request.turning));
   writeWord(writer, "from_side", request.from_side, true);
   writeWord(writer, "hidden_by", request.hidden_by, true);
+  if (request.queue) writer.flag("queue", true);
   for (const RangeControl& control : kRangeControls) {
     writeRange(writer, control.name, request.*control.asked, true);
   }
@@ -67,6 +68,7 @@ void readConditions(JsonObject& object, CollisionRequest& request) {
   if (object.has("hidden_by")) {
     readWord(object, "hidden_by", true, "is neither parked_vehicle nor leader", request);
   }
+  if (object.has("queue")) request.queue = object.flag("queue");
   for (const RangeControl& control : kRangeControls) {
     if (object.has(control.name)) request.*control.asked = readRange(object, control.name);
   }

@@ -289,8 +289,8 @@ std::vector<SupportVehicle> readSupports(JsonObject& object, const LineContext& 
   std::vector<SupportVehicle> supports;
   if (!object.has("supports")) return supports;
   for (JsonObject& entry : object.objects("supports", kMaxSupports)) {
-    const auto role = hiderFromString(entry.text("role"));
-    if (!role) entry.fail("role", "is neither parked_vehicle nor leader");
+    const auto role = supportRoleFromString(entry.text("role"));
+    if (!role) entry.fail("role", "is none of parked_vehicle, leader and queue");
     supports.push_back({*role, readVehicle(entry, line)});
     entry.finish();
   }

@@ -16,9 +16,12 @@ enum Kind { kVehicle, kPedestrian, kBicycle, kStatic, kKinds };
 Kind kindOf(AgentClass agent_class) {
   switch (agent_class) {
     case AgentClass::kPedestrian:
+    case AgentClass::kChild:
+    case AgentClass::kRunner:
     case AgentClass::kAnimal:
       return kPedestrian;
     case AgentClass::kBicycle:
+    case AgentClass::kScooter:
       return kBicycle;
     case AgentClass::kStaticObject:
       return kStatic;

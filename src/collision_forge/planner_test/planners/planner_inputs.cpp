@@ -58,14 +58,17 @@ void writeEgo(const std::vector<TrajectoryPoint>& history, float* numbers) {
   }
 }
 
-/// Returns 0 for a vehicle, 1 for a two-wheeler, 2 for a pedestrian or an animal, 3 for a static
-/// object.
+/// Returns 0 for a vehicle, 1 for a two-wheeler, 2 for a person on foot or an animal, 3 for a
+/// static object.
 double kindOf(AgentClass agent_class) {
   switch (agent_class) {
     case AgentClass::kMotorcycle:
     case AgentClass::kBicycle:
+    case AgentClass::kScooter:
       return 1.0;
     case AgentClass::kPedestrian:
+    case AgentClass::kChild:
+    case AgentClass::kRunner:
     case AgentClass::kAnimal:
       return 2.0;
     case AgentClass::kStaticObject:

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
+
+#include "collision_forge/base/scene/contact_conditions.h"
 
 #include "collision_forge/base/scene/number_words.h"
 
@@ -25,7 +28,8 @@ constexpr const char* kHead =
     "</style></head><body>\n<h1>Coverage of catalogues</h1>\n"
     "<p>Green: generated; amber: requested without an attack; grey: not requested. Possible: "
     "requests "
-    "that the road allows. Planners: hits by the attacker (avoidable ones in brackets) / "
+    "that the road allows. Others: attacks of requests that do not name the cell but meet it. "
+    "Planners: hits by the attacker (avoidable ones in brackets) / "
     "passed."
     "</p>\n";
 
@@ -57,14 +61,16 @@ std::string reasonsOf(const CellCoverage& coverage) {
   return text;
 }
 
+bool isCovered(const CellCoverage& counts) { return counts.generated + counts.others > 0; }
+
 std::string rowOf(const std::string& name, const CellCoverage* coverage,
                   const std::set<std::string>& planners) {
   static const CellCoverage kNone;
   const CellCoverage& counts = coverage ? *coverage : kNone;
-  const char* state = !coverage ? "missing" : counts.generated > 0 ? "generated" : "rejected";
+  const char* state = !coverage ? "missing" : isCovered(counts) ? "generated" : "rejected";
   std::string row = std::string("<tr class=\"") + state + "\">" + cell(escaped(name)) +
                     cell(std::to_string(counts.requests)) + cell(std::to_string(counts.possible)) +
-                    cell(std::to_string(counts.generated));
+                    cell(std::to_string(counts.generated)) + cell(std::to_string(counts.others));
   for (const std::string& planner : planners) {
     const auto found = counts.planners.find(planner);
     if (found == counts.planners.end()) {
@@ -76,18 +82,38 @@ std::string rowOf(const std::string& name, const CellCoverage* coverage,
     }
   }
   return row + "<td class=\"reason\">" +
-         (coverage ? reasonsOf(counts) : std::string("no request")) + "</td></tr>\n";
+         (counts.requests > 0 ? reasonsOf(counts) : std::string("no request")) + "</td></tr>\n";
 }
 
 std::string catalogueOf(const std::string& name) { return name.substr(0, name.find('/')); }
 
 }  // namespace
 
-void Coverage::add(const Scenario& scenario, const std::string& name) {
-  if (scenario.asked.name.empty()) return;
-  cell_of_case_[name] = scenario.asked.name;
-  CellCoverage& counts = cells_[scenario.asked.name];
+Coverage::Coverage(std::vector<CatalogueEntry> catalogue) : catalogue_(std::move(catalogue)) {}
+
+void Coverage::add(const Scenario& scenario, const std::string& name,
+                   const std::optional<ContactConditions>& measured) {
+  const SceneRequest& asked = scenario.asked;
   const StatusCode code = scenario.answer.status.code;
+  if (code == StatusCode::kOk) {
+    std::optional<ContactConditions> conditions = measured;
+    if (!conditions && asksForConditions(asked.request)) {
+      conditions = scenario.answer.report.conditions;
+    }
+    for (const CatalogueEntry& entry : catalogue_) {
+      for (const CatalogueCell& one : entry.cells) {
+        if (one.name == asked.name ||
+            !isInstance(one.request, asked.request, scenario.answer, conditions)) {
+          continue;
+        }
+        ++cells_[one.name].others;
+        cells_of_case_[name].push_back(one.name);
+      }
+    }
+  }
+  if (asked.name.empty()) return;
+  cells_of_case_[name].push_back(asked.name);
+  CellCoverage& counts = cells_[asked.name];
   ++counts.requests;
   counts.possible += code != StatusCode::kRoadDoesNotAllow;
   counts.generated += code == StatusCode::kOk;
@@ -95,18 +121,20 @@ void Coverage::add(const Scenario& scenario, const std::string& name) {
 }
 
 void Coverage::add(const PlannerTestResult& result) {
-  const auto known = cell_of_case_.find(result.name);
-  if (known == cell_of_case_.end() || !result.isTested()) return;
-  for (const PlannerRow& row : result.rows) {
-    PlannerCoverage& tests = cells_[known->second].planners[rowName(row)];
-    const bool is_hit = row.outcome.contact && row.outcome.contact->is_attacker;
-    tests.hit += is_hit;
-    tests.avoidable += is_hit && row.evasion && row.evasion->is_avoidable;
-    tests.passed += !is_hit;
+  const auto known = cells_of_case_.find(result.name);
+  if (known == cells_of_case_.end() || !result.isTested()) return;
+  for (const std::string& name : known->second) {
+    for (const PlannerRow& row : result.rows) {
+      PlannerCoverage& tests = cells_[name].planners[rowName(row)];
+      const bool is_hit = row.outcome.contact && row.outcome.contact->is_attacker;
+      tests.hit += is_hit;
+      tests.avoidable += is_hit && row.evasion && row.evasion->is_avoidable;
+      tests.passed += !is_hit;
+    }
   }
 }
 
-std::string Coverage::page(const std::vector<CatalogueEntry>& catalogue) const {
+std::string Coverage::page() const {
   std::set<std::string> planners;
   std::set<std::string> catalogues;
   for (const auto& [name, counts] : cells_) {
@@ -118,25 +146,25 @@ std::string Coverage::page(const std::vector<CatalogueEntry>& catalogue) const {
     std::string rows;
     std::size_t all = 0;
     std::size_t generated = 0;
-    for (const CatalogueEntry& entry : catalogue) {
+    for (const CatalogueEntry& entry : catalogue_) {
       if (catalogueOf(entry.name) != shown) continue;
-      rows += "<tr class=\"entry\"><td colspan=\"" + std::to_string(5 + planners.size()) + "\">" +
+      rows += "<tr class=\"entry\"><td colspan=\"" + std::to_string(6 + planners.size()) + "\">" +
               escaped(entry.name + ": " + entry.text) + "</td></tr>\n";
       if (!entry.missing.empty()) {
-        rows += "<tr class=\"missing\"><td colspan=\"" + std::to_string(5 + planners.size()) +
+        rows += "<tr class=\"missing\"><td colspan=\"" + std::to_string(6 + planners.size()) +
                 "\">cannot be requested: " + escaped(entry.missing) + "</td></tr>\n";
       }
       for (const CatalogueCell& one : entry.cells) {
         const auto found = cells_.find(one.name);
         const CellCoverage* counts = found != cells_.end() ? &found->second : nullptr;
         ++all;
-        generated += counts && counts->generated > 0;
+        generated += counts && isCovered(*counts);
         rows += rowOf(one.name.substr(shown.size() + 1), counts, planners);
       }
     }
     text += "<h2>" + shown + ": " + std::to_string(generated) + " of " + counted(all, "cell") +
             " generated</h2>\n<table><thead><tr><th>cell</th><th>requests</th>"
-            "<th>possible</th><th>generated</th>";
+            "<th>possible</th><th>generated</th><th>others</th>";
     for (const std::string& planner : planners) text += "<th>" + escaped(planner) + "</th>";
     text += "<th class=\"reason\">rejections</th></tr></thead>\n" + rows + "</table>\n";
   }

@@ -68,6 +68,7 @@ std::string controlOptions(const CollisionRequest& request, const CrashDefinitio
     options += option("turning", toString(request.turning));
   if (request.from_side) options += option("from-side", toString(*request.from_side));
   if (request.hidden_by) options += option("hidden-by", toString(*request.hidden_by));
+  if (request.queue) options += option("queue", "true");
   for (const RangeControl& control : kRangeControls) {
     const std::optional<Range>& range = request.*control.asked;
     if (range) options += optionOf(optionName(control.name), *range);

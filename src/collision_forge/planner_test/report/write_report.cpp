@@ -90,8 +90,7 @@ class ReportBuilder {
     addScenes();
     page_.commit(index());
     if (!coverage_.empty()) {
-      writeText((fs::path(folder_) / "coverage.html").string(),
-                coverage_.page(settings_.catalogue));
+      writeText((fs::path(folder_) / "coverage.html").string(), coverage_.page());
     }
     return rows_.size();
   }
@@ -170,16 +169,18 @@ class ReportBuilder {
     ListedAttack listed{rows_.size(), scenario.ego.size, scenario.answer.trajectory};
     listed.attacker.points.clear();
     attacks_.emplace(source + ":" + std::to_string(line), std::move(listed));
-    coverage_.add(scenario, source + ":" + std::to_string(line));
     int number = 1;
-    addAttack(scenario, scenario.answer, number);
+    const auto measured = addAttack(scenario, scenario.answer, number);
+    coverage_.add(scenario, source + ":" + std::to_string(line), measured);
     for (const Attack& alternative : scenario.answer.alternatives) {
       addAttack(scenario, alternative, ++number);
     }
   }
 
-  /// `alternative` counts the attacks of the scenario from 1 on.
-  void addAttack(const Scenario& scenario, const Attack& attack, int alternative) {
+  /// Returns the conditions of the contact in the recording; empty without one. `alternative`
+  /// counts the attacks of the scenario from 1 on.
+  std::optional<ContactConditions> addAttack(const Scenario& scenario, const Attack& attack,
+                                             int alternative) {
     std::optional<Judgement> judgement;
     std::optional<double> now_in_recording;
     const bool is_attack = attack.status.code == StatusCode::kOk;
@@ -196,11 +197,13 @@ class ReportBuilder {
     row.now_in_recording = now_in_recording;
     row.commands = page_.add(commandsRecord(commandsOfAttack(
         scenario, alternative, now_in_recording, inputs_.logs, settings_.options.crash)));
-    if (!is_attack) return;
+    if (!is_attack) return std::nullopt;
     std::optional<RecordedOutcome> recorded;
     if (judgement) recorded = RecordedOutcome{judgement->outcome.report, judgement->crash};
     row.attack =
         page_.add(attackRecord(scenario, attack, recorded, settings_.options.attack.verification));
+    if (!recorded || !recorded->report.contact) return std::nullopt;
+    return recorded->report.conditions;
   }
 
   /// Extends the part of the scene that is shown by the attack.
@@ -368,7 +371,7 @@ class ReportBuilder {
   std::set<std::string> known_;          ///< names of the source's scenes
   std::unique_ptr<SceneSource> scenes_;  ///< of the scenario files; null without a source
   std::vector<ReportRow> rows_;
-  Coverage coverage_;
+  Coverage coverage_{settings_.catalogue};
   std::map<std::string, ListedAttack> attacks_;  ///< by case name
   std::map<std::string, std::string> lines_;     ///< see lineOf()
   std::map<std::string, SceneExtent> extents_;   ///< by scene name

@@ -58,7 +58,7 @@ Traffic::Traffic(const CrashScenario& scenario, std::unique_ptr<AttackerPolicy> 
       model_(std::move(model)) {
   for (Track& track : agentsFromT0(scenario)) {
     Driver driver;
-    driver.shown = Track{track.id, track.agent_class, track.size, {}};
+    driver.shown = Track{track.id, track.agent_class, track.size, {}, track.height};
     driver.is_attacker = drivers_.empty();
     driver.clock = time_;
     driver.recorded = std::move(track);

@@ -47,7 +47,8 @@ void AttackerInjector::remember(const collision_forge::AgentArray& recorded) {
   if (!trajectory_.past.empty() && !is_remembered_) rememberLike(recorded);
 }
 
-/// Takes height and z for an added attacker from the nearest vehicle, of its class if possible.
+/// Takes height and ground of an added attacker from the nearest agent of its class, or the ground
+/// from the nearest vehicle and a typical height.
 void AttackerInjector::rememberLike(const collision_forge::AgentArray& recorded) {
   const auto unlike = [this](const collision_forge::Agent& agent) {
     const Pose2 now = forge::fromMessage(trajectory_.past.back().pose);
@@ -56,14 +57,18 @@ void AttackerInjector::rememberLike(const collision_forge::AgentArray& recorded)
   };
   const collision_forge::Agent* most_like = nullptr;
   for (const collision_forge::Agent& agent : recorded.agents) {
-    const bool is_vehicle = agent.agent_class <= collision_forge::Agent::STATIC_OBJECT &&
+    const bool is_vehicle = agent.agent_class <= collision_forge::Agent::SCOOTER &&
                             (agent.agent_class == attacker_.agent_class ||
                              isMotorVehicle(static_cast<AgentClass>(agent.agent_class)));
     if (is_vehicle && (!most_like || unlike(agent) < unlike(*most_like))) most_like = &agent;
   }
   if (!most_like) return;
-  attacker_.size.z = most_like->size.z;
-  attacker_.pose.position.z = most_like->pose.position.z;
+  const bool is_alike = most_like->agent_class == attacker_.agent_class;
+  const BoxSize size{attacker_.size.x, attacker_.size.y};
+  attacker_.size.z = is_alike ? most_like->size.z
+                              : typicalHeight(static_cast<AgentClass>(attacker_.agent_class), size);
+  const double ground = most_like->pose.position.z - 0.5 * most_like->size.z;
+  attacker_.pose.position.z = ground + 0.5 * attacker_.size.z;
   is_remembered_ = true;
 }
 

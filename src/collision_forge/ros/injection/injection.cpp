@@ -304,8 +304,10 @@ class Injection {
 
   /// The attacker is red from now on.
   visualization_msgs::MarkerArray shownAgents(const collision_forge::AgentArray& agents) const {
-    return annotationMarkers(agents,
-                             agents.header.stamp < now_ ? "" : shown_.trajectory.attacker_id);
+    std::vector<std::string> supports;
+    for (const auto& support : shown_.supports) supports.push_back(support.motion.attacker_id);
+    return annotationMarkers(
+        agents, agents.header.stamp < now_ ? "" : shown_.trajectory.attacker_id, supports);
   }
 
   const collision_forge::Agent* attackerIn(const collision_forge::AgentArray& agents) const {

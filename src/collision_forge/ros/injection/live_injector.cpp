@@ -30,15 +30,24 @@ LiveInjector::LiveInjector(const Config& config, AfterContact after_contact, Pub
 void LiveInjector::setAttack(const collision_forge::Attack& attack) {
   if (attack.trajectory.attacker_id.empty()) {
     injector_.reset();
+    supports_.clear();
     watch_.stop();
     return send();
   }
   const AttackerTrajectory trajectory = fromMessage(attack.trajectory);
   checkTrajectory(trajectory, limits_, "attack");
+  for (const collision_forge::SupportVehicle& support : attack.supports) {
+    checkTrajectory(fromMessage(support.motion), limits_, "attack.supports");
+  }
   now_ = trajectory.points.front().time;
   if (injector_ && injector_->change(attack.trajectory)) return watch_.change(trajectory);
   injector_.emplace(attack.trajectory, drivable_);
-  if (last_) injector_->remember(*last_);
+  supports_.clear();
+  for (const auto& support : attack.supports) supports_.emplace_back(support.motion, drivable_);
+  if (last_) {
+    injector_->remember(*last_);
+    for (AttackerInjector& support : supports_) support.remember(*last_);
+  }
   const auto& poses = watch_.ego().states;
   if (!poses.empty()) begun_at_ = poses.back().time;
   watch_.start(trajectory);
@@ -110,7 +119,9 @@ bool LiveInjector::sendRecorded() {
 
 void LiveInjector::publish(const collision_forge::AgentArray& frame) {
   published_ = std::max(published_, frame.header.stamp);
-  publish_(injector_ ? injector_->inject(frame) : frame);
+  collision_forge::AgentArray injected = frame;
+  for (AttackerInjector& support : supports_) injected = support.inject(std::move(injected));
+  publish_(injector_ ? injector_->inject(std::move(injected)) : injected);
 }
 
 void LiveInjector::keep(const collision_forge::AgentArray::ConstPtr& recorded) {

@@ -6,6 +6,7 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "collision_forge/attack/verify/contact_watch.h"
 #include "collision_forge/base/scene/attack.h"
@@ -15,7 +16,8 @@
 
 namespace forge {
 
-/// Publishes frames of agents with the attacker of the newest attack. All times are header stamps.
+/// Publishes frames of agents with attacker and support vehicles of the newest attack. All times
+/// are header stamps.
 ///
 /// Without an attack, and up to its t0, recorded frames pass immediately. After t0 the injector
 /// also publishes intermediate frames at `frame_rate` (config/attacked_bag.yaml), with the other
@@ -83,6 +85,7 @@ class LiveInjector {
   Publish publish_;
 
   std::optional<AttackerInjector> injector_;  // set during an attack
+  std::vector<AttackerInjector> supports_;    // of its support vehicles
   double now_ = 0.0;                          // s, t0 of the attack
   ContactWatch watch_;
 

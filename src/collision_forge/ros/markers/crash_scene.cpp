@@ -112,26 +112,31 @@ SceneEntity boxEntity(const std::string& id, const OrientedBox& box, const BoxLo
 }
 
 std::string className(std::uint8_t agent_class) {
-  return toString(static_cast<AgentClass>(
-      std::min(agent_class, std::uint8_t{collision_forge::Agent::STATIC_OBJECT})));
+  return toString(static_cast<AgentClass>(agent_class <= collision_forge::Agent::SCOOTER
+                                              ? agent_class
+                                              : collision_forge::Agent::STATIC_OBJECT));
 }
 
 /// Cones and barriers, which are many, have no labels.
-BoxLook lookOf(const collision_forge::Agent& agent, bool attacks) {
+BoxLook lookOf(const collision_forge::Agent& agent, bool attacks, bool helps) {
   BoxLook look{kVehicleHeight, colors::agentColor(agent.agent_class), "", kLabelLetterHeight};
   if (agent.size.z > 0.0 && std::isfinite(agent.size.z)) look.height = agent.size.z;
   if (attacks) {
     look.color = colors::kAttacker;
     look.label = "attacker";
     look.letter_height = kTitleLetterHeight;
-  } else if (agent.agent_class < collision_forge::Agent::STATIC_OBJECT) {
+  } else if (agent.agent_class != collision_forge::Agent::STATIC_OBJECT) {
+    if (helps) look.color = colors::kSupport;
     look.label = className(agent.agent_class) + " " + shortId(agent.id);
   }
   return look;
 }
 
-SceneEntity agentEntity(const collision_forge::Agent& agent, const OrientedBox& box, bool attacks) {
-  SceneEntity entity = boxEntity("agent " + agent.id, box, lookOf(agent, attacks));
+SceneEntity agentEntity(const collision_forge::Agent& agent, const OrientedBox& box,
+                        const CrashView& view) {
+  const bool helps = view.attack && isSupport(agent.id, *view.attack);
+  SceneEntity entity =
+      boxEntity("agent " + agent.id, box, lookOf(agent, &agent == view.attacker, helps));
   const double speed = std::hypot(agent.velocity.x, agent.velocity.y);
   entity.metadata = {{"id", agent.id},
                      {"class", className(agent.agent_class)},
@@ -193,8 +198,7 @@ SceneUpdate crashScene(const CrashView& view, const collision_forge::AgentArray&
   }
   for (const auto& agent : agents.agents) {
     const OrientedBox box{fromMessage(agent.pose), sizeOf(agent.size)};
-    if (isDrawable(box))
-      update.entities.push_back(agentEntity(agent, box, &agent == view.attacker));
+    if (isDrawable(box)) update.entities.push_back(agentEntity(agent, box, view));
   }
   if (view.attack) update.entities.push_back(attackEntity(*view.attack, view.header.stamp));
   return update;

@@ -124,9 +124,22 @@ void addAgents(const LiveScene& live, MarkerList& markers) {
     const colors::MarkerColor color = colors::agentColor(agent.agent_class);
     if (isAttacker(agent, live)) {
       addRecorded(agent, shownBox(agent, live), color, markers);
-    } else {
+    } else if (!live.attack || !isSupport(agent.id, *live.attack)) {
       addTrack("agents", agent, shownBox(agent, live), color, markers);
     }
+  }
+}
+
+/// Adds the support vehicles where the attack has them; one that moves on is gone at its end.
+void addSupports(const LiveScene& live, MarkerList& markers) {
+  if (!live.attack) return;
+  for (const collision_forge::SupportVehicle& support : live.attack->supports) {
+    const auto& points = support.motion.points;
+    if (points.empty()) continue;
+    if (live.now > points.back().stamp && points.back().speed != 0.0) continue;
+    const Pose2 pose = poseAt(fromMessage(support.motion), live.now.toSec());
+    markers.addBox("supports", {pose, sizeOf(support.motion.size)}, kVehicleHeight,
+                   colors::kSupport);
   }
 }
 
@@ -185,6 +198,7 @@ std::vector<OrientedBox> coveredByOthers(const LiveScene& live) {
 visualization_msgs::MarkerArray liveMarkers(const LiveScene& live) {
   MarkerList markers(live.scene->header);
   addAgents(live, markers);
+  addSupports(live, markers);
   addEgo(live, markers);
   const auto area = shownArea(live);
   const double scale = area ? letterScale(*area) : 1.0;

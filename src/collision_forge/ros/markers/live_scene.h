@@ -40,10 +40,11 @@ std::vector<OrientedBox> coveredByOthers(const LiveScene& live);
 /// Returns ego ("ego") and agents ("agents") that have a state in the newest frame, extrapolated
 /// from it (shownPose()), with trails ("trails"); names in parentheses are namespaces. Without an
 /// attacker in the picture also the ids ("ids") of the agents within 40 m of the ego that can
-/// attack (canAttackClass()). From the attack's t0 on also the attacker as driven ("attacker") and
-/// as recorded ("recorded"), and the countdown or verdict ("words"). After the contact ego and
-/// attacker move by `crash`, with a mark at the contact point ("contact"), and the recorded ego
-/// continues ("recorded").
+/// attack (canAttackClass()). With `attack` also its support vehicles ("supports") until their last
+/// point, and longer if they stand there; they replace agents of their ids. From the attack's t0 on
+/// also the attacker as driven ("attacker") and as recorded ("recorded"), and the countdown or
+/// verdict ("words"). After the contact ego and attacker move by `crash`, with a mark at the
+/// contact point ("contact"), and the recorded ego continues ("recorded").
 visualization_msgs::MarkerArray liveMarkers(const LiveScene& live);
 
 /// Returns the part of the map to show. From t0 of an attack until its verdict it contains the ego,

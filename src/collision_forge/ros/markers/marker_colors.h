@@ -3,6 +3,7 @@
 #include <std_msgs/ColorRGBA.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 /// Colours of the markers in RViz, for a white background. Ego, attacker, pattern and contact have
@@ -28,8 +29,9 @@ inline constexpr MarkerColor kPainted{0.97F, 0.97F, 0.98F};  ///< crosswalks and
 // Attacks and planner tests.
 inline constexpr MarkerColor kEgo{0.12F, 0.40F, 0.80F};
 inline constexpr MarkerColor kAttacker{0.84F, 0.15F, 0.16F};
-inline constexpr MarkerColor kAdded{0.93F, 0.45F, 0.45F};            ///< past of an added attacker
-inline constexpr MarkerColor kPatternEgo{0.52F, 0.20F, 0.68F};       ///< ego in a collision pattern
+inline constexpr MarkerColor kAdded{0.93F, 0.45F, 0.45F};       ///< past of an added attacker
+inline constexpr MarkerColor kSupport{0.15F, 0.17F, 0.20F};     ///< support vehicles of the attack
+inline constexpr MarkerColor kPatternEgo{0.52F, 0.20F, 0.68F};  ///< ego in a collision pattern
 inline constexpr MarkerColor kPatternAttacker{0.98F, 0.58F, 0.10F};  ///< attacker in a pattern
 inline constexpr MarkerColor kContact{1.00F, 0.87F, 0.12F};          ///< the contact point
 inline constexpr MarkerColor kRecordedEgo{0.33F, 0.34F, 0.38F};      ///< in planner tests
@@ -40,7 +42,7 @@ inline constexpr MarkerColor kPlate{1.00F, 1.00F, 1.00F, 0.8F};  ///< under text
 inline constexpr MarkerColor kNose{1.00F, 1.00F, 1.00F, 0.75F};  ///< the arrow head on a box
 
 /// Colours of agents, in the order of the constants in Agent.msg.
-inline constexpr std::array<MarkerColor, 11> kAgentClasses{{
+inline constexpr std::array<MarkerColor, 14> kAgentClasses{{
     {0.44F, 0.53F, 0.62F},  // car
     {0.05F, 0.45F, 0.45F},  // truck
     {0.52F, 0.50F, 0.05F},  // bus
@@ -52,7 +54,12 @@ inline constexpr std::array<MarkerColor, 11> kAgentClasses{{
     {0.05F, 0.68F, 0.85F},  // pedestrian
     {0.70F, 0.66F, 0.42F},  // animal
     {0.60F, 0.60F, 0.60F},  // static object
+    {0.35F, 0.85F, 0.95F},  // child
+    {0.02F, 0.42F, 0.62F},  // runner
+    {0.62F, 0.80F, 0.45F},  // scooter
 }};
+
+inline constexpr std::size_t kStaticObject = 10;  ///< index in kAgentClasses
 
 /// Colours of traffic lights, in the order of the constants in TrafficLight.msg.
 inline constexpr std::array<MarkerColor, 4> kLights{{
@@ -69,7 +76,8 @@ inline MarkerColor lightColor(std::uint8_t color) {
 
 /// Returns the colour of a class; an unknown class gets the colour of static objects.
 inline MarkerColor agentColor(std::uint8_t agent_class) {
-  return agent_class < kAgentClasses.size() ? kAgentClasses[agent_class] : kAgentClasses.back();
+  return agent_class < kAgentClasses.size() ? kAgentClasses[agent_class]
+                                            : kAgentClasses[kStaticObject];
 }
 
 /// Returns `color` with another alpha.

@@ -2,6 +2,8 @@
 
 #include <collision_forge/Agent.h>
 
+#include <algorithm>
+
 #include "collision_forge/base/geometry/touch_point.h"
 #include "collision_forge/base/scene/short_id.h"
 #include "collision_forge/ros/markers/label_places.h"
@@ -43,6 +45,11 @@ BoxSize sizeOf(const geometry_msgs::Vector3& size) { return {size.x, size.y}; }
 bool canAttackClass(std::uint8_t agent_class) {
   return agent_class <= collision_forge::Agent::STATIC_OBJECT &&
          isMotorVehicle(static_cast<AgentClass>(agent_class));
+}
+
+bool isSupport(const std::string& id, const collision_forge::Attack& attack) {
+  return std::any_of(attack.supports.begin(), attack.supports.end(),
+                     [&](const auto& support) { return support.motion.attacker_id == id; });
 }
 
 void addId(const std::string& id, const OrientedBox& framed, const OrientedBox& shown, double scale,

@@ -40,6 +40,9 @@ BoxSize sizeOf(const geometry_msgs::Vector3& size);
 /// no attacker: motor vehicles (isMotorVehicle()). Returns false for an unknown constant.
 bool canAttackClass(std::uint8_t agent_class);
 
+/// Returns true if `id` is the id of a support vehicle of the attack.
+bool isSupport(const std::string& id, const collision_forge::Attack& attack);
+
 /// Adds the short form of an agent's id (namespace "ids") beside `shown`, the agent's box in the
 /// picture. The side is chosen beside `framed`, the box in the newest frame, so that it changes
 /// only with a new frame. Adds no text if it would cover an element of `obstacles` at every place

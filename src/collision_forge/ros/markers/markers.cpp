@@ -277,7 +277,8 @@ MarkerArray crashMarkers(const CrashView& view) {
 }
 
 MarkerArray annotationMarkers(const collision_forge::AgentArray& agents,
-                              const std::string& attacker_id) {
+                              const std::string& attacker_id,
+                              const std::vector<std::string>& supports) {
   MarkerList markers(agents.header);
   std::vector<OrientedBox> boxes;
   for (const auto& agent : agents.agents) boxes.push_back(boxOf(agent));
@@ -285,8 +286,11 @@ MarkerArray annotationMarkers(const collision_forge::AgentArray& agents,
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const collision_forge::Agent& agent = agents.agents[i];
     const bool attacks = !attacker_id.empty() && agent.id == attacker_id;
+    const bool helps = std::count(supports.begin(), supports.end(), agent.id) > 0;
     markers.addBox("agents", boxes[i], heightOf(agent),
-                   attacks ? colors::kAttacker : colors::agentColor(agent.agent_class));
+                   attacks ? colors::kAttacker
+                   : helps ? colors::kSupport
+                           : colors::agentColor(agent.agent_class));
     if (canAttackClass(agent.agent_class)) {
       addId(agent.id, boxes[i], boxes[i], 1.0, obstacles, markers);
     }

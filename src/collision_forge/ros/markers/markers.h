@@ -11,6 +11,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "collision_forge/base/geometry/oriented_box.h"
 
@@ -63,10 +64,11 @@ struct CrashView {
 visualization_msgs::MarkerArray crashMarkers(const CrashView& view);
 
 /// Returns a box for each agent (namespace "agents"), red for the attacker (`attacker_id`; empty:
-/// none), and the short id beside each agent that can attack (canAttackClass()), where addId()
-/// finds a free place.
+/// none) and in the colour of support vehicles for the `supports` (ids), and the short id beside
+/// each agent that can attack (canAttackClass()), where addId() finds a free place.
 visualization_msgs::MarkerArray annotationMarkers(const collision_forge::AgentArray& agents,
-                                                  const std::string& attacker_id = "");
+                                                  const std::string& attacker_id = "",
+                                                  const std::vector<std::string>& supports = {});
 
 /// Returns an array that deletes all earlier markers of its topic.
 visualization_msgs::MarkerArray noMarkers(const std_msgs::Header& header);

@@ -63,7 +63,12 @@ Value enumOf(std::uint8_t value, Value last, const std::string& field) {
 }
 
 AgentClass agentClass(std::uint8_t value, const std::string& id) {
-  return enumOf(value, AgentClass::kStaticObject, "agent " + id + ": agent_class");
+  return enumOf(value, kLastAgentClass, "agent " + id + ": agent_class");
+}
+
+/// Returns nullopt for a size without a height.
+std::optional<double> heightOf(const geometry_msgs::Vector3& size) {
+  return std::isfinite(size.z) && size.z > 0.0 ? std::optional(size.z) : std::nullopt;
 }
 
 Lane fromMessage(const collision_forge::Lane& message, const Vector2& origin) {
@@ -168,6 +173,7 @@ std::string readControls(const collision_forge::CollisionRequest& message,
       return field + (" = \"" + word + "\" is ") + allowedWords(field);
     }
   }
+  request.queue = message.queue != 0;
   if (message.min_impact_speed != 0.0 || message.max_impact_speed != 0.0) {
     request.impact_speed = Range{message.min_impact_speed, message.max_impact_speed};
   }
@@ -392,7 +398,8 @@ std::vector<Track> fromMessage(const collision_forge::AgentArray& message) {
     agents.push_back({agent.id,
                       agentClass(agent.agent_class, agent.id),
                       fromMessage(agent.size),
-                      {{time, fromMessage(agent.pose), velocity}}});
+                      {{time, fromMessage(agent.pose), velocity}},
+                      heightOf(agent.size)});
   }
   return agents;
 }
@@ -412,8 +419,11 @@ collision_forge::TrackState toMessage(const AgentState& state) {
 }
 
 Track fromMessage(const collision_forge::AgentTrack& message) {
-  Track track{
-      message.id, agentClass(message.agent_class, message.id), fromMessage(message.size), {}};
+  Track track{message.id,
+              agentClass(message.agent_class, message.id),
+              fromMessage(message.size),
+              {},
+              heightOf(message.size)};
   for (const auto& state : message.states) track.states.push_back(fromMessage(state));
   return track;
 }
@@ -423,6 +433,7 @@ collision_forge::AgentTrack toMessage(const Track& track) {
   message.id = track.id;
   message.agent_class = static_cast<std::uint8_t>(track.agent_class);
   message.size = toMessage(track.size);
+  message.size.z = track.height.value_or(0.0);
   for (const AgentState& state : track.states) message.states.push_back(toMessage(state));
   return message;
 }
@@ -523,6 +534,7 @@ collision_forge::CollisionRequest toMessage(const CollisionRequest& request) {
   if (request.turning != Turning::kAttacker) message.turning = toString(request.turning);
   if (request.from_side) message.from_side = toString(*request.from_side);
   if (request.hidden_by) message.hidden_by = toString(*request.hidden_by);
+  message.queue = static_cast<std::uint8_t>(request.queue);
   for (const RangeFields& fields : kRangeFields) {
     const Range range = (request.*fields.asked).value_or(Range{});
     message.*fields.least = range.min;
@@ -569,6 +581,7 @@ collision_forge::CollisionRequest requestIn(
   request.min_departure_time = message.min_departure_time;
   request.max_departure_time = message.max_departure_time;
   request.hidden_by = message.hidden_by;
+  request.queue = message.queue;
   request.min_visible_for = message.min_visible_for;
   request.max_visible_for = message.max_visible_for;
   request.alternatives = message.alternatives;
@@ -677,7 +690,7 @@ Attack fromMessage(const collision_forge::Attack& message) {
   answer.trajectory = fromMessage(message.trajectory);
   for (const collision_forge::SupportVehicle& support : message.supports) {
     answer.supports.push_back(
-        {wordIn(support.role, "role", hiderFromString), fromMessage(support.motion)});
+        {wordIn(support.role, "role", supportRoleFromString), fromMessage(support.motion)});
   }
   answer.effort = message.effort;
   answer.report = fromMessage(message.report);

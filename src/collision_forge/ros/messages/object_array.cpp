@@ -33,8 +33,11 @@ std::uint8_t classificationOf(std::uint8_t agent_class) {
     case Agent::MOTORCYCLE:
       return kMotorcycle;
     case Agent::BICYCLE:
+    case Agent::SCOOTER:
       return kBike;
     case Agent::PEDESTRIAN:
+    case Agent::CHILD:
+    case Agent::RUNNER:
       return kPedestrian;
     default:
       return kUnknown;

@@ -32,12 +32,12 @@ QString entry(const colors::MarkerColor& color, const QString& words) {
 }  // namespace
 
 QString legendText() {
-  QString text = entry(colors::kEgo, "ego") + entry(colors::kAttacker, "attacker, its plan") +
-                 entry(colors::kAdded, "its past, if added") +
-                 entry(colors::withAlpha(colors::kEgo, kRecordedAlpha), "pale: as recorded") +
-                 entry(colors::kPatternEgo, "pattern: ego") +
-                 entry(colors::kPatternAttacker, "pattern: attacker") +
-                 entry(colors::kContact, "contact");
+  QString text =
+      entry(colors::kEgo, "ego") + entry(colors::kAttacker, "attacker, its plan") +
+      entry(colors::kAdded, "its past, if added") + entry(colors::kSupport, "support vehicle") +
+      entry(colors::withAlpha(colors::kEgo, kRecordedAlpha), "pale: as recorded") +
+      entry(colors::kPatternEgo, "pattern: ego") +
+      entry(colors::kPatternAttacker, "pattern: attacker") + entry(colors::kContact, "contact");
   for (std::size_t i = 0; i < colors::kAgentClasses.size(); ++i) {
     QString name = toString(static_cast<AgentClass>(i));
     text += entry(colors::kAgentClasses[i], name.replace('_', ' '));

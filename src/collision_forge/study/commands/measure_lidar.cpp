@@ -41,7 +41,7 @@ std::vector<VehicleInCloud> vehiclesIn(const collision_forge::AgentArray& agents
   std::vector<VehicleInCloud> vehicles;
   for (const collision_forge::Agent& agent : agents.agents) {
     const auto agent_class = static_cast<AgentClass>(agent.agent_class);
-    if (!isVehicle(agent_class) && agent_class != AgentClass::kPedestrian) continue;
+    if (!isVehicle(agent_class) && !isOnFoot(agent_class)) continue;
     vehicles.push_back({agent.id,
                         agent_class,
                         sensor.inverse() * bottomOf(agent),
@@ -147,7 +147,7 @@ int measure(Arguments arguments) {
   std::cout << "class, range m             n recorded injected change%  |change|% rings  share_rec "
                "share_inj chamfer floor intensity rec inj\n";
   constexpr double kRanges[] = {0.0, 10.0, 20.0, 30.0, 50.0, 200.0};  // m
-  for (int i = 0; i <= static_cast<int>(AgentClass::kPedestrian); ++i) {
+  for (int i = 0; i <= static_cast<int>(kLastAgentClass); ++i) {
     for (std::size_t k = 0; k + 1 < std::size(kRanges); ++k) {
       std::vector<ReplacedVehicle> some;
       for (const ReplacedVehicle& vehicle : measured.vehicles) {

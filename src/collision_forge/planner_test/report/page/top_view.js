@@ -4,7 +4,7 @@ import {summed} from './records.js';
 
 const GHOST_STEP = 1; // s between the pale boxes from t0 to the end
 const ARROW_SPACING = 18; // m along a centreline
-const SMALL = ['pedestrian', 'bicycle', 'animal'];
+const SMALL = ['pedestrian', 'child', 'runner', 'bicycle', 'scooter', 'animal'];
 
 const lineOf = (packed) => [summed(packed.x, 1e-2), summed(packed.y, 1e-2)];
 
