@@ -10,9 +10,19 @@ namespace forge {
 
 /// The place of a recorded vehicle whose points are taken out of a cloud.
 struct VacatedBox {
-  Eigen::Isometry3d pose;  ///< in the cloud's frame; origin on the ground below the box's middle
+  Eigen::Isometry3d pose;  ///< at the cloud's stamp; origin on the ground below the box's middle
   Eigen::Vector3d size;    ///< length, width, height, m
+  Eigen::Vector3d velocity{0.0, 0.0, 0.0};  ///< m/s, in the frame of `pose`'s parent
+
+  /// Returns true if a point in the frame of `pose`'s parent is in the box, enlarged by `margin`
+  /// (m) on all sides but the lowest, from `lowest` (m above the ground) on: either in the box
+  /// where it was at `time` (s after the stamp), or where it is at the stamp, since times of points
+  /// without a time field are estimates.
+  bool contains(const Eigen::Vector3d& point, double time, double margin, double lowest) const;
 };
+
+/// Returns the box of a body that is in the cloud as recorded.
+VacatedBox vacatedBoxOf(const PosedBody& posed);
 
 /// The surfaces behind removed vehicles.
 class CloudBackground {

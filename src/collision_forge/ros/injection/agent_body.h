@@ -13,6 +13,10 @@ struct AgentInSweep {
   double end_time = 0.0;
 };
 
+/// Returns an agent that moves at its velocity from `begin_time` (s after the stamp, <= 0) to where
+/// it is at the stamp.
+AgentInSweep movingAgent(const collision_forge::Agent& agent, double begin_time);
+
 /// Poses of a cloud's frame in the map frame at the begin and the end of a sweep; equal for clouds
 /// whose points all refer to one pose.
 struct SensorInSweep {

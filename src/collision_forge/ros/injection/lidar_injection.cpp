@@ -113,10 +113,7 @@ void LidarInjection::learnFrom(sensor_msgs::PointCloud2& message) {
   for (const collision_forge::Agent& agent : agents) {
     const Eigen::Vector3d position = bottomOf(agent).translation();
     if ((position - sensor->end.translation()).norm() > kLearnReach) continue;
-    AgentInSweep posed{agent, agent, beginOf(sweep), 0.0};
-    posed.begin.pose.position.x += agent.velocity.x * posed.begin_time;
-    posed.begin.pose.position.y += agent.velocity.y * posed.begin_time;
-    bodies.push_back(bodyInCloud(posed, *sensor, sweep));
+    bodies.push_back(bodyInCloud(movingAgent(agent, beginOf(sweep)), *sensor, sweep));
   }
   surfaces_.learn(cloud, layout, sweep, bodies);
 }
@@ -127,7 +124,9 @@ void LidarInjection::addToBackground(const PointCloud& cloud, const CloudLayout&
   if (agents.empty()) return;  // nobody knows what moves
   std::vector<VacatedBox> movers;
   for (const collision_forge::Agent& agent : agents) {
-    movers.push_back({bottomOf(agent), {agent.size.x, agent.size.y, agent.size.z}});
+    movers.push_back({bottomOf(agent),
+                      {agent.size.x, agent.size.y, agent.size.z},
+                      {agent.velocity.x, agent.velocity.y, agent.velocity.z}});
   }
   background_.add(cloud, layout, sweep, sensor, movers);
 }
@@ -189,8 +188,8 @@ bool LidarInjection::editCounted(sensor_msgs::PointCloud2& message, Counts& coun
   const BackgroundOfSensor background(background_, sensor->end);
   if (!vacated.empty()) edit.background = &background;
   for (const collision_forge::Agent& agent : vacated) {
-    const PosedBody body = bodyInCloud({agent, agent, 0.0, 0.0}, *sensor, sweep);
-    edit.vacated.push_back({body.end, body.body.size});
+    const AgentInSweep posed = movingAgent(agent, (begin_stamp - stamp).toSec());
+    edit.vacated.push_back(vacatedBoxOf(bodyInCloud(posed, *sensor, sweep)));
   }
   const CloudChange change = editCloud(cloud, layout, sweep, edit, surfaces_);
   putCloud(std::move(cloud), message);
