@@ -52,6 +52,7 @@ struct BagAttack {
 struct InjectionNotes {
   std::vector<std::string> warnings;  ///< per topic with values that were left out or not changed
   std::vector<std::string> lidar;     ///< what was changed in the clouds
+  std::vector<std::string> cameras;   ///< boxes on the pictures of each camera
 };
 
 /// Properties of the recording in a bag and of its vehicles.
@@ -77,6 +78,8 @@ void requireNoAttack(const std::string& path);
 ///   the contact.
 /// - Clouds of `lidar`: show the attacker and not its recorded place (LidarInjection). With a
 ///   contact, sensors_match_until has its stamp: the ego's sensors do not feel the crash.
+/// - attack_box beside each camera_info: box of the attacker on the pictures (CameraBoxes), until
+///   the contact if `after_contact` is kStop. Pictures are copied.
 /// All other messages are copied byte by byte with their connections. Non-finite agents, transforms
 /// and odometry are dropped (ros/injection/finite_parts.h). `on_progress` receives the completed
 /// share 0..1. Throws BagError.

@@ -18,9 +18,6 @@ namespace {
 constexpr std::size_t kClouds = 40;   // per topic, from which returns are learnt
 constexpr double kLearnReach = 60.0;  // m, of vehicles to learn from
 
-/// s that a bag may last, for the transforms in memory.
-constexpr double kLongest = 24.0 * 3600.0;
-
 bool isCloud(const rosbag::ConnectionInfo& connection) {
   return connection.datatype == ros::message_traits::datatype<sensor_msgs::PointCloud2>();
 }
@@ -39,25 +36,10 @@ double beginOf(const SweepRays& sweep) {
 }  // namespace
 
 LidarInjection::LidarInjection(const rosbag::Bag& source, Setup setup)
-    : setup_(std::move(setup)), frames_(names::kMapFrame, names::kBaseFrame, kLongest) {
-  addTransforms(source);
+    : setup_(std::move(setup)), frames_(names::kMapFrame, names::kBaseFrame, kLongestBag) {
+  addTransforms(source, frames_, setup_.moved);
   chooseTopics(source);
   learn(source);
-}
-
-void LidarInjection::addTransforms(const rosbag::Bag& source) {
-  for (const char* topic : {names::kStaticTf, names::kTf}) {
-    for (const rosbag::MessageInstance& instance :
-         rosbag::View(source, rosbag::TopicQuery(topic))) {
-      const auto message = instance.instantiate<tf2_msgs::TFMessage>();
-      if (!message) continue;
-      const bool is_static = topic == names::kStaticTf;
-      const bool is_moved = !is_static && setup_.moved;
-      for (const auto& transform : usableTransforms(is_moved ? setup_.moved(*message) : *message)) {
-        frames_.add(transform, is_static);
-      }
-    }
-  }
 }
 
 void LidarInjection::chooseTopics(const rosbag::Bag& source) {

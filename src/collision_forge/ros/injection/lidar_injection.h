@@ -70,7 +70,6 @@ class LidarInjection {
     std::map<std::string, std::size_t> problems;
   };
 
-  void addTransforms(const rosbag::Bag& source);
   void chooseTopics(const rosbag::Bag& source);
   void learn(const rosbag::Bag& source);
   void learnFrom(sensor_msgs::PointCloud2& message);

@@ -73,16 +73,8 @@ struct Measured {
 /// Replaces the vehicles of all clouds that have the stamp of a frame of agents.
 Measured measureIn(const rosbag::Bag& bag, const Arguments& arguments,
                    const LidarOptions& options) {
-  BagFrames frames(names::kMapFrame, names::kBaseFrame, 1e5);
-  for (const char* topic : {names::kStaticTf, names::kTf}) {
-    for (const auto& instance : rosbag::View(bag, rosbag::TopicQuery(topic))) {
-      const auto message = instance.instantiate<tf2_msgs::TFMessage>();
-      if (!message) continue;
-      for (const auto& transform : usableTransforms(*message)) {
-        frames.add(transform, topic == names::kStaticTf);
-      }
-    }
-  }
+  BagFrames frames(names::kMapFrame, names::kBaseFrame, kLongestBag);
+  addTransforms(bag, frames);
   std::map<ros::Time, collision_forge::AgentArray> agents;
   for (const auto& instance : rosbag::View(bag, rosbag::TopicQuery(bagTopic(names::kAgents)))) {
     if (const auto frame = readMessage<collision_forge::AgentArray>(instance)) {
