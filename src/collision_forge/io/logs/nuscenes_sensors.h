@@ -31,6 +31,7 @@ struct NuScenesSensorFile {
 
 /// The sensor data of one scene: keyframes and sweeps.
 struct NuScenesSensorScene {
+  std::string dataroot;  ///< folder of the files; empty: all are simulated
   std::vector<NuScenesSensor> sensors;
   std::vector<NuScenesSensorFile> files;  ///< by time, then by sensor
 };

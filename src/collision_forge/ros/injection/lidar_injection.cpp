@@ -3,6 +3,7 @@
 #include <rosbag/view.h>
 
 #include <algorithm>
+#include <cctype>
 #include <stdexcept>
 #include <utility>
 
@@ -20,6 +21,20 @@ constexpr double kLearnReach = 60.0;  // m, of vehicles to learn from
 
 bool isCloud(const rosbag::ConnectionInfo& connection) {
   return connection.datatype == ros::message_traits::datatype<sensor_msgs::PointCloud2>();
+}
+
+/// Returns true for the returns of a radar, which are clouds, too: they have a radar cross-section
+/// or a Doppler speed.
+bool isOfRadar(const rosbag::Bag& source, const std::string& topic) {
+  rosbag::View view(source, rosbag::TopicQuery(topic));
+  if (view.size() == 0) return false;
+  const auto message = view.begin()->instantiate<sensor_msgs::PointCloud2>();
+  return message && std::any_of(message->fields.begin(), message->fields.end(), [](auto& field) {
+           std::string name = field.name;
+           std::transform(name.begin(), name.end(), name.begin(),
+                          [](unsigned char letter) { return std::tolower(letter); });
+           return name == "rcs" || name.rfind("doppler", 0) == 0;
+         });
 }
 
 std::string counted(std::size_t count, std::size_t of, const char* what) {
@@ -58,8 +73,12 @@ void LidarInjection::chooseTopics(const rosbag::Bag& source) {
     counts_[topic];
   }
   if (!counts_.empty()) return;
-  if (clouds.empty()) throw BagError("the bag has no sensor_msgs/PointCloud2 (--lidar auto)");
-  for (const std::string& topic : clouds) counts_[topic];
+  for (const std::string& topic : clouds) {
+    if (!isOfRadar(source, topic)) counts_[topic];
+  }
+  if (counts_.empty()) {
+    throw BagError("the bag has no sensor_msgs/PointCloud2 of a lidar (--lidar auto)");
+  }
 }
 
 void LidarInjection::learn(const rosbag::Bag& source) {

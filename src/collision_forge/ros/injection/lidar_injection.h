@@ -21,7 +21,8 @@
 
 namespace forge {
 
-/// The word for all clouds of a bag whose frame is known.
+/// The word for all lidar clouds of a bag whose frame is known. Clouds with a field `rcs` or
+/// `doppler...` are of radars.
 inline constexpr char kAllClouds[] = "auto";
 
 /// Puts the vehicles of an attack into the lidar clouds of a bag, and takes them out of their
