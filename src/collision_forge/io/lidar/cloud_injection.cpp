@@ -56,9 +56,6 @@ class CloudEditor {
         surfaces_(surfaces) {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       bodies_[i].fit = surfaces.fitOf(bodies_[i].body);
-      // A vehicle is bright or dark as a whole.
-      constexpr std::uint64_t kBrightness = 0x5bd1e995;  // apart from the rays' numbers
-      vehicle_brightness_.push_back(RayNoise(edit.seed, kBrightness + i).uniform());
       windows_.push_back(bodies_[i].window());
     }
   }
@@ -127,10 +124,11 @@ class CloudEditor {
     const Eigen::Vector3d point = hit.distance * ray.direction.cast<double>();
     const double height = (posed.poseAt(ray.time).inverse() * point).z() / posed.body.size.z();
     if (noise.uniform() >= surfaces_.shareOf(posed.body, hit, height)) return end;
-    const double vehicle = vehicle_brightness_[&posed - bodies_.data()];
-    constexpr double kSpread = 0.2;  // of the rays around the vehicle's brightness
-    const double brightness = std::clamp(vehicle + kSpread * noise.normal(), 0.0, 1.0);
-    end.intensity = surfaces_.intensityOf(posed.body, hit, height, brightness);
+    const double within = surfaces_.spreadWithin(posed.body);
+    const double deviation =
+        std::sqrt(1.0 - within) * posed.brightness + std::sqrt(within) * noise.normal();
+    const double quantile = 0.5 * std::erfc(-deviation / std::sqrt(2.0));
+    end.intensity = surfaces_.intensityOf(posed.body, hit, height, quantile);
     constexpr double kMostNoise = 3.0;  // standard deviations
     const double error = std::clamp(noise.normal(), -kMostNoise, kMostNoise) * edit_.range_noise;
     // Never in front of the sensor, never behind what the ray met without the body.
@@ -221,8 +219,7 @@ class CloudEditor {
   const CloudEdit& edit_;
   std::vector<PosedBody> bodies_;  ///< with the fit of `surfaces`
   const SurfaceReturns& surfaces_;
-  std::vector<double> vehicle_brightness_;  ///< quantile, by body
-  std::vector<RayWindow> windows_;          ///< by body
+  std::vector<RayWindow> windows_;  ///< by body
   std::vector<std::uint32_t> removed_;
   std::vector<std::pair<std::uint32_t, std::vector<std::uint8_t>>> added_;
   CloudChange change_;
@@ -251,6 +248,14 @@ VacatedBox vacatedBoxOf(const PosedBody& posed) {
     box.velocity = (posed.end.translation() - posed.begin.translation()) / duration;
   }
   return box;
+}
+
+double brightnessOf(const std::string& vehicle, std::uint64_t seed) {
+  std::uint64_t hash = 14695981039346656037U;  // FNV-1a
+  for (const char letter : vehicle) {
+    hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211U;
+  }
+  return RayNoise(seed, hash).normal();
 }
 
 CloudChange editCloud(PointCloud& cloud, const CloudLayout& layout, const SweepRays& sweep,

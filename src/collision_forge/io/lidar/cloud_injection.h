@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "collision_forge/io/lidar/surface_returns.h"
@@ -51,6 +52,10 @@ struct CloudChange {
   std::size_t vacated = 0;    ///< points inside vacated boxes
   std::size_t filled = 0;     ///< of these, points moved to the background
 };
+
+/// Returns PosedBody::brightness of a vehicle, which it keeps from sweep to sweep: the same id and
+/// seed give the same value, normally distributed over ids.
+double brightnessOf(const std::string& vehicle, std::uint64_t seed);
 
 /// Changes the points of a cloud, ray by ray. First, a return inside a vacated box moves to the
 /// background, or is lost. Then a ray that meets a body in front of its return ends on the body, at

@@ -25,6 +25,7 @@ struct PosedBody {
   Eigen::Isometry3d end;    ///< pose at `end_time`
   double begin_time = 0.0;  ///< s after the cloud's stamp
   double end_time = 0.0;
+  double brightness = 0.0;  ///< of the whole vehicle, in standard deviations from the mean
   double fit = 1.0;  ///< share of length and width that the outline fills; half as much in height
 
   /// Returns the pose at a time (s after the stamp), interpolated or extrapolated.
@@ -57,6 +58,12 @@ class SurfaceReturns {
   /// Returns the fit for a body.
   double fitOf(const LidarBody& body) const;
 
+  /// Returns the share (0 to 1) of the variance of intensities that is within a vehicle; the rest
+  /// is between vehicles, which are bright or dark as a whole. 0.35 (own choice) before enough
+  /// intensities were learnt. Variances are of the logarithm, so that plates and lamps do not
+  /// decide.
+  double spreadWithin(const LidarBody& body) const;
+
   /// Returns the probability 0..1 that a ray which hits the body returns. `height`: of the hit, as
   /// a share of the body's.
   double shareOf(const LidarBody& body, const BodyHit& hit, double height) const;
@@ -84,7 +91,15 @@ class SurfaceReturns {
     std::array<double, kFits> rays{};  ///< that meet the body at each fit of kTriedFits
     double returns = 0.0;
     double inner_returns = 0.0;  ///< at the fit of 0.8
+    std::size_t vehicles = 0;    ///< with two intensities and more
+    double intensities = 0.0;    ///< number, of these vehicles
+    double sum = 0.0;            ///< of the logarithms of intensity + 1
+    double squares = 0.0;
+    double within = 0.0;  ///< squares of the deviations from the vehicle's mean
   };
+
+  /// Adds the intensities of one vehicle.
+  static void addSpread(const std::vector<double>& logarithms, Group& group);
 
   std::array<Group, 2> groups_;  ///< car-like vehicles; two-wheelers and pedestrians
   std::size_t learnt_ = 0;

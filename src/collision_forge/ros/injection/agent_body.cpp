@@ -20,9 +20,10 @@ AgentInSweep movingAgent(const collision_forge::Agent& agent, double begin_time)
 }
 
 PosedBody bodyInCloud(const AgentInSweep& agent, const SensorInSweep& sensor,
-                      const SweepRays& sweep) {
+                      const SweepRays& sweep, std::uint64_t seed) {
   const Eigen::Vector3d size(agent.end.size.x, agent.end.size.y, agent.end.size.z);
   PosedBody body;
+  body.brightness = brightnessOf(agent.end.id, seed);
   body.begin = sensor.begin.inverse() * bottomOf(agent.begin);
   body.end = sensor.end.inverse() * bottomOf(agent.end);
   body.begin_time = agent.begin_time;

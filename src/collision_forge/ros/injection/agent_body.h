@@ -2,6 +2,8 @@
 
 #include <collision_forge/Agent.h>
 
+#include <cstdint>
+
 #include "collision_forge/io/lidar/cloud_injection.h"
 
 namespace forge {
@@ -28,8 +30,8 @@ Eigen::Isometry3d bottomOf(const collision_forge::Agent& agent);
 
 /// Returns the body of an agent in a cloud's frame. It stands on the ground of the sweep below it
 /// (groundBelow()), else on the bottom of its box. Throws std::invalid_argument unless all numbers
-/// are finite and the sizes positive.
+/// are finite and the sizes positive. `seed`: of brightnessOf().
 PosedBody bodyInCloud(const AgentInSweep& agent, const SensorInSweep& sensor,
-                      const SweepRays& sweep);
+                      const SweepRays& sweep, std::uint64_t seed = 0);
 
 }  // namespace forge

@@ -184,7 +184,7 @@ bool LidarInjection::editCounted(sensor_msgs::PointCloud2& message, Counts& coun
                                       [&](const auto& other) { return other.id == agent.id; });
     const AgentInSweep posed{earlier == before.end() ? agent : *earlier, agent,
                              (begin_stamp - stamp).toSec(), 0.0};
-    edit.bodies.push_back(bodyInCloud(posed, *sensor, sweep));
+    edit.bodies.push_back(bodyInCloud(posed, *sensor, sweep, setup_.seed));
   }
   const BackgroundOfSensor background(background_, sensor->end);
   if (!vacated.empty()) edit.background = &background;
