@@ -10,7 +10,7 @@ from pathlib import Path
 import rosbag
 
 from pages import LOGS, forge
-from virtual_environments import python_with
+from virtual_environments import nuscenes_python
 
 DATAROOT, VERSION = Path('data', 'embedded'), 'v1.0-embedded'
 
@@ -37,8 +37,7 @@ def lanes_in(folder):
 class NuScenesDevkitTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        python = python_with('nuscenes', 'nuscenes-devkit==1.2.0', 'numpy==1.26.4', 'shapely==2.0.7',
-                             'opencv-python-headless==4.11.0.86')
+        python = nuscenes_python()
         with tempfile.TemporaryDirectory() as folder:
             forge('convert', *LOGS, '--out', folder)
             cls.lanes = lanes_in(folder)

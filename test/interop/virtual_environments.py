@@ -31,3 +31,9 @@ def python_with(name, *requirements):
         raise RuntimeError('pip cannot install ' + ' '.join(requirements) + ': ' + result.stderr)
     mark.write_text(wanted)
     return python.absolute()
+
+
+def nuscenes_python():
+    """The interpreter of an environment with the devkit of nuScenes; raises as python_with()."""
+    return python_with('nuscenes', 'nuscenes-devkit==1.2.0', 'numpy==1.26.4', 'shapely==2.0.7',
+                       'opencv-python-headless==4.11.0.86')

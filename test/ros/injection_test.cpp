@@ -6,8 +6,10 @@
 #include <nav_msgs/Odometry.h>
 #include <nav_msgs/Path.h>
 #include <rosbag/view.h>
+#include <sensor_msgs/CameraInfo.h>
 #include <tf2_msgs/TFMessage.h>
 #include <unistd.h>
+#include <visualization_msgs/ImageMarker.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
@@ -73,6 +75,27 @@ nav_msgs::Odometry odometryAt(double time) {
   return message;
 }
 
+/// A camera that looks along y, to the left of the ego.
+sensor_msgs::CameraInfo cameraAt(double time) {
+  sensor_msgs::CameraInfo info;
+  info.header.stamp = ros::Time(time);
+  info.header.frame_id = "cam_left";
+  info.width = 1600;
+  info.height = 900;
+  info.K = {800.0, 0.0, 800.0, 0.0, 800.0, 450.0, 0.0, 0.0, 1.0};
+  return info;
+}
+
+tf2_msgs::TFMessage cameraMounting() {
+  tf2_msgs::TFMessage message;
+  auto& transform = message.transforms.emplace_back();
+  transform.header.frame_id = names::kBaseFrame;
+  transform.child_frame_id = "cam_left";
+  transform.transform.rotation.x = -std::sqrt(0.5);
+  transform.transform.rotation.w = std::sqrt(0.5);
+  return message;
+}
+
 /// A car that comes down from y = 8, straight at the ego, as long as `end`.
 collision_forge::AttackerTrajectory trajectoryUntil(double end, bool added) {
   collision_forge::AttackerTrajectory message;
@@ -130,9 +153,12 @@ class InjectIntoBagTest : public testing::Test {
     collision_forge::LaneMap map;
     map.header.frame_id = names::kMapFrame;
     bag.writeLatched(bagTopic(names::kLaneMap), recordedAt(times.front()), map);
+    if (has_camera_)
+      bag.writeLatched(names::kStaticTf, recordedAt(times.front()), cameraMounting());
     ego_.states.clear();
     for (const double time : times) {
       const ros::Time recorded = recordedAt(time);
+      if (has_camera_) bag.write("/cam_left/camera_info", recorded, cameraAt(time));
       bag.write(bagTopic(names::kAgents), recorded, frame(time));
       bag.write(bagTopic(names::kAnnotationMarkers), recorded, visualization_msgs::MarkerArray());
       bag.write(names::kTf, recorded, transformAt(time));
@@ -205,6 +231,7 @@ class InjectIntoBagTest : public testing::Test {
   Track ego_;
   BagAttack attack_;
   double seconds_after_stand_;  ///< longer than the recording, if no test sets it
+  bool has_camera_ = false;
   double record_rate_ = 1.0;    ///< seconds of the record clock in a second of header stamps
   double record_offset_ = 0.0;  ///< s
 };
@@ -258,6 +285,24 @@ TEST_F(InjectIntoBagTest, SupportsAreAgentsFromTheirFirstFrameToTheEndOfTheBag) 
       EXPECT_NEAR(found->pose.position.y, -6.0, 1e-9);
     }
   }
+}
+
+TEST_F(InjectIntoBagTest, CamerasShowTheBoxOfTheAttackerUntilTheContact) {
+  has_camera_ = true;
+  record_offset_ = 100.0;
+  writeRecording({9.0, 10.0, 10.5, 10.6, 11.0, 11.5, 12.0});
+  inject();
+  std::map<double, int> actions;
+  for (const auto& marker : read<visualization_msgs::ImageMarker>("/cam_left/attack_box")) {
+    actions[marker.header.stamp.toSec()] = marker.action;
+  }
+  constexpr int kAdd = visualization_msgs::ImageMarker::ADD;
+  EXPECT_EQ(actions.count(9.0), 0u);
+  EXPECT_EQ(actions.at(10.5), kAdd);
+  EXPECT_EQ(actions.at(10.6), kAdd);
+  EXPECT_EQ(actions.rbegin()->first, 11.0) << "the first picture after the contact";
+  EXPECT_EQ(actions.rbegin()->second, visualization_msgs::ImageMarker::REMOVE);
+  EXPECT_EQ(read<sensor_msgs::CameraInfo>("/cam_left/camera_info").front(), cameraAt(9.0));
 }
 
 TEST_F(InjectIntoBagTest, EgoAndAttackerMoveByTheImpactAfterTheContact) {
@@ -493,12 +538,13 @@ TEST_F(InjectIntoBagTest, NonFiniteEntriesAreDroppedWithAWarning) {
     }
     bag.commit();
   }
-  const auto [warnings, lidar] = injectIntoBag(
+  const auto [warnings, lidar, cameras] = injectIntoBag(
       spoilt, out_, attack_, {ego_, 0.0, config_.attack.verification, config_.attacked_bag});
   EXPECT_EQ(warnings, (std::vector<std::string>{"4 entries of /agents are not finite and left out",
                                                 "2 entries of /odom are not finite and left out",
                                                 "2 entries of /tf are not finite and left out"}));
   EXPECT_TRUE(lidar.empty());
+  EXPECT_TRUE(cameras.empty());
   for (const auto& message : read<collision_forge::AgentArray>(bagTopic(names::kAgents))) {
     for (const auto& agent : message.agents) {
       EXPECT_NE(agent.id, "spoilt");

@@ -56,7 +56,14 @@ class LidarInjectionTest : public testing::Test {
   void SetUp() override {
     const NuScenesRecording scene = recording();
     const NuScenesSensorScene sensors = simulatedSensors(scene);
-    writeBag(path_, scene, {}, &sensors);
+    writeBag(path_, scene, {}, &sensors, [](NewBag& bag) {
+      sensor_msgs::PointCloud2 radar;
+      radar.header.stamp = ros::Time(1.5);
+      radar.header.frame_id = "radar_front";
+      radar.fields.resize(1);
+      radar.fields[0].name = "rcs";
+      bag.write("/radar_front", radar.header.stamp, radar);
+    });
     bag_.open(path_, rosbag::bagmode::Read);
     for (const auto& instance : rosbag::View(bag_, rosbag::TopicQuery("/agents"))) {
       agents_.push_back(*instance.instantiate<collision_forge::AgentArray>());
@@ -135,7 +142,7 @@ TEST_F(LidarInjectionTest, CloudsThatCannotBeChangedAreCountedByReason) {
                                             testing::HasSubstr("field z is missing")));
 }
 
-TEST_F(LidarInjectionTest, SweepsOutOfOrderAndOfTwoTopicsAreChangedAlike) {
+TEST_F(LidarInjectionTest, SweepsOutOfOrderAreChangedAlike) {
   LidarInjection injection(bag_, setup_);
   rosbag::View view(bag_, rosbag::TopicQuery(kTopic));
   sensor_msgs::PointCloud2 last =
@@ -148,14 +155,39 @@ TEST_F(LidarInjectionTest, SweepsOutOfOrderAndOfTwoTopicsAreChangedAlike) {
   EXPECT_EQ(again, last);
 }
 
+TEST_F(LidarInjectionTest, TwoTopicsOfOneSensorShowTheSameAttacker) {
+  const sensor_msgs::PointCloud2 recorded = firstCloud();
+  const std::string path = path_ + "_twice.bag";
+  const NuScenesRecording scene = recording();
+  const NuScenesSensorScene sensors = simulatedSensors(scene);
+  writeBag(path, scene, {}, &sensors,
+           [&](NewBag& bag) { bag.write("/copy", recorded.header.stamp, recorded); });
+  const rosbag::Bag bag(path);
+  LidarInjection injection(bag, setup_);
+  sensor_msgs::PointCloud2 cloud = recorded;
+  sensor_msgs::PointCloud2 copy = recorded;
+  EXPECT_TRUE(injection.edit(kTopic, cloud));
+  EXPECT_TRUE(injection.edit("/copy", copy));
+  EXPECT_EQ(cloud, copy);
+  EXPECT_EQ(injection.summary().size(), 3u) << "one line per topic, one on returns";
+  std::filesystem::remove(path);
+}
+
+TEST_F(LidarInjectionTest, RadarsAreChangedOnlyIfNamed) {
+  EXPECT_FALSE(LidarInjection(bag_, setup_).has("/radar_front"));
+  setup_.topics = {"/radar_front"};
+  EXPECT_TRUE(LidarInjection(bag_, setup_).has("/radar_front"));
+}
+
 TEST_F(LidarInjectionTest, TopicsWithoutCloudsAreRefused) {
   setup_.topics = {"/points"};
   try {
     const LidarInjection injection(bag_, setup_);
     ADD_FAILURE();
   } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(),
-                 "no sensor_msgs/PointCloud2 on /points; the bag has clouds on /lidar_top");
+    EXPECT_STREQ(
+        error.what(),
+        "no sensor_msgs/PointCloud2 on /points; the bag has clouds on /lidar_top, /radar_front");
   }
 }
 

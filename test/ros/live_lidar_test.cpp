@@ -68,6 +68,37 @@ TEST(LiveLidar, ShowsTheAttackerWhereItIsAtTheStamp) {
   EXPECT_NEAR(rearOf(again), extrapolated, 0.05);
 }
 
+/// Number of points above the ground whose x is in a range; the sensor is at x = 0.
+std::size_t pointsBetween(sensor_msgs::PointCloud2 message, double from, double to) {
+  const PointCloud cloud = takeCloud(message);
+  const CloudLayout layout(cloud);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < cloud.pointCount(); ++i) {
+    const Eigen::Vector3d point = layout.position(cloud.pointAt(i));
+    if (point.z() > -1.55 && point.x() > from && point.x() < to && std::abs(point.y()) < 1.5) {
+      ++count;
+    }
+  }
+  return count;
+}
+
+TEST(LiveLidar, NoPointOfTheRecordedCarStays) {
+  // The sensor sees the moving car up to half a metre behind its place at the stamp.
+  LiveLidar drawing({0.02, 0.05, true}, false);
+  drawing.setAttacker("attacker");
+  drawing.addInjected(frame(10.0, 8.0));
+  sensor_msgs::PointCloud2 cloud = groundAt(10.0);
+  ASSERT_TRUE(drawing.edit(sensor(), cloud));
+  ASSERT_GT(pointsBetween(cloud, 5.0, 11.0), 50u);
+  LiveLidar lidar({0.02, 0.05, true}, false);
+  lidar.setAttacker("attacker");
+  lidar.addRecorded(frame(10.0, 8.0));
+  lidar.addInjected(frame(10.0, 20.0));
+  ASSERT_TRUE(lidar.edit(sensor(), cloud));
+  EXPECT_EQ(pointsBetween(cloud, 5.0, 11.0), 0u);
+  EXPECT_GT(pointsBetween(cloud, 16.0, 23.0), 3u);
+}
+
 TEST(LiveLidar, FramesThatAreTooOldAreNotShown) {
   LiveLidar lidar({0.0, 0.05, true}, true);
   lidar.addInjected(frame(9.0, 8.0));

@@ -109,12 +109,12 @@ bool isFromOwnBag(const Arguments& arguments) {
 /// Returns what is left to say after the sensor data of a scene were written; empty: nothing.
 std::string sensorWords(const SensorCounts& counts) {
   std::string words;
-  const auto add = [&](std::size_t count, const char* what) {
-    if (count > 0) words += (words.empty() ? "" : ", ") + counted(count, "sensor file") + what;
+  const auto add = [&](std::size_t count, const char* file, const char* what) {
+    if (count > 0) words += (words.empty() ? "" : ", ") + counted(count, file) + what;
   };
-  add(counts.missing, " missing");
-  add(counts.unreadable, " unreadable (no whole points)");
-  add(counts.skipped, " of kinds that are not converted (radar)");
+  add(counts.missing, "sensor file", " missing");
+  add(counts.missing_can, "CAN bus file", " missing");
+  add(counts.unreadable, "sensor file", " unreadable (not of its format)");
   return words;
 }
 
@@ -272,13 +272,14 @@ void addConvert(CommandLine& line) {
   addOut(app, arguments->out, "output folder, one file per scene");
   addChoice<bool>(app, "--to", arguments->to_scenario_net, {{"bag", false}, {"scenarionet", true}},
                   "output format");
-  addChoice<SensorOrigin>(app, "--sensors", arguments->sensors,
-                          {{"none", SensorOrigin::kNone},
-                           {"files", SensorOrigin::kFiles},
-                           {"simulated", SensorOrigin::kSimulated}},
-                          "sensor data in the bags; files: lidar sweeps and pictures of a nuScenes "
-                          "root, or the sensors of bags with --topics; simulated: a lidar among "
-                          "the annotated objects (docs/lidar.md)");
+  addChoice<SensorOrigin>(
+      app, "--sensors", arguments->sensors,
+      {{"none", SensorOrigin::kNone},
+       {"files", SensorOrigin::kFiles},
+       {"simulated", SensorOrigin::kSimulated}},
+      "sensor data in the bags; files: lidar, cameras, radar, GPS and IMU of a "
+      "nuScenes root, or the sensors of bags with --topics; simulated: a lidar among "
+      "the annotated objects (docs/lidar.md)");
   addChoice<RowTimes>(
       app, "--rows", arguments->rows,
       {{"even", RowTimes::kEveryStep}, {"recorded", RowTimes::kAsRecorded}},

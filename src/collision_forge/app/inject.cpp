@@ -22,11 +22,13 @@
 #include "collision_forge/base/scene/support_vehicles.h"
 #include "collision_forge/io/batch/printable.h"
 #include "collision_forge/io/batch/progress_line.h"
+#include "collision_forge/io/drawing/draw_clouds.h"
 #include "collision_forge/io/drawing/draw_scenario.h"
 #include "collision_forge/io/weights/pattern_network_file.h"
 #include "collision_forge/planner_test/settings/config.h"
 #include "collision_forge/planner_test/settings/config_fingerprint.h"
 #include "collision_forge/ros/bags/bag_reader.h"
+#include "collision_forge/ros/injection/cloud_pairs.h"
 #include "collision_forge/ros/injection/injection.h"
 #include "collision_forge/ros/markers/crash_words.h"
 #include "collision_forge/ros/messages/attack_request.h"
@@ -145,6 +147,7 @@ void checkOutputs(const Arguments& arguments) {
   }
   if (arguments.draw.empty()) return;
   for (const char* ending : {".png", ".gif"}) checkPicture(arguments.draw + ending, arguments);
+  if (!arguments.lidar.empty()) checkPicture(arguments.draw + "_lidar.gif", arguments);
 }
 
 /// Runs the request. The plans of the result are empty except in mode adaptive.
@@ -189,20 +192,26 @@ collision_forge::AttackRequest requestMessage(const TestedAttack& attack,
 /// The messages and notes of a written bag.
 struct WrittenBag {
   BagAttack attack;
-  std::vector<std::string> lidar;  ///< lines on the changed clouds
+  InjectionNotes notes;
 };
 
-/// Returns the lines on the changed clouds; "" without any.
-std::string lidarText(const WrittenBag& written, const Scene& scene) {
+/// Returns the lines on clouds and cameras; "" without any.
+std::string sensorText(const WrittenBag& written, const Scene& scene) {
   std::string text;
-  for (const std::string& line : written.lidar)
+  for (const std::string& line : written.notes.lidar) {
     text += "lidar: " + std::string(printable(line)) + "\n";
+  }
   const collision_forge::CollisionReport& tested = written.attack.tested_report;
-  if (text.empty() || !tested.contact) return text;
-  return text + formatted(
-                    "lidar: sensors match until the contact, %.2f s after the first frame; "
-                    "cameras are not changed\n",
-                    tested.contact_time.toSec() - scene.frame_times.front());
+  if (!text.empty() && tested.contact) {
+    text += formatted(
+        "lidar: sensors match until the contact, %.2f s after the first frame; "
+        "cameras are not changed\n",
+        tested.contact_time.toSec() - scene.frame_times.front());
+  }
+  for (const std::string& line : written.notes.cameras) {
+    text += "camera: " + std::string(printable(line)) + "\n";
+  }
+  return text;
 }
 
 WrittenBag writeAttackedBag(const TestedAttack& attack, const Scene& scene,
@@ -227,7 +236,24 @@ WrittenBag writeAttackedBag(const TestedAttack& attack, const Scene& scene,
                                               config.attack.verification, config.attacked_bag},
                                              [&](double share) { progress.show(share); });
   printWarnings(arguments.out, notes.warnings);
-  return {bag_attack, notes.lidar};
+  return {bag_attack, notes};
+}
+
+/// Writes the animation of the clouds around the contact, and prints its name; nothing if no cloud
+/// was changed then.
+void drawClouds(const Arguments& arguments, const CollisionReport& tested, const Track& ego,
+                double now, const Config& config) {
+  constexpr double kBefore = 3.0;      // s before the contact
+  constexpr double kAfter = 0.2;       // s after it
+  constexpr std::size_t kClouds = 24;  // a small file
+  const double end = tested.contact ? tested.contact_time : now + arguments.request.tta;
+  const std::vector<CloudPair> pairs = readCloudPairs(arguments.bag, arguments.out, arguments.lidar,
+                                                      {end - kBefore, end + kAfter, kClouds});
+  if (pairs.empty()) return;
+  const std::string path = arguments.draw + "_lidar.gif";
+  const OrientedBox box{{config.ego_vehicle.center_offset, 0.0, 0.0}, ego.size};
+  drawCloudsGif(path, pairs, box, config.drawing);
+  std::cout << "wrote " << path << "\n";
 }
 
 int inject(const Arguments& arguments) {
@@ -282,7 +308,7 @@ int inject(const Arguments& arguments) {
                                            moment.recorded->agents)
                     : "")
             << "\n"
-            << lidarText(bag, scene) << "wrote " << arguments.out << "\n";
+            << sensorText(bag, scene) << "wrote " << arguments.out << "\n";
   if (!arguments.draw.empty()) {
     ScenarioView view{scene.name,       request.tta,    request.mode,      moment.snapshot,
                       *moment.recorded, attack.pattern, attack.trajectory, tested};
@@ -295,6 +321,7 @@ int inject(const Arguments& arguments) {
     drawScenarioPng(arguments.draw + ".png", view, config.drawing);
     drawScenarioGif(arguments.draw + ".gif", view, config.drawing);
     std::cout << "wrote " << arguments.draw << ".png\nwrote " << arguments.draw << ".gif\n";
+    if (!arguments.lidar.empty()) drawClouds(arguments, tested, recorded_ego, now, config);
   }
   return exitCodeOf(written.tested_report, is_untested, arguments);
 }
@@ -343,7 +370,10 @@ void addInject(CommandLine& line) {
                  "default: seconds_after_stand of attacked_bag.yaml")
       ->check(CLI::NonNegativeNumber);
   addOut(app, arguments->out, "output bag");
-  app.add_option("--draw", arguments->draw, "also write pictures to this name + .png and .gif");
+  app.add_option(
+      "--draw", arguments->draw,
+      "also write pictures to this name + .png and .gif, and with --lidar clouds from above "
+      "to this name + _lidar.gif");
   addConfig(app, arguments->config);
   app.footer(
       "Exit codes: 0 success, 1 error, 2 invalid command line, 3 no collision as requested. With "

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "collision_forge/io/drawing/draw_clouds.h"
 #include "collision_forge/io/drawing/draw_scenario.h"
 #include "collision_forge/io/drawing/scenario_painter.h"
 #include "io/drawing/sample_view.h"
@@ -137,6 +138,32 @@ TEST_F(DrawGif, SameInputGivesTheSameBytes) {
   draw();
   EXPECT_FALSE(first.empty());
   EXPECT_EQ(first, readBytes(path_));
+}
+
+TEST_F(DrawGif, CloudsShowTheNewPointsInTheAttackersColour) {
+  const Eigen::Vector3f ground(10.0F, 5.0F, 0.0F);
+  const Eigen::Vector3f wall(25.0F, 8.0F, 2.0F);
+  const Eigen::Vector3f attacker(20.0F, -3.0F, 1.0F);
+  const std::vector<CloudPair> pairs = {{7.0, {ground, wall}, {ground, wall}},
+                                        {7.25, {ground, wall}, {wall, attacker}}};
+  drawCloudsGif(path_, pairs, {{1.0, 0.0, 0.0}, {4.0, 1.8}}, options_);
+  const Animation animation = readGif(path_);
+  ASSERT_EQ(animation.frames.size(), 2u);
+  EXPECT_EQ(animation.delays.front(), 25);
+  EXPECT_EQ(animation.width, options_.gif_width);
+  // From 15 m behind to 45 m ahead of base_link, the recorded cloud over the attacked one.
+  const double scale = animation.width / 60.0;
+  const auto colorAt = [&](std::size_t frame, bool is_lower, double x, double y) {
+    const double top = 2.0 * options_.gif_font_size + (is_lower ? animation.height / 2 : 0);
+    return animation.at(frame, {(x + 15.0) * scale, top + (10.0 - y) * scale});
+  };
+  for (const bool is_lower : {false, true}) {
+    EXPECT_TRUE(looksLike(colorAt(0, is_lower, 1.0, 0.0), options_.ego_color));
+    EXPECT_TRUE(looksLike(colorAt(0, is_lower, 10.0, 5.0), options_.lane_color));
+    EXPECT_TRUE(looksLike(colorAt(0, is_lower, 25.0, 8.0), options_.text_color));
+    EXPECT_EQ(looksLike(colorAt(1, is_lower, 10.0, 5.0), options_.lane_color), !is_lower);
+    EXPECT_EQ(looksLike(colorAt(1, is_lower, 20.0, -3.0), options_.attacker_color), is_lower);
+  }
 }
 
 }  // namespace

@@ -67,6 +67,25 @@ TEST(EditCloud, TheCarIsThereAndShadowsTheGround) {
   }
 }
 
+TEST(EditCloud, TwoMillionPointsAreAnOrdinaryCloud) {
+  MadeUpLidar lidar;
+  lidar.rings = 128;
+  lidar.step = 0.005;
+  lidar.is_organised = true;
+  lidar.empty = EmptyPoints::kNan;
+  const auto pointsOnCar = [&](int columns) {
+    lidar.columns = columns;
+    PointCloud cloud = madeUpCloud(lidar, groundRangeOf);
+    const std::size_t points = cloud.pointCount();
+    const CloudChange change = edited(cloud, {{carAt(8.0, 3.0)}, {}, nullptr, 0.0, 1});
+    EXPECT_EQ(points, std::size_t{128} * static_cast<std::size_t>(columns));
+    EXPECT_EQ(cloud.pointCount(), points);
+    return static_cast<double>(change.on_bodies);
+  };
+  const double few = pointsOnCar(1024);
+  EXPECT_NEAR(pointsOnCar(16384), 16.0 * few, 0.1 * 16.0 * few);
+}
+
 TEST(EditCloud, RaysIntoTheSkyHitATallBody) {
   PointCloud cloud = ground();
   PosedBody truck = carAt(9.0, 0.0);
@@ -124,6 +143,30 @@ TEST(EditCloud, RemovedPointsBecomeWhatTheCloudHasForNoReturn) {
       EXPECT_FALSE((point - Eigen::Vector3d(8.0, 0.0, -1.0)).norm() < 0.7);
     }
     EXPECT_EQ(cloud.is_dense, empty != EmptyPoints::kNan);
+  }
+}
+
+TEST(VacatedBox, IsWhereTheVehicleWasAtTheTimeOfTheRay) {
+  VacatedBox box{carAt(8.0, 0.0).end, {4.5, 1.9, 1.5}};
+  box.velocity = {10.0, 0.0, 0.0};
+  const Eigen::Vector3d behind(8.0 - 4.5 / 2.0 - 0.4, 0.0, -1.0);
+  EXPECT_TRUE(box.contains(behind, -0.05, 0.0, 0.2)) << "its rear was there half a metre earlier";
+  EXPECT_FALSE(box.contains(behind, 0.0, 0.0, 0.2));
+  EXPECT_TRUE(box.contains(behind, 0.0, 0.45, 0.2)) << "the margin";
+  EXPECT_TRUE(box.contains({8.0, 0.0, -1.0}, -0.05, 0.0, 0.2));
+  EXPECT_FALSE(box.contains({8.0, 0.0, -1.7}, 0.0, 0.0, 0.2)) << "below the lowest height";
+  EXPECT_FALSE(box.contains({8.0, 0.0, -0.2}, 0.0, 0.0, 0.2)) << "above the roof";
+}
+
+TEST(EditCloud, ARayEndsOnTheBodyBehindARemovedVehicle) {
+  PointCloud cloud = ground();
+  edited(cloud, {{carAt(8.0, 0.0)}, {}, nullptr, 0.0, 1});
+  const CloudEdit move{{carAt(16.0, 0.0)}, {vacatedBoxOf(carAt(8.0, 0.0))}, nullptr, 0.0, 2};
+  EXPECT_GT(edited(cloud, move).on_bodies, 5u);
+  const CloudLayout layout(cloud);
+  for (std::size_t i = 0; i < cloud.pointCount(); ++i) {
+    const Eigen::Vector3d point = layout.position(cloud.pointAt(i));
+    EXPECT_FALSE(point.z() > -1.55 && point.x() < 12.0) << point.transpose();
   }
 }
 

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <vector>
+
+#include "collision_forge/io/lidar/cloud_injection.h"
+#include "io/lidar/made_up_cloud.h"
 
 namespace forge {
 namespace {
@@ -58,6 +63,41 @@ TEST(SurfaceReturns, TheModelMaterialsFallsWithRangeAndGrazingIncidence) {
   EXPECT_LT(share(10.0, 0.02, SurfaceKind::kPaint), 0.3);
   EXPECT_GT(model.intensityOf(body, {10.0, 1.0, SurfaceKind::kLamp}, 0.5, 0.5),
             model.intensityOf(body, {10.0, 1.0, SurfaceKind::kTyre}, 0.5, 1.0));
+}
+
+/// Three cars of 40 returns each, with intensities `mean` + `step` times 0 or 1.
+double spreadOfCars(const std::array<double, 3>& means, double step) {
+  MadeUpLidar lidar;
+  lidar.columns = 720;
+  PointCloud cloud = madeUpCloud(lidar, groundRangeOf);
+  std::vector<PosedBody> cars;
+  for (const double y : {-6.0, 0.0, 6.0}) {
+    PosedBody car;
+    car.body = lidarBodyOf(AgentClass::kCar, {4.5, 1.9, 1.5});
+    car.end = Eigen::Isometry3d(Eigen::Translation3d(9.0, y, -1.8));
+    car.begin = car.end;
+    cars.push_back(car);
+  }
+  const CloudLayout empty(cloud);
+  editCloud(cloud, empty, raysOf(cloud, empty, {0.0, 0.1}), {cars, {}, nullptr, 0.0, 1}, {});
+  const CloudLayout layout(cloud);
+  for (std::size_t i = 0; i < cloud.pointCount(); ++i) {
+    const Eigen::Vector3d point = layout.position(cloud.pointAt(i));
+    const std::size_t car = point.y() < -3.0 ? 0 : point.y() < 3.0 ? 1 : 2;
+    layout.intensity->set(cloud.pointAt(i), std::expm1(means[car] + step * (i % 2)));
+  }
+  SurfaceReturns surfaces;
+  surfaces.learn(cloud, layout, raysOf(cloud, layout, {0.0, 0.1}), cars);
+  return surfaces.spreadWithin(cars[0].body);
+}
+
+TEST(SurfaceReturns, TheSpreadOfIntensitiesWithinAVehicleIsLearnt) {
+  EXPECT_NEAR(spreadOfCars({2.0, 2.0, 2.0}, 1.0), 1.0, 0.05) << "all vehicles are alike";
+  EXPECT_NEAR(spreadOfCars({1.0, 2.0, 3.0}, 0.0), 0.05, 1e-9) << "the least";
+  const double mixed = spreadOfCars({1.0, 2.0, 3.0}, 1.0);
+  EXPECT_GT(mixed, 0.15);
+  EXPECT_LT(mixed, 0.6);
+  EXPECT_EQ(SurfaceReturns().spreadWithin(lidarBodyOf(AgentClass::kCar, {4.5, 1.9, 1.5})), 0.35);
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <iterator>
+
 #include "collision_forge/io/lidar/simulated_sweep.h"
 
 namespace forge {
@@ -30,6 +33,24 @@ TEST(LidarReplacement, ABodyReplacesItself) {
     EXPECT_GT(vehicle.ring_overlap, 0.8);
     EXPECT_LT(vehicle.distance, 2.0 * vehicle.floor);
   }
+}
+
+TEST(LidarReplacement, FeaturesDescribeThePoints) {
+  VehiclePoints points;
+  points.positions = {{2.0, 1.0, 0.5}, {2.0, -1.0, 0.5}, {2.0, 0.0, 1.5}};
+  points.ranges = {10.0, 10.0, 13.0};
+  points.azimuths = {3.1, 3.1 - 0.2, -2.0 * M_PI + 3.15};  // over the seam at pi
+  points.rings = {{7, 2}, {10, 1}};
+  points.intensities = {10.0, 20.0, 30.0};
+  const Eigen::VectorXd features = featuresOf(points);
+  const double expected[] = {std::log(4.0),  2.0,  0.5,
+                             11.0 * 0.25,    1.0,  2.5 / 3.0,
+                             std::sqrt(2.0), 20.0, std::sqrt(200.0 / 3.0)};
+  ASSERT_EQ(features.size(), static_cast<Eigen::Index>(std::size(expected)));
+  for (Eigen::Index i = 0; i < features.size(); ++i) {
+    EXPECT_NEAR(features[i], expected[i], 1e-9) << kPointFeatures[i];
+  }
+  EXPECT_TRUE(featuresOf({}).isZero());
 }
 
 TEST(LidarReplacement, VehiclesWithFewPointsAreLeftOut) {

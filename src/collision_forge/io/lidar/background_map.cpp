@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace forge {
@@ -31,13 +32,6 @@ std::uint64_t cubeOf(const Eigen::Vector3d& point) {
   return keyOf(point.x(), point.y(), point.z(), kCube);
 }
 
-bool isIn(const VacatedBox& box, const Eigen::Vector3d& point) {
-  if ((point - box.pose.translation()).squaredNorm() > box.size.squaredNorm() + 1.0) return false;
-  const Eigen::Vector3d local = box.pose.inverse() * point;
-  return std::abs(local.x()) < box.size.x() / 2.0 + kMargin &&
-         std::abs(local.y()) < box.size.y() / 2.0 + kMargin && local.z() < box.size.z() + kMargin;
-}
-
 }  // namespace
 
 void BackgroundMap::add(const PointCloud& cloud, const CloudLayout& layout, const SweepRays& sweep,
@@ -46,8 +40,10 @@ void BackgroundMap::add(const PointCloud& cloud, const CloudLayout& layout, cons
   for (const LidarRay& ray : sweep.rays) {
     if (ray.range == LidarRay::kNoReturn || ray.range < kNearest || ray.range > kReach) continue;
     const Eigen::Vector3d point = sensor * (ray.range * ray.direction).cast<double>();
-    const bool is_mover = std::any_of(movers.begin(), movers.end(),
-                                      [&](const VacatedBox& box) { return isIn(box, point); });
+    constexpr double kLowest = -std::numeric_limits<double>::infinity();
+    const bool is_mover = std::any_of(movers.begin(), movers.end(), [&](const VacatedBox& box) {
+      return box.contains(point, ray.time, kMargin, kLowest);
+    });
     if (is_mover) continue;
     const auto intensity = static_cast<float>(
         layout.intensity ? layout.intensity->get(cloud.pointAt(ray.point)) : 0.0);

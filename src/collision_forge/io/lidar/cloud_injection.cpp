@@ -56,9 +56,6 @@ class CloudEditor {
         surfaces_(surfaces) {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       bodies_[i].fit = surfaces.fitOf(bodies_[i].body);
-      // A vehicle is bright or dark as a whole.
-      constexpr std::uint64_t kBrightness = 0x5bd1e995;  // apart from the rays' numbers
-      vehicle_brightness_.push_back(RayNoise(edit.seed, kBrightness + i).uniform());
       windows_.push_back(bodies_[i].window());
     }
   }
@@ -98,7 +95,7 @@ class CloudEditor {
       nearest = &body;
     }
     if (hit) {
-      end = endOn(*nearest, *hit, ray, number);
+      end = endOn(*nearest, *hit, {ray, number, end.range});
       is_changed = end.is_on_body || ray.range != LidarRay::kNoReturn;
     }
     if (!is_changed) return std::nullopt;
@@ -109,31 +106,34 @@ class CloudEditor {
     if (ray.range == LidarRay::kNoReturn) return false;
     const Eigen::Vector3d point = (ray.range * ray.direction).cast<double>();
     return std::any_of(edit_.vacated.begin(), edit_.vacated.end(), [&](const VacatedBox& box) {
-      if ((point - box.pose.translation()).squaredNorm() > box.size.squaredNorm() + 1.0)
-        return false;
-      const Eigen::Vector3d local = box.pose.inverse() * point;
-      return std::abs(local.x()) < box.size.x() / 2.0 + kVacatedMargin &&
-             std::abs(local.y()) < box.size.y() / 2.0 + kVacatedMargin &&
-             local.z() > kVacatedGround && local.z() < box.size.z() + kVacatedMargin;
+      return box.contains(point, ray.time, kVacatedMargin, kVacatedGround);
     });
   }
 
-  NewEnd endOn(const PosedBody& posed, const BodyHit& hit, const LidarRay& ray,
-               std::size_t number) const {
+  /// A ray without the recorded vehicles that were taken out.
+  struct FreeRay {
+    const LidarRay& ray;
+    std::size_t number;  ///< in the sweep
+    float range;         ///< m, to what is behind the removed vehicles
+  };
+
+  NewEnd endOn(const PosedBody& posed, const BodyHit& hit, const FreeRay& free) const {
     NewEnd end;
-    RayNoise noise(edit_.seed, number);
+    const LidarRay& ray = free.ray;
+    RayNoise noise(edit_.seed, free.number);
     const Eigen::Vector3d point = hit.distance * ray.direction.cast<double>();
     const double height = (posed.poseAt(ray.time).inverse() * point).z() / posed.body.size.z();
     if (noise.uniform() >= surfaces_.shareOf(posed.body, hit, height)) return end;
-    const double vehicle = vehicle_brightness_[&posed - bodies_.data()];
-    constexpr double kSpread = 0.2;  // of the rays around the vehicle's brightness
-    const double brightness = std::clamp(vehicle + kSpread * noise.normal(), 0.0, 1.0);
-    end.intensity = surfaces_.intensityOf(posed.body, hit, height, brightness);
+    const double within = surfaces_.spreadWithin(posed.body);
+    const double deviation =
+        std::sqrt(1.0 - within) * posed.brightness + std::sqrt(within) * noise.normal();
+    const double quantile = 0.5 * std::erfc(-deviation / std::sqrt(2.0));
+    end.intensity = surfaces_.intensityOf(posed.body, hit, height, quantile);
     constexpr double kMostNoise = 3.0;  // standard deviations
     const double error = std::clamp(noise.normal(), -kMostNoise, kMostNoise) * edit_.range_noise;
-    // Never in front of the sensor, never behind the recorded return.
-    end.range =
-        std::min(static_cast<float>(std::max(0.1 * hit.distance, hit.distance + error)), ray.range);
+    // Never in front of the sensor, never behind what the ray met without the body.
+    end.range = std::min(static_cast<float>(std::max(0.1 * hit.distance, hit.distance + error)),
+                         free.range);
     end.is_on_body = true;
     return end;
   }
@@ -219,14 +219,44 @@ class CloudEditor {
   const CloudEdit& edit_;
   std::vector<PosedBody> bodies_;  ///< with the fit of `surfaces`
   const SurfaceReturns& surfaces_;
-  std::vector<double> vehicle_brightness_;  ///< quantile, by body
-  std::vector<RayWindow> windows_;          ///< by body
+  std::vector<RayWindow> windows_;  ///< by body
   std::vector<std::uint32_t> removed_;
   std::vector<std::pair<std::uint32_t, std::vector<std::uint8_t>>> added_;
   CloudChange change_;
 };
 
 }  // namespace
+
+bool VacatedBox::contains(const Eigen::Vector3d& point, double time, double margin,
+                          double lowest) const {
+  const Eigen::Vector3d since = time * velocity;
+  const double reach = size.norm() + since.norm() + 1.0;
+  if ((point - pose.translation()).squaredNorm() > reach * reach) return false;
+  const auto isInside = [&](const Eigen::Vector3d& place) {
+    const Eigen::Vector3d local = pose.inverse() * place;
+    return std::abs(local.x()) < size.x() / 2.0 + margin &&
+           std::abs(local.y()) < size.y() / 2.0 + margin && local.z() > lowest &&
+           local.z() < size.z() + margin;
+  };
+  return isInside(point) || isInside(point - since);
+}
+
+VacatedBox vacatedBoxOf(const PosedBody& posed) {
+  VacatedBox box{posed.end, posed.body.size, Eigen::Vector3d::Zero()};
+  const double duration = posed.end_time - posed.begin_time;
+  if (duration > 0.0) {
+    box.velocity = (posed.end.translation() - posed.begin.translation()) / duration;
+  }
+  return box;
+}
+
+double brightnessOf(const std::string& vehicle, std::uint64_t seed) {
+  std::uint64_t hash = 14695981039346656037U;  // FNV-1a
+  for (const char letter : vehicle) {
+    hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211U;
+  }
+  return RayNoise(seed, hash).normal();
+}
 
 CloudChange editCloud(PointCloud& cloud, const CloudLayout& layout, const SweepRays& sweep,
                       const CloudEdit& edit, const SurfaceReturns& surfaces) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "collision_forge/io/lidar/surface_returns.h"
@@ -10,10 +11,21 @@ namespace forge {
 
 /// The place of a recorded vehicle whose points are taken out of a cloud.
 struct VacatedBox {
-  Eigen::Isometry3d pose;  ///< pose in the cloud's frame (BackgroundMap::add(): map frame); origin
-                           ///< on the ground below the box's middle, x forward
+  Eigen::Isometry3d pose;  ///< pose at the cloud's stamp, in the cloud's frame
+                           ///< (BackgroundMap::add(): map frame); origin on the ground below the
+                           ///< box's middle, x forward
   Eigen::Vector3d size;    ///< length, width, height, m
+  Eigen::Vector3d velocity{0.0, 0.0, 0.0};  ///< m/s, in the frame of `pose`'s parent
+
+  /// Returns true if a point in the frame of `pose`'s parent is in the box, enlarged by `margin`
+  /// (m) on all sides but the lowest, from `lowest` (m above the ground) on: either in the box
+  /// where it was at `time` (s after the stamp), or where it is at the stamp, since times of points
+  /// without a time field are estimates.
+  bool contains(const Eigen::Vector3d& point, double time, double margin, double lowest) const;
 };
+
+/// Returns the box of a body that is in the cloud as recorded.
+VacatedBox vacatedBoxOf(const PosedBody& posed);
 
 /// The surfaces behind removed vehicles.
 class CloudBackground {
@@ -50,15 +62,19 @@ struct CloudChange {
   std::size_t filled = 0;     ///< points moved to the background; included in `vacated`
 };
 
+/// Returns PosedBody::brightness of a vehicle, which it keeps from sweep to sweep: the same id and
+/// seed give the same value, normally distributed over ids.
+double brightnessOf(const std::string& vehicle, std::uint64_t seed);
+
 /// Changes the points of a cloud in place, ray by ray, and returns the numbers of changed points.
 ///
 /// - First, a return inside a vacated box moves to the background, or is lost.
 /// - Then a ray that meets a body in front of its return, as the first step left it, ends on the
 ///   body, at its own time within the sweep and with an intensity of `surfaces`, or has no return,
 ///   by the share of returns of `surfaces`. A ray whose return is nearer keeps it. Rays without
-///   recorded return hit bodies, too. The range with its noise is limited to the recorded range,
-///   so that the ray of a vacated point with a body behind this point ends at the recorded range,
-///   with the intensity of the body.
+///   recorded return hit bodies, too. The range with its noise is limited to the range that the
+///   first step left, not to the recorded range: the ray of a vacated point ends on a body behind
+///   this point.
 /// - Removed points become what the cloud has for rays without return (SweepRays::empty_points; NaN
 ///   clears `is_dense`), so that the number of points never exceeds the number of rays. All other
 ///   points keep their bytes and their order. If no point is added or left out, `data` keeps its

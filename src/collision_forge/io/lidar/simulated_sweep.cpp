@@ -118,6 +118,7 @@ PointCloud simulateSweep(const NuScenesRecording& recording, const NuScenesSenso
                             bottom.x() + bottom.y());
     body.end = to_sensor * Eigen::Translation3d(bottom) * object.rotation.normalized();
     body.begin = body.end;
+    body.brightness = brightnessOf(object.instance, 0);
     bodies.push_back(std::move(body));
   }
   return simulateSweep(bodies, mounted.inverse(), {}, static_cast<std::uint64_t>(ego.timestamp_us));

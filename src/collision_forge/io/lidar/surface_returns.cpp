@@ -105,6 +105,7 @@ void SurfaceReturns::learn(const PointCloud& cloud, const CloudLayout& layout,
     }
     Group& group = groups_[groupOf(posed.body)];
     const RayWindow window = posed.window();
+    std::vector<double> logarithms;
     for (const LidarRay& ray : sweep.rays) {
       if (ray.direction.isZero() || !window.contains(ray.direction)) continue;
       posed.fit = 1.0;
@@ -117,6 +118,12 @@ void SurfaceReturns::learn(const PointCloud& cloud, const CloudLayout& layout,
       if (!is_return && ray.range < hit->distance) continue;  // something stands in front
       ++learnt_;
       if (is_return) group.returns += 1.0;
+      if (is_return && layout.intensity) {
+        const double intensity = layout.intensity->get(cloud.pointAt(ray.point));
+        if (intensity >= 0.0 && std::isfinite(intensity)) {
+          logarithms.push_back(std::log1p(intensity));
+        }
+      }
       std::size_t fit = 0;
       for (; fit < kFits && hit; ++fit) {
         group.rays[fit] += 1.0;
@@ -135,7 +142,31 @@ void SurfaceReturns::learn(const PointCloud& cloud, const CloudLayout& layout,
         hit = posed.hitOf(ray);
       }
     }
+    addSpread(logarithms, group);
   }
+}
+
+void SurfaceReturns::addSpread(const std::vector<double>& logarithms, Group& group) {
+  if (logarithms.size() < 2) return;
+  const Eigen::Map<const Eigen::ArrayXd> values(logarithms.data(),
+                                                static_cast<Eigen::Index>(logarithms.size()));
+  ++group.vehicles;
+  group.intensities += static_cast<double>(logarithms.size());
+  group.sum += values.sum();
+  group.squares += values.square().sum();
+  group.within += (values - values.mean()).square().sum();
+}
+
+double SurfaceReturns::spreadWithin(const LidarBody& body) const {
+  constexpr double kUsual = 0.35;
+  constexpr double kLeast = 0.05;
+  constexpr std::size_t kLeastVehicles = 3;
+  const Group& group = groups_[groupOf(body)];
+  if (group.vehicles < kLeastVehicles || group.intensities < kLeastRays) return kUsual;
+  const double all = group.squares - group.sum * group.sum / group.intensities;
+  if (!(all > 0.0)) return kUsual;
+  const double freedom = group.intensities - static_cast<double>(group.vehicles);
+  return std::clamp(group.within / freedom / (all / (group.intensities - 1.0)), kLeast, 1.0);
 }
 
 void SurfaceReturns::addTo(Bin& bin, bool is_return, double intensity) {

@@ -25,6 +25,7 @@ class SensorTables {
     readSensors();
     readFiles();
     for (auto& [_, scene] : scenes_) {
+      scene.dataroot = dataroot_;
       std::sort(scene.files.begin(), scene.files.end(), [](const auto& a, const auto& b) {
         return std::tie(a.timestamp_us, a.sensor) < std::tie(b.timestamp_us, b.sensor);
       });

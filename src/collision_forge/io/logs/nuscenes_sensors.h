@@ -23,18 +23,19 @@ struct NuScenesSensor {
   std::array<double, 9> intrinsic{};
 };
 
-/// One file of a sensor: a sweep or a picture.
+/// One file of a sensor: a lidar sweep, the returns of a radar, or a picture.
 struct NuScenesSensorFile {
   std::int64_t timestamp_us = 0;  ///< microseconds since 1970
   std::uint32_t sensor = 0;       ///< index into NuScenesSensorScene::sensors
   std::string
       path;  ///< path of the file, with the data root; empty: to simulate (simulatedSensors())
-  std::uint32_t width = 0;   ///< pixels, of pictures; 0 for sweeps
-  std::uint32_t height = 0;  ///< pixels, of pictures; 0 for sweeps
+  std::uint32_t width = 0;   ///< pixels, of pictures; 0 for sweeps and radars
+  std::uint32_t height = 0;  ///< pixels, of pictures; 0 for sweeps and radars
 };
 
 /// The sensor data of one scene: keyframes and sweeps.
 struct NuScenesSensorScene {
+  std::string dataroot;  ///< folder of the nuScenes root; empty if all files are simulated
   std::vector<NuScenesSensor> sensors;    ///< in the order of their first files in the table
   std::vector<NuScenesSensorFile> files;  ///< by time, then by sensor
 };

@@ -1,5 +1,7 @@
 #include "collision_forge/ros/bags/bag_frames.h"
 
+#include <rosbag/view.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <tuple>
@@ -113,6 +115,22 @@ std::string BagFrames::described() const {
     text += (text.empty() ? "" : ", ") + parent + " -> " + child;
   }
   return text.empty() ? "none" : text;
+}
+
+void addTransforms(const rosbag::Bag& source, BagFrames& frames,
+                   const std::function<tf2_msgs::TFMessage(const tf2_msgs::TFMessage&)>& changed) {
+  for (const char* topic : {names::kStaticTf, names::kTf}) {
+    const bool is_static = topic == names::kStaticTf;
+    for (const rosbag::MessageInstance& instance :
+         rosbag::View(source, rosbag::TopicQuery(topic))) {
+      const auto message = instance.instantiate<tf2_msgs::TFMessage>();
+      if (!message) continue;
+      const bool is_changed = !is_static && changed;
+      for (const auto& transform : usableTransforms(is_changed ? changed(*message) : *message)) {
+        frames.add(transform, is_static);
+      }
+    }
+  }
 }
 
 }  // namespace forge

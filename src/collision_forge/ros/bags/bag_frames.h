@@ -1,10 +1,12 @@
 #pragma once
 
 #include <geometry_msgs/TransformStamped.h>
+#include <rosbag/bag.h>
 #include <tf2/buffer_core.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <Eigen/Geometry>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -83,5 +85,15 @@ class BagFrames {
   std::map<std::string, ros::Time> stamps_;            // of the newest used transform, by child
   ros::Time newest_;                                   // newest stamp of all used transforms
 };
+
+/// s before the newest transform: longer than bags last, for a BagFrames with all transforms of
+/// one.
+inline constexpr double kLongestBag = 24.0 * 3600.0;
+
+/// Adds all transforms of a bag, first the static ones. `changed`, if set, receives each message of
+/// /tf and returns what counts instead.
+void addTransforms(
+    const rosbag::Bag& source, BagFrames& frames,
+    const std::function<tf2_msgs::TFMessage(const tf2_msgs::TFMessage&)>& changed = {});
 
 }  // namespace forge

@@ -2,6 +2,8 @@
 
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Imu.h>
+#include <sensor_msgs/NavSatFix.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -9,9 +11,11 @@
 #include <cctype>
 #include <fstream>
 #include <iterator>
-#include <vector>
+#include <limits>
 
+#include "collision_forge/io/lidar/pcd_file.h"
 #include "collision_forge/io/lidar/simulated_sweep.h"
+#include "collision_forge/io/logs/nuscenes_json.h"
 #include "collision_forge/ros/messages/cloud_message.h"
 #include "collision_forge/ros/messages/topic_names.h"
 
@@ -25,8 +29,18 @@ std::string frameOf(const NuScenesSensor& sensor) {
   return name;
 }
 
-ros::Time stampOfFile(const NuScenesSensorFile& file) {
-  return ros::Time().fromNSec(static_cast<std::uint64_t>(file.timestamp_us) * 1000U);
+ros::Time toTime(std::int64_t timestamp_us) {
+  return ros::Time().fromNSec(static_cast<std::uint64_t>(timestamp_us) * 1000U);
+}
+
+ros::Time stampOfFile(const NuScenesSensorFile& file) { return toTime(file.timestamp_us); }
+
+geometry_msgs::Vector3 toVector(const Eigen::Vector3d& value) {
+  geometry_msgs::Vector3 message;
+  message.x = value.x();
+  message.y = value.y();
+  message.z = value.z();
+  return message;
 }
 
 /// Returns the bytes of a file; false if it does not exist.
@@ -37,6 +51,43 @@ bool readBytes(const std::string& path, std::vector<std::uint8_t>& bytes) {
   file.seekg(0);
   file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   return true;
+}
+
+/// Returns the cloud of a lidar sweep (.pcd.bin). Throws CloudError.
+PointCloud readSweep(std::vector<std::uint8_t> bytes) {
+  PointCloud cloud;
+  cloud.fields = nuScenesFields();
+  cloud.point_step = 20;
+  if (bytes.size() % cloud.point_step != 0) {
+    throw CloudError(std::to_string(bytes.size()) + " bytes are no whole points of 20");
+  }
+  cloud.row_step = static_cast<std::uint32_t>(bytes.size());
+  cloud.width = cloud.row_step / cloud.point_step;
+  cloud.data = std::move(bytes);
+  return cloud;
+}
+
+sensor_msgs::Imu toMessage(const NuScenesInertia& row) {
+  sensor_msgs::Imu message;
+  message.header.stamp = toTime(row.timestamp_us);
+  message.header.frame_id = names::kBaseFrame;
+  message.orientation.x = row.orientation.x();
+  message.orientation.y = row.orientation.y();
+  message.orientation.z = row.orientation.z();
+  message.orientation.w = row.orientation.w();
+  message.angular_velocity = toVector(row.rotation_rate);
+  message.linear_acceleration = toVector(row.acceleration);
+  return message;
+}
+
+sensor_msgs::NavSatFix toMessage(const NuScenesPlace& row, const GeoPoint& point) {
+  sensor_msgs::NavSatFix message;
+  message.header.stamp = toTime(row.timestamp_us);
+  message.header.frame_id = names::kBaseFrame;
+  message.latitude = point.latitude;
+  message.longitude = point.longitude;
+  message.altitude = std::numeric_limits<double>::quiet_NaN();  // nuScenes has none
+  return message;
 }
 
 sensor_msgs::CameraInfo cameraInfoOf(const NuScenesSensor& camera, const NuScenesSensorFile& file) {
@@ -56,6 +107,30 @@ sensor_msgs::CameraInfo cameraInfoOf(const NuScenesSensor& camera, const NuScene
 
 }  // namespace
 
+SensorWriter::SensorWriter(const NuScenesSensorScene& sensors, const NuScenesRecording& recording,
+                           NewBag& bag)
+    : sensors_(sensors), recording_(recording), bag_(bag) {
+  if (!sensors.dataroot.empty()) readCanBus();
+}
+
+void SensorWriter::readCanBus() {
+  const auto readInto = [&](auto& rows, const auto& read) {
+    try {
+      auto found = read(sensors_.dataroot, recording_.name);
+      if (!found) {
+        ++counts_.missing_can;
+        return;
+      }
+      rows = std::move(*found);
+      ++counts_.written;
+    } catch (const NuScenesError&) {
+      ++counts_.unreadable;
+    }
+  };
+  readInto(inertia_, readInertia);
+  if (geoPointOn(recording_.location, {0.0, 0.0})) readInto(places_, readPlaces);
+}
+
 void SensorWriter::writeMounting(const ros::Time& start) {
   tf2_msgs::TFMessage message;
   for (const NuScenesSensor& sensor : sensors_.sensors) {
@@ -63,9 +138,7 @@ void SensorWriter::writeMounting(const ros::Time& start) {
     transform.header.stamp = start;
     transform.header.frame_id = names::kBaseFrame;
     transform.child_frame_id = frameOf(sensor);
-    transform.transform.translation.x = sensor.translation.x();
-    transform.transform.translation.y = sensor.translation.y();
-    transform.transform.translation.z = sensor.translation.z();
+    transform.transform.translation = toVector(sensor.translation);
     const Eigen::Quaterniond rotation = sensor.rotation.normalized();
     transform.transform.rotation.x = rotation.x();
     transform.transform.rotation.y = rotation.y();
@@ -82,34 +155,51 @@ void SensorWriter::writeUpTo(std::int64_t timestamp_us) {
     const std::string& modality = sensors_.sensors[file.sensor].modality;
     if (file.path.empty()) {
       writeSimulated(file);
-    } else if (modality == "lidar") {
-      writeSweep(file);
     } else if (modality == "camera") {
       writePicture(file);
     } else {
-      ++counts_.skipped;
+      writeCloud(file);
     }
   }
+  writeCanBusUpTo(timestamp_us);
 }
 
-void SensorWriter::writeSweep(const NuScenesSensorFile& file) {
-  PointCloud cloud;
-  cloud.fields = nuScenesFields();
-  cloud.point_step = 20;
-  if (!readBytes(file.path, cloud.data)) {
+bool SensorWriter::isWithinPoses(std::int64_t timestamp_us) const {
+  return timestamp_us >= recording_.ego_poses.front().timestamp_us &&
+         timestamp_us <= recording_.ego_poses.back().timestamp_us;
+}
+
+void SensorWriter::writeCanBusUpTo(std::int64_t timestamp_us) {
+  const auto writeRows = [&](const auto& rows, std::size_t& next, const char* topic,
+                             const auto& message_of) {
+    for (; next < rows.size() && rows[next].timestamp_us <= timestamp_us; ++next) {
+      if (!isWithinPoses(rows[next].timestamp_us)) continue;
+      bag_.write(topic, toTime(rows[next].timestamp_us), message_of(rows[next]));
+    }
+  };
+  writeRows(inertia_, next_inertia_, "/imu",
+            [](const NuScenesInertia& row) { return toMessage(row); });
+  writeRows(places_, next_place_, "/gps", [this](const NuScenesPlace& row) {
+    return toMessage(row, *geoPointOn(recording_.location, row.position.head<2>()));
+  });
+}
+
+void SensorWriter::writeCloud(const NuScenesSensorFile& file) {
+  std::vector<std::uint8_t> bytes;
+  if (!readBytes(file.path, bytes)) {
     ++counts_.missing;
     return;
   }
-  if (cloud.data.size() % cloud.point_step != 0) {
+  const NuScenesSensor& sensor = sensors_.sensors[file.sensor];
+  sensor_msgs::PointCloud2 message;
+  message.header.stamp = stampOfFile(file);
+  message.header.frame_id = frameOf(sensor);
+  try {
+    putCloud(sensor.modality == "radar" ? readPcd(bytes) : readSweep(std::move(bytes)), message);
+  } catch (const CloudError&) {
     ++counts_.unreadable;
     return;
   }
-  cloud.row_step = static_cast<std::uint32_t>(cloud.data.size());
-  cloud.width = cloud.row_step / cloud.point_step;
-  sensor_msgs::PointCloud2 message;
-  message.header.stamp = stampOfFile(file);
-  message.header.frame_id = frameOf(sensors_.sensors[file.sensor]);
-  putCloud(std::move(cloud), message);
   bag_.write(bagTopic(message.header.frame_id.c_str()), message.header.stamp, message);
   ++counts_.written;
 }

@@ -12,10 +12,18 @@ Eigen::Isometry3d bottomOf(const collision_forge::Agent& agent) {
          Eigen::Translation3d(0.0, 0.0, -agent.size.z / 2.0);
 }
 
+AgentInSweep movingAgent(const collision_forge::Agent& agent, double begin_time) {
+  AgentInSweep moving{agent, agent, begin_time, 0.0};
+  moving.begin.pose.position.x += begin_time * agent.velocity.x;
+  moving.begin.pose.position.y += begin_time * agent.velocity.y;
+  return moving;
+}
+
 PosedBody bodyInCloud(const AgentInSweep& agent, const SensorInSweep& sensor,
-                      const SweepRays& sweep) {
+                      const SweepRays& sweep, std::uint64_t seed) {
   const Eigen::Vector3d size(agent.end.size.x, agent.end.size.y, agent.end.size.z);
   PosedBody body;
+  body.brightness = brightnessOf(agent.end.id, seed);
   body.begin = sensor.begin.inverse() * bottomOf(agent.begin);
   body.end = sensor.end.inverse() * bottomOf(agent.end);
   body.begin_time = agent.begin_time;

@@ -2,6 +2,8 @@
 
 #include <collision_forge/Agent.h>
 
+#include <cstdint>
+
 #include "collision_forge/io/lidar/cloud_injection.h"
 
 namespace forge {
@@ -14,6 +16,10 @@ struct AgentInSweep {
   double end_time = 0.0;    ///< s after the cloud's stamp
 };
 
+/// Returns an agent that moves at its velocity from `begin_time` (s after the stamp, <= 0) to where
+/// it is at the stamp.
+AgentInSweep movingAgent(const collision_forge::Agent& agent, double begin_time);
+
 /// Poses of a cloud's frame in the map frame at the begin and the end of a sweep; equal for clouds
 /// whose points all refer to one pose.
 struct SensorInSweep {
@@ -25,11 +31,12 @@ struct SensorInSweep {
 Eigen::Isometry3d bottomOf(const collision_forge::Agent& agent);
 
 /// Returns the body of an agent in the cloud's frame, at the begin and the end of the sweep;
-/// `sweep`: the rays of the cloud (raysOf()). Its shape is lidarBodyOf() of its class and size. The
-/// body stands on the ground of the sweep below it (groundBelow()), or on the bottom of the agent's
-/// box if the sweep has no ground there. Throws std::invalid_argument, naming the agent, unless all
-/// numbers are finite and the sizes positive.
+/// `sweep`: the rays of the cloud (raysOf()). Its shape is lidarBodyOf() of its class and size, its
+/// brightness is brightnessOf() of its id and `seed`. The body stands on the ground of the sweep
+/// below it (groundBelow()), or on the bottom of the agent's box if the sweep has no ground there.
+/// Throws std::invalid_argument, naming the agent, unless all numbers are finite and the sizes
+/// positive.
 PosedBody bodyInCloud(const AgentInSweep& agent, const SensorInSweep& sensor,
-                      const SweepRays& sweep);
+                      const SweepRays& sweep, std::uint64_t seed = 0);
 
 }  // namespace forge

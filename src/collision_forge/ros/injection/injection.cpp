@@ -18,6 +18,7 @@
 #include "collision_forge/ros/bags/bag_file.h"
 #include "collision_forge/ros/bags/older_message.h"
 #include "collision_forge/ros/injection/attacker_injector.h"
+#include "collision_forge/ros/injection/camera_boxes.h"
 #include "collision_forge/ros/injection/finite_parts.h"
 #include "collision_forge/ros/injection/frame_between.h"
 #include "collision_forge/ros/injection/lidar_injection.h"
@@ -92,7 +93,8 @@ class Injection {
         shown_(attack.attack),
         trajectory_(fromMessage(attack.attack.trajectory)),
         recording_(recording),
-        now_(attack.attack.trajectory.header.stamp) {
+        now_(attack.attack.trajectory.header.stamp),
+        cameras_(source, attack.attack.trajectory.attacker_id) {
     shown_.report = attack.tested_report;
     findCrash();
     findEnd();
@@ -124,6 +126,7 @@ class Injection {
       notes.warnings.push_back(std::to_string(count) + " entries of " + topic +
                                " are not finite and left out");
     }
+    notes.cameras = cameras_.summary();
     if (!lidar_) return notes;
     notes.lidar = lidar_->summary();
     for (const std::string& warning : lidar_->warnings()) notes.warnings.push_back(warning);
@@ -182,11 +185,7 @@ class Injection {
     setup.topics = request.topics;
     setup.options = request.options;
     setup.seed = request.seed;
-    setup.placed = [this](const ros::Time& time) {
-      collision_forge::AgentArray agents;
-      agents.header.stamp = time;
-      return injected(agents).agents;
-    };
+    setup.placed = [this](const ros::Time& time) { return placedAt(time); };
     const auto is_recorded = [](const auto& motion) { return motion.past.empty(); };
     const auto& supports = attack_.attack.supports;
     if (is_recorded(attack_.attack.trajectory) ||
@@ -203,6 +202,13 @@ class Injection {
       };
     }
     lidar_.emplace(source_, std::move(setup));
+  }
+
+  /// Returns the attacker and its supports, while they drive elsewhere than recorded.
+  std::vector<collision_forge::Agent> placedAt(const ros::Time& time) {
+    collision_forge::AgentArray agents;
+    agents.header.stamp = time;
+    return injected(agents).agents;
   }
 
   /// Returns the attacker and its supports as recorded, while they drive elsewhere.
@@ -406,7 +412,19 @@ class Injection {
     if (topic == names::kTf) return copyEgo<tf2_msgs::TFMessage>(instance);
     if (topic == bagTopic(names::kOdometry)) return copyEgo<nav_msgs::Odometry>(instance);
     if (lidar_ && lidar_->has(topic)) return copyCloud(instance);
+    if (cameras_.has(topic)) markPicture(instance);
     return false;
+  }
+
+  void markPicture(const rosbag::MessageInstance& instance) {
+    const auto info = instance.instantiate<sensor_msgs::CameraInfo>();
+    if (!info) return;
+    const bool is_over = crash_ && info->header.stamp.toSec() > crash_->contactTime();
+    const auto agents =
+        is_over ? std::vector<collision_forge::Agent>() : placedAt(info->header.stamp);
+    for (const auto& marker : cameras_.mark(instance.getTopic(), *info, agents)) {
+      target_.write(CameraBoxes::boxTopic(instance.getTopic()), instance.getTime(), marker);
+    }
   }
 
   bool copyCloud(const rosbag::MessageInstance& instance) {
@@ -499,6 +517,7 @@ class Injection {
   std::vector<AttackerInjector> injectors_;     ///< of the supports and of the attacker
   std::vector<collision_forge::AgentArray> recorded_;  ///< frames of agents, if clouds are changed
   std::optional<LidarInjection> lidar_;
+  CameraBoxes cameras_;
   AttackedFrames frames_;
   AttackedFrames::const_iterator next_frame_;  ///< first frame not yet written
   std::vector<OrientedBox> words_obstacles_;   ///< of all frames

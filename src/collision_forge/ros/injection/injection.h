@@ -54,6 +54,7 @@ struct BagAttack {
 struct InjectionNotes {
   std::vector<std::string> warnings;  ///< one per topic and kind of values left out or not changed
   std::vector<std::string> lidar;     ///< LidarInjection::summary(); empty without `lidar`
+  std::vector<std::string> cameras;   ///< CameraBoxes::summary(); empty without cameras
 };
 
 /// Properties of the recording in a bag and of its vehicles. References must outlive
@@ -83,6 +84,8 @@ void requireNoAttack(const std::string& path);
 ///   the contact.
 /// - Clouds of `lidar`: show the attacker and not its recorded place (LidarInjection). With a
 ///   contact, sensors_match_until has its stamp: the ego's sensors do not feel the crash.
+/// - attack_box beside each camera_info: box of the attacker on the pictures (CameraBoxes), until
+///   the contact if `after_contact` is kStop. Pictures are copied.
 /// All other messages are copied byte by byte with their connections. Non-finite agents, transforms
 /// and odometry are dropped (ros/injection/finite_parts.h). `on_progress` receives the completed
 /// share 0..1 before each message of `in` and 1 at the end, in the calling thread. `out` gets its

@@ -3,6 +3,7 @@
 #include <rosbag/view.h>
 
 #include <algorithm>
+#include <cctype>
 #include <stdexcept>
 #include <utility>
 
@@ -18,11 +19,22 @@ namespace {
 constexpr std::size_t kClouds = 40;   // per topic, from which returns are learnt
 constexpr double kLearnReach = 60.0;  // m, of vehicles to learn from
 
-/// s that a bag may last, for the transforms in memory.
-constexpr double kLongest = 24.0 * 3600.0;
-
 bool isCloud(const rosbag::ConnectionInfo& connection) {
   return connection.datatype == ros::message_traits::datatype<sensor_msgs::PointCloud2>();
+}
+
+/// Returns true for the returns of a radar, which are clouds, too: they have a radar cross-section
+/// or a Doppler speed.
+bool isOfRadar(const rosbag::Bag& source, const std::string& topic) {
+  rosbag::View view(source, rosbag::TopicQuery(topic));
+  if (view.size() == 0) return false;
+  const auto message = view.begin()->instantiate<sensor_msgs::PointCloud2>();
+  return message && std::any_of(message->fields.begin(), message->fields.end(), [](auto& field) {
+           std::string name = field.name;
+           std::transform(name.begin(), name.end(), name.begin(),
+                          [](unsigned char letter) { return std::tolower(letter); });
+           return name == "rcs" || name.rfind("doppler", 0) == 0;
+         });
 }
 
 std::string counted(std::size_t count, std::size_t of, const char* what) {
@@ -39,25 +51,10 @@ double beginOf(const SweepRays& sweep) {
 }  // namespace
 
 LidarInjection::LidarInjection(const rosbag::Bag& source, Setup setup)
-    : setup_(std::move(setup)), frames_(names::kMapFrame, names::kBaseFrame, kLongest) {
-  addTransforms(source);
+    : setup_(std::move(setup)), frames_(names::kMapFrame, names::kBaseFrame, kLongestBag) {
+  addTransforms(source, frames_, setup_.moved);
   chooseTopics(source);
   learn(source);
-}
-
-void LidarInjection::addTransforms(const rosbag::Bag& source) {
-  for (const char* topic : {names::kStaticTf, names::kTf}) {
-    for (const rosbag::MessageInstance& instance :
-         rosbag::View(source, rosbag::TopicQuery(topic))) {
-      const auto message = instance.instantiate<tf2_msgs::TFMessage>();
-      if (!message) continue;
-      const bool is_static = topic == names::kStaticTf;
-      const bool is_moved = !is_static && setup_.moved;
-      for (const auto& transform : usableTransforms(is_moved ? setup_.moved(*message) : *message)) {
-        frames_.add(transform, is_static);
-      }
-    }
-  }
 }
 
 void LidarInjection::chooseTopics(const rosbag::Bag& source) {
@@ -76,8 +73,12 @@ void LidarInjection::chooseTopics(const rosbag::Bag& source) {
     counts_[topic];
   }
   if (!counts_.empty()) return;
-  if (clouds.empty()) throw BagError("the bag has no sensor_msgs/PointCloud2 (--lidar auto)");
-  for (const std::string& topic : clouds) counts_[topic];
+  for (const std::string& topic : clouds) {
+    if (!isOfRadar(source, topic)) counts_[topic];
+  }
+  if (counts_.empty()) {
+    throw BagError("the bag has no sensor_msgs/PointCloud2 of a lidar (--lidar auto)");
+  }
 }
 
 void LidarInjection::learn(const rosbag::Bag& source) {
@@ -113,10 +114,7 @@ void LidarInjection::learnFrom(sensor_msgs::PointCloud2& message) {
   for (const collision_forge::Agent& agent : agents) {
     const Eigen::Vector3d position = bottomOf(agent).translation();
     if ((position - sensor->end.translation()).norm() > kLearnReach) continue;
-    AgentInSweep posed{agent, agent, beginOf(sweep), 0.0};
-    posed.begin.pose.position.x += agent.velocity.x * posed.begin_time;
-    posed.begin.pose.position.y += agent.velocity.y * posed.begin_time;
-    bodies.push_back(bodyInCloud(posed, *sensor, sweep));
+    bodies.push_back(bodyInCloud(movingAgent(agent, beginOf(sweep)), *sensor, sweep));
   }
   surfaces_.learn(cloud, layout, sweep, bodies);
 }
@@ -127,7 +125,9 @@ void LidarInjection::addToBackground(const PointCloud& cloud, const CloudLayout&
   if (agents.empty()) return;  // nobody knows what moves
   std::vector<VacatedBox> movers;
   for (const collision_forge::Agent& agent : agents) {
-    movers.push_back({bottomOf(agent), {agent.size.x, agent.size.y, agent.size.z}});
+    movers.push_back({bottomOf(agent),
+                      {agent.size.x, agent.size.y, agent.size.z},
+                      {agent.velocity.x, agent.velocity.y, agent.velocity.z}});
   }
   background_.add(cloud, layout, sweep, sensor, movers);
 }
@@ -184,13 +184,13 @@ bool LidarInjection::editCounted(sensor_msgs::PointCloud2& message, Counts& coun
                                       [&](const auto& other) { return other.id == agent.id; });
     const AgentInSweep posed{earlier == before.end() ? agent : *earlier, agent,
                              (begin_stamp - stamp).toSec(), 0.0};
-    edit.bodies.push_back(bodyInCloud(posed, *sensor, sweep));
+    edit.bodies.push_back(bodyInCloud(posed, *sensor, sweep, setup_.seed));
   }
   const BackgroundOfSensor background(background_, sensor->end);
   if (!vacated.empty()) edit.background = &background;
   for (const collision_forge::Agent& agent : vacated) {
-    const PosedBody body = bodyInCloud({agent, agent, 0.0, 0.0}, *sensor, sweep);
-    edit.vacated.push_back({body.end, body.body.size});
+    const AgentInSweep posed = movingAgent(agent, (begin_stamp - stamp).toSec());
+    edit.vacated.push_back(vacatedBoxOf(bodyInCloud(posed, *sensor, sweep)));
   }
   const CloudChange change = editCloud(cloud, layout, sweep, edit, surfaces_);
   putCloud(std::move(cloud), message);

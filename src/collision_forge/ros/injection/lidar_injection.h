@@ -21,8 +21,9 @@
 
 namespace forge {
 
-/// Word in a list of topics for all topics of a bag with sensor_msgs/PointCloud2; ignored beside
-/// names of topics.
+/// Word in a list of topics for all topics of a bag with sensor_msgs/PointCloud2 of lidars; ignored
+/// beside names of topics. Clouds are of a radar if the first one of their topic has a field `rcs`
+/// or a field whose name begins with `doppler`, in upper or lower case.
 inline constexpr char kAllClouds[] = "auto";
 
 /// Puts the vehicles of an attack into the lidar clouds of a bag, and takes them out of their
@@ -53,7 +54,7 @@ class LidarInjection {
   /// evenly spaced, or all if there are fewer) how vehicles return rays (SurfaceReturns) and, with
   /// Setup::vacated, what is behind them (BackgroundMap). `source` is used only here, `setup` is
   /// kept. Throws BagError for a topic without clouds, and, if kAllClouds was asked for, for a bag
-  /// without clouds.
+  /// without clouds of a lidar.
   LidarInjection(const rosbag::Bag& source, Setup setup);
 
   /// Returns true for the topics whose clouds are changed.
@@ -81,8 +82,6 @@ class LidarInjection {
     std::map<std::string, std::size_t> problems;  ///< number of clouds, by text of the problem
   };
 
-  /// Adds all transforms of the bag to `frames_`, changed by Setup::moved.
-  void addTransforms(const rosbag::Bag& source);
   /// Makes the topics in the setup the keys of `counts_`.
   void chooseTopics(const rosbag::Bag& source);
   /// Learns from evenly spaced clouds of each topic.

@@ -57,10 +57,7 @@ bool LiveLidar::edit(const SensorInSweep& sensor, sensor_msgs::PointCloud2& mess
   for (const std::string& id : ids) {
     const auto agent = agentAt(injected_, id, stamp);
     if (!agent) continue;
-    AgentInSweep posed{*agent, *agent, -options_.sweep_time, 0.0};
-    posed.begin.pose.position.x += posed.begin_time * agent->velocity.x;
-    posed.begin.pose.position.y += posed.begin_time * agent->velocity.y;
-    shown.push_back(posed);
+    shown.push_back(movingAgent(*agent, -options_.sweep_time));
   }
   if (shown.empty()) return false;
   const auto vacated = agentAt(recorded_, attacker_, stamp);
@@ -73,8 +70,8 @@ bool LiveLidar::edit(const SensorInSweep& sensor, sensor_msgs::PointCloud2& mess
   edit.seed = stamp.toNSec();
   for (const AgentInSweep& agent : shown) edit.bodies.push_back(bodyInCloud(agent, sensor, sweep));
   if (vacated) {
-    const PosedBody body = bodyInCloud({*vacated, *vacated, 0.0, 0.0}, sensor, sweep);
-    edit.vacated.push_back({body.end, body.body.size});
+    edit.vacated.push_back(
+        vacatedBoxOf(bodyInCloud(movingAgent(*vacated, -options_.sweep_time), sensor, sweep)));
   }
   editCloud(cloud, layout, sweep, edit, surfaces_);
   putCloud(std::move(cloud), message);

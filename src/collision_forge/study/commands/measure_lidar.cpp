@@ -24,6 +24,7 @@
 #include "collision_forge/ros/messages/topic_names.h"
 #include "collision_forge/study/commands/study_commands.h"
 #include "collision_forge/study/evaluation/lidar_replacement.h"
+#include "collision_forge/study/evaluation/two_samples.h"
 
 namespace forge {
 namespace {
@@ -73,16 +74,8 @@ struct Measured {
 /// Replaces the vehicles of all clouds that have the stamp of a frame of agents.
 Measured measureIn(const rosbag::Bag& bag, const Arguments& arguments,
                    const LidarOptions& options) {
-  BagFrames frames(names::kMapFrame, names::kBaseFrame, 1e5);
-  for (const char* topic : {names::kStaticTf, names::kTf}) {
-    for (const auto& instance : rosbag::View(bag, rosbag::TopicQuery(topic))) {
-      const auto message = instance.instantiate<tf2_msgs::TFMessage>();
-      if (!message) continue;
-      for (const auto& transform : usableTransforms(*message)) {
-        frames.add(transform, topic == names::kStaticTf);
-      }
-    }
-  }
+  BagFrames frames(names::kMapFrame, names::kBaseFrame, kLongestBag);
+  addTransforms(bag, frames);
   std::map<ros::Time, collision_forge::AgentArray> agents;
   for (const auto& instance : rosbag::View(bag, rosbag::TopicQuery(bagTopic(names::kAgents)))) {
     if (const auto frame = readMessage<collision_forge::AgentArray>(instance)) {
@@ -113,8 +106,46 @@ double medianOf(std::vector<double> values) {
   return values.empty() ? std::nan("") : values[values.size() / 2];
 }
 
-/// Prints medians over some vehicles.
-void printRow(const std::string& name, const std::vector<ReplacedVehicle>& vehicles) {
+/// Returns the features of recorded and injected vehicles, grouped by vehicle.
+TwoSamples samplesOf(const std::vector<ReplacedVehicle>& vehicles) {
+  TwoSamples samples;
+  for (const ReplacedVehicle& vehicle : vehicles) {
+    samples.first.push_back(vehicle.recorded_features);
+    samples.second.push_back(vehicle.injected_features);
+    samples.groups.push_back(vehicle.id);
+  }
+  return samples;
+}
+
+/// Returns the area of separate() and the one by chance; "-" if there are too few vehicles.
+std::string areaWords(const std::vector<ReplacedVehicle>& vehicles, std::uint64_t seed) {
+  const auto area = separate(samplesOf(vehicles), seed);
+  return area ? formatted("%.2f %6.2f", area->area, area->chance_area) : "   -      -";
+}
+
+/// Prints the area of each feature alone: the share of pairs of a recorded and an injected
+/// vehicle in which the injected one has the larger value.
+void printFeatures(const std::vector<ReplacedVehicle>& vehicles) {
+  if (vehicles.empty()) return;
+  std::cout << "area by one feature:";
+  const char* separator = " ";
+  for (std::size_t i = 0; i < std::size(kPointFeatures); ++i) {
+    std::vector<double> recorded;
+    std::vector<double> injected;
+    for (const ReplacedVehicle& vehicle : vehicles) {
+      recorded.push_back(vehicle.recorded_features[static_cast<Eigen::Index>(i)]);
+      injected.push_back(vehicle.injected_features[static_cast<Eigen::Index>(i)]);
+    }
+    std::cout << separator << kPointFeatures[i]
+              << formatted(" %.2f", areaUnderCurve(recorded, injected));
+    separator = ", ";
+  }
+  std::cout << "\n";
+}
+
+/// Prints medians over some vehicles, and the area of a classifier (separate()).
+void printRow(const std::string& name, const std::vector<ReplacedVehicle>& vehicles,
+              std::uint64_t seed) {
   const auto median = [&](const auto& value) {
     std::vector<double> values;
     for (const ReplacedVehicle& vehicle : vehicles) values.push_back(value(vehicle));
@@ -124,7 +155,7 @@ void printRow(const std::string& name, const std::vector<ReplacedVehicle>& vehic
     return static_cast<double>(vehicle.injected) / static_cast<double>(vehicle.recorded) - 1.0;
   };
   std::cout << formatted(
-      "%-24s %5zu %8.0f %8.0f %+7.0f %7.0f %8.2f %9.2f %9.2f %6.2f %6.2f %5.0f %5.0f\n",
+      "%-24s %5zu %8.0f %8.0f %+7.0f %7.0f %8.2f %9.2f %9.2f %6.2f %6.2f %5.0f %5.0f  %s\n",
       name.c_str(), vehicles.size(),
       median([](const auto& v) { return static_cast<double>(v.recorded); }),
       median([](const auto& v) { return static_cast<double>(v.injected); }), 100.0 * median(change),
@@ -135,7 +166,8 @@ void printRow(const std::string& name, const std::vector<ReplacedVehicle>& vehic
       median([](const auto& v) { return v.distance; }),
       median([](const auto& v) { return v.floor; }),
       median([](const auto& v) { return v.recorded_brightness; }),
-      median([](const auto& v) { return v.injected_brightness; }));
+      median([](const auto& v) { return v.injected_brightness; }),
+      areaWords(vehicles, seed).c_str());
 }
 
 int measure(Arguments arguments) {
@@ -145,7 +177,7 @@ int measure(Arguments arguments) {
     return measureIn(bag, arguments, config.lidar);
   });
   std::cout << "class, range m             n recorded injected change%  |change|% rings  share_rec "
-               "share_inj chamfer floor intensity rec inj\n";
+               "share_inj chamfer floor intensity rec inj  area chance\n";
   constexpr double kRanges[] = {0.0, 10.0, 20.0, 30.0, 50.0, 200.0};  // m
   for (int i = 0; i <= static_cast<int>(kLastAgentClass); ++i) {
     for (std::size_t k = 0; k + 1 < std::size(kRanges); ++k) {
@@ -159,10 +191,11 @@ int measure(Arguments arguments) {
       if (some.empty()) continue;
       printRow(formatted("%s, %.0f to %.0f", toString(static_cast<AgentClass>(i)), kRanges[k],
                          kRanges[k + 1]),
-               some);
+               some, arguments.options.seed);
     }
   }
-  printRow("all", measured.vehicles);
+  printRow("all", measured.vehicles, arguments.options.seed);
+  printFeatures(measured.vehicles);
   std::vector<double> milliseconds = measured.milliseconds;
   if (milliseconds.empty()) return kExitOk;
   std::sort(milliseconds.begin(), milliseconds.end());

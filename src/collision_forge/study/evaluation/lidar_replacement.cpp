@@ -2,21 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <map>
 
 namespace forge {
 namespace {
 
 constexpr double kAroundBox = 0.1;    // m
 constexpr double kAboveGround = 0.2;  // m
-
-/// The vehicle's points in a sweep.
-struct VehiclePoints {
-  std::vector<Eigen::Vector3d> positions;
-  std::map<int, std::size_t> rings;
-  std::vector<double> intensities;
-};
 
 PosedBody bodyOf(const VehicleInCloud& vehicle, double ground) {
   PosedBody posed;
@@ -41,6 +34,8 @@ VehiclePoints pointsOf(const PosedBody& posed, const PointCloud& cloud, const Cl
       continue;
     }
     points.positions.push_back(local);
+    points.ranges.push_back(ray.range);
+    points.azimuths.push_back(std::atan2(ray.direction.y(), ray.direction.x()));
     ++points.rings[ray.ring];
     if (layout.intensity) {
       points.intensities.push_back(layout.intensity->get(cloud.pointAt(ray.point)));
@@ -100,7 +95,48 @@ std::size_t raysOn(const PosedBody& posed, const SweepRays& sweep) {
       }));
 }
 
+struct MeanAndDeviation {
+  double mean = 0.0;
+  double deviation = 0.0;
+};
+
+MeanAndDeviation meanOf(const std::vector<double>& values) {
+  if (values.empty()) return {};
+  const Eigen::Map<const Eigen::ArrayXd> all(values.data(),
+                                             static_cast<Eigen::Index>(values.size()));
+  return {all.mean(), std::sqrt((all - all.mean()).square().mean())};
+}
+
+/// Returns the angle that azimuths cover, seen from the first one, rad.
+double extentOf(const std::vector<double>& azimuths) {
+  double low = 0.0;
+  double high = 0.0;
+  for (const double azimuth : azimuths) {
+    const double turned = std::remainder(azimuth - azimuths.front(), 2.0 * M_PI);
+    low = std::min(low, turned);
+    high = std::max(high, turned);
+  }
+  return high - low;
+}
+
 }  // namespace
+
+Eigen::VectorXd featuresOf(const VehiclePoints& points) {
+  Eigen::VectorXd features =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(std::size(kPointFeatures)));
+  if (points.positions.empty()) return features;
+  std::vector<double> heights;
+  for (const Eigen::Vector3d& position : points.positions) heights.push_back(position.z());
+  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+  const auto rings = static_cast<double>(points.rings.size());
+  const double between = points.rings.rbegin()->first - points.rings.begin()->first + 1.0;
+  const MeanAndDeviation range = meanOf(points.ranges);
+  const MeanAndDeviation intensity = meanOf(points.intensities);
+  features << std::log1p(static_cast<double>(heights.size())), rings, 1.0 - rings / between,
+      range.mean * extentOf(points.azimuths), *high - *low, meanOf(heights).mean, range.deviation,
+      intensity.mean, intensity.deviation;
+  return features;
+}
 
 std::vector<ReplacedVehicle> replaceVehicles(const PointCloud& cloud, const SweepTiming& timing,
                                              const std::vector<VehicleInCloud>& vehicles,
@@ -115,6 +151,7 @@ std::vector<ReplacedVehicle> replaceVehicles(const PointCloud& cloud, const Swee
   std::vector<ReplacedVehicle> replaced;
   for (std::size_t i = 0; i < vehicles.size(); ++i) {
     const PosedBody& posed = bodies[i];
+    bodies[i].brightness = brightnessOf(vehicles[i].id, options.seed);
     const VehiclePoints recorded = pointsOf(posed, cloud, layout, sweep);
     if (recorded.positions.size() < options.least_points) continue;
     SurfaceReturns surfaces;
@@ -141,6 +178,8 @@ std::vector<ReplacedVehicle> replaceVehicles(const PointCloud& cloud, const Swee
     result.distance = chamfer(sample, everySecond(injected.positions, 1));
     result.recorded_brightness = medianOf(recorded.intensities);
     result.injected_brightness = medianOf(injected.intensities);
+    result.recorded_features = featuresOf(recorded);
+    result.injected_features = featuresOf(injected);
     replaced.push_back(result);
   }
   return replaced;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -37,10 +38,39 @@ struct ReplacedVehicle {
                           ///< fewer than two injected points
   double floor = 0.0;  ///< m, Chamfer distance of the two halves of the recorded points: the best
                        ///< possible `distance`
-  double recorded_brightness = 0.0;  ///< median intensity of the recorded points, in the cloud's
-                                     ///< unit; 0 without points or without an intensity field
-  double injected_brightness = 0.0;  ///< the same of the injected points
+  double recorded_brightness = 0.0;   ///< median intensity of the recorded points, in the cloud's
+                                      ///< unit; 0 without points or without an intensity field
+  double injected_brightness = 0.0;   ///< the same of the injected points
+  Eigen::VectorXd recorded_features;  ///< featuresOf() the recorded points
+  Eigen::VectorXd injected_features;  ///< featuresOf() the injected points
 };
+
+/// The points of one vehicle in a sweep.
+struct VehiclePoints {
+  std::vector<Eigen::Vector3d> positions;  ///< m, in the frame of the box
+  std::vector<double> ranges;              ///< m from the sensor
+  std::vector<double> azimuths;            ///< rad, in the cloud's frame
+  std::map<int, std::size_t> rings;        ///< number of points by ring
+  std::vector<double> intensities;
+};
+
+/// Names of the elements of featuresOf().
+inline constexpr const char* kPointFeatures[] = {"logarithm of the number",
+                                                 "rings",
+                                                 "share of rings left out",
+                                                 "width",
+                                                 "height",
+                                                 "middle height",
+                                                 "depth",
+                                                 "mean intensity",
+                                                 "spread of intensity"};
+
+/// Returns simple features of a vehicle's points, in the order of kPointFeatures: natural logarithm
+/// of their number + 1; number of rings; share of the rings between the lowest and the highest one
+/// that have no point; extent in azimuth times mean range, m; extent and mean of the height, m;
+/// standard deviation of the range, m; mean and standard deviation of the intensity. Zeros without
+/// points.
+Eigen::VectorXd featuresOf(const VehiclePoints& points);
 
 /// How vehicles are replaced.
 struct ReplacementOptions {
