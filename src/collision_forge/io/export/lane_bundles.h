@@ -34,15 +34,6 @@ struct LaneBundle {
   double end = 0.0;                   ///< m, > begin; where it ends
 };
 
-/// Borders of a bundle's lanes at arc lengths of its course.
-struct BundleProfile {
-  std::vector<double> arc_lengths;  ///< m, ascending, from `begin` to `end`
-  /// m from the course, positive to the left: per arc length, the left and the right border of each
-  /// member. The middle of both is the lane's centreline. Borders of neighbours are equal or leave
-  /// a gap.
-  std::vector<std::vector<double>> borders;
-};
-
 /// Lanes as bundles.
 struct LaneBundles {
   std::vector<LaneBundle> bundles;  ///< every lane is in exactly one
@@ -60,10 +51,5 @@ LaneBundles bundlesOf(const std::vector<BundleLane>& lanes, DrivingSide side);
 /// NaN if there is none.
 double besideOf(const LaneBundle& bundle, const BundleMember& member, const RoadCourse& lane,
                 double arc_length);
-
-inline constexpr double kProfileTolerance = 0.01;  ///< m, between centrelines and the profile
-/// Returns the borders of a bundle, at few arc lengths: linear in between within
-/// kProfileTolerance. `lanes` as for bundlesOf().
-BundleProfile profileOf(const LaneBundle& bundle, const std::vector<BundleLane>& lanes);
 
 }  // namespace forge

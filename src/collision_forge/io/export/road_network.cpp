@@ -6,6 +6,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "collision_forge/io/export/bundle_profile.h"
 #include "collision_forge/io/export/lane_bundles.h"
 
 namespace forge {
