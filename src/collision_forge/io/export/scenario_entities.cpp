@@ -64,9 +64,9 @@ const char* blueprintOf(AgentClass agent_class) {
 }
 
 /// Adds the objects of one file.
-class ObjectWriter {
+class EntityWriter {
  public:
-  ObjectWriter(const CrashRecord& record, const ExportPlan& plan) : record_(record), plan_(plan) {}
+  EntityWriter(const CrashRecord& record, const ExportPlan& plan) : record_(record), plan_(plan) {}
 
   void addObject(xml_node entities, const ScenarioEntity& entity) const {
     xml_node object = addElement(entities, "ScenarioObject", {{"name", entity.name}});
@@ -167,7 +167,7 @@ std::vector<ScenarioEntity> scenarioEntities(const CrashRecord& record, const Ex
 
 void addScenarioObject(pugi::xml_node entities, const ScenarioEntity& entity,
                        const CrashRecord& record, const ExportPlan& plan) {
-  ObjectWriter(record, plan).addObject(entities, entity);
+  EntityWriter(record, plan).addObject(entities, entity);
 }
 
 std::string literal(const std::string& text) {

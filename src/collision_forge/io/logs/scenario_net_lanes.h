@@ -17,10 +17,10 @@ struct FeatureProblems {
 /// Returns the name of a kind of feature in scenario descriptions, as "ROAD_EDGE_MEDIAN".
 const char* toScenarioNet(FeatureKind kind);
 
-/// Returns the lanes (with mutual links), walkways, road edges, medians, crosswalks, driveways and
-/// speed bumps of a scenario description's `map_features`, m, in the frame of the file; without
-/// drivable area. Leaves out lanes of bicycles, which are not lanes of motor vehicles, and features
-/// that cannot be read. Throws std::runtime_error if `features` is not a dict.
+/// Returns the lanes (with mutual links), walkways and features of a scenario description's
+/// `map_features`, m, in the frame of the file; without drivable area. Lanes of bicycles are
+/// features, because motor vehicles do not drive there. Leaves out features that cannot be read.
+/// Throws std::runtime_error if `features` is not a dict.
 LaneMap lanesOf(const PickleField& features, FeatureProblems& problems);
 
 /// Returns polygons with holes from a list of dicts with "exterior" and "interiors". Throws
