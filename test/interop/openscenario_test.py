@@ -13,15 +13,10 @@ from xml.etree import ElementTree
 from esmini_player import Play, Scenario, player
 from pages import LOGS, attacks_of, forge, make_scenarios
 from sumo_roads import Lines, farthest, middle_lines, python_with_netconvert
-from virtual_environments import python_with
+from virtual_environments import ASAM_CHECKS, python_with, python_with_asams_rules
 
 LATE = 0.15  # s from our contact, found within a tolerance, to the first step at which esmini's boxes overlap
-CHECKS = Path(__file__).with_name('asam_checks.py')
 DESIGNER = Path(__file__).with_name('commonroad_designer.py')
-
-
-def python_with_asams_rules():
-    return python_with('asam', 'asam-qc-openscenarioxml==1.0.0', 'asam-qc-opendrive==1.0.0', 'asam-qc-baselib==1.1.0')
 
 
 class OpenScenarioTest(unittest.TestCase):
@@ -41,7 +36,7 @@ class OpenScenarioTest(unittest.TestCase):
         return out
 
     def check(self, out):
-        return subprocess.run([python_with_asams_rules(), CHECKS, out], stdout=subprocess.PIPE,
+        return subprocess.run([python_with_asams_rules(), ASAM_CHECKS, out], stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, text=True, check=False)
 
     def test_all_attacks_are_exported(self):

@@ -23,7 +23,8 @@ def places(pieces, begin, end):
         curvature = float(arc.get('curvature')) if arc is not None else 0.0
         count = max(1, math.ceil(length / SPACING))
         ways = {length * step / count for step in range(count + 1)} | {begin - first, end - first}
-        for way in sorted(way for way in ways if 0 <= way <= length and begin - 1e-9 <= first + way <= end + 1e-9):
+        low, high = max(0.0, begin - first) - 1e-9, min(length, end - first) + 1e-9
+        for way in sorted(way for way in ways if low <= way <= high):
             half = curvature * way / 2
             chord = way * (math.sin(half) / half if half else 1.0)
             found.append((first + way, x + chord * math.cos(heading + half), y + chord * math.sin(heading + half),

@@ -6,6 +6,7 @@ import unittest
 from pathlib import Path
 
 FOLDER = Path('out') / 'interop' / 'environments'
+ASAM_CHECKS = Path(__file__).with_name('asam_checks.py')
 
 
 def python_with(name, *requirements):
@@ -31,3 +32,7 @@ def python_with(name, *requirements):
         raise RuntimeError('pip cannot install ' + ' '.join(requirements) + ': ' + result.stderr)
     mark.write_text(wanted)
     return python.absolute()
+
+
+def python_with_asams_rules():
+    return python_with('asam', 'asam-qc-openscenarioxml==1.0.0', 'asam-qc-opendrive==1.0.0', 'asam-qc-baselib==1.1.0')

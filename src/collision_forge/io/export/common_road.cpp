@@ -10,6 +10,7 @@
 #include "collision_forge/base/files/plain_name.h"
 #include "collision_forge/io/export/common_road_lanelets.h"
 #include "collision_forge/io/export/common_road_terms.h"
+#include "collision_forge/io/export/linked_lanes.h"
 #include "collision_forge/io/export/xml.h"
 
 namespace forge {
@@ -100,8 +101,9 @@ class CommonRoadFile {
   }
 
   void addLanelets(xml_node root) {
+    const std::vector<Lane> bike_lanes = bikeLanesOf(record_.lanes);
     const std::vector<Lanelet> lanelets =
-        laneletsOf(record_.lanes, plan_.options.lane_width, next_number_);
+        laneletsOf(record_.lanes, bike_lanes, plan_.options.lane_width, next_number_);
     next_number_ += static_cast<int>(lanelets.size());
     std::unordered_map<std::string, int> numbers;
     for (const Lanelet& lanelet : lanelets) numbers.emplace(lanelet.lane->id, lanelet.number);
@@ -151,7 +153,7 @@ class CommonRoadFile {
     addLinks(element, "successor", lanelet.lane->outgoing, numbers);
     addNeighbour(element, "adjacentLeft", lanelet.left);
     addNeighbour(element, "adjacentRight", lanelet.right);
-    addText(element, "laneletType", "urban");
+    addText(element, "laneletType", lanelet.is_for_bikes ? "bicycleLane" : "urban");
     if (lanelet.lane->is_intersection || lanelet.lane->is_connector)
       addText(element, "laneletType", "intersection");
     for (const int light : lights) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "collision_forge/base/geometry/polyline.h"
+#include "collision_forge/io/export/linked_lanes.h"
 #include "collision_forge/io/export/road_course.h"
 
 namespace forge {
@@ -81,7 +82,8 @@ void findNeighbours(std::vector<Lanelet>& lanelets) {
 
 }  // namespace
 
-std::vector<Lanelet> laneletsOf(const LaneMap& map, double lane_width, int first) {
+std::vector<Lanelet> laneletsOf(const LaneMap& map, const std::vector<Lane>& bike_lanes,
+                                double lane_width, int first) {
   std::vector<Lanelet> lanelets;
   for (const Lane& lane : map.lanes) {
     Lanelet lanelet{first, &lane, distinctPoses(lane.centerline)};
@@ -91,6 +93,14 @@ std::vector<Lanelet> laneletsOf(const LaneMap& map, double lane_width, int first
     ++first;
   }
   findNeighbours(lanelets);
+  for (const Lane& lane : bike_lanes) {
+    Lanelet lanelet{first, &lane, distinctPoses(lane.centerline)};
+    if (lanelet.middle.size() < 2) continue;
+    lanelet.width = kBikeLaneWidth;
+    lanelet.is_for_bikes = true;
+    lanelets.push_back(std::move(lanelet));
+    ++first;
+  }
   return lanelets;
 }
 

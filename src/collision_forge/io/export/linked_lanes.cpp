@@ -25,18 +25,25 @@ Lane bikeLane(const std::vector<Vector2>& points, std::size_t number) {
 }
 
 void addBikeLanes(const LaneMap& map, LinkedLanes& linked) {
-  for (const MapFeature& feature : map.features) {
-    if (feature.kind != FeatureKind::kBikeLane || feature.points.size() < 2) continue;
-    Lane lane = bikeLane(feature.points, linked.bike_lanes.size() + 1);
+  for (Lane& lane : bikeLanesOf(map)) {
     RoadCourse course = courseOf(lane, {});
     if (course.empty()) continue;
     linked.bike_lanes.push_back(std::move(lane));
-    linked.sources.push_back(&linked.bike_lanes.back());
     linked.lanes.push_back({std::move(course), kBikeLaneWidth});
   }
+  for (const Lane& lane : linked.bike_lanes) linked.sources.push_back(&lane);
 }
 
 }  // namespace
+
+std::vector<Lane> bikeLanesOf(const LaneMap& map) {
+  std::vector<Lane> lanes;
+  for (const MapFeature& feature : map.features) {
+    if (feature.kind != FeatureKind::kBikeLane || feature.points.size() < 2) continue;
+    lanes.push_back(bikeLane(feature.points, lanes.size() + 1));
+  }
+  return lanes;
+}
 
 LinkedLanes linkedLanes(const LaneMap& map, const LaneArcs& arcs, double lane_width) {
   LinkedLanes linked;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <vector>
 
 #include "collision_forge/io/export/lane_bundles.h"
@@ -15,13 +14,17 @@ struct LinkedLanes {
   std::vector<const Lane*> sources;                ///< per lane; of the map, or of `bike_lanes`
   std::vector<std::vector<std::size_t>> next;      ///< per lane
   std::vector<std::vector<std::size_t>> previous;  ///< per lane
-  std::deque<Lane> bike_lanes;                     ///< one per kBikeLane of the map with a course
+  std::vector<Lane> bike_lanes;                    ///< of bikeLanesOf(), those with a course
 
   /// Returns true if a lane is for bicycles.
   bool isForBikes(std::size_t lane) const { return lane >= lanes.size() - bike_lanes.size(); }
 };
 
 inline constexpr double kBikeLaneWidth = 1.5;  ///< m, of lanes for bicycles: usual width in towns
+
+/// Returns a lane per kBikeLane of a map, with a centreline and without links; its id is "bike_"
+/// and a number from 1.
+std::vector<Lane> bikeLanesOf(const LaneMap& map);
 
 inline constexpr double kMaxJointGap = 0.1;  ///< m; lanes farther apart are not linked
 /// Returns the lanes of a map, which must outlive them. Leaves out links between lanes more than
