@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Exports to CommonRoad are read by commonroad-io and by CommonRoad's collision checker."""
+"""Exports to CommonRoad: read by commonroad-io, CommonRoad's collision checker, driven by its reactive planner."""
 import json
 import math
 import subprocess
@@ -12,6 +12,8 @@ from pages import LOGS, attacks_of, forge, make_scenarios
 from virtual_environments import python_with
 
 CHECKS = Path(__file__).with_name('commonroad_checks.py')
+DRIVES = Path(__file__).with_name('commonroad_drives.py')
+DRIVEN = 10  # problems that the planner must drive to the end
 EGO = '1'
 
 
@@ -103,6 +105,14 @@ class CommonRoadTest(unittest.TestCase):
                 first = None if contact is None else math.ceil(round(contact / crash['dt'], 6))
                 self.assertEqual(crash['touching'][:1], [] if first is None else [steps[first]])
         self.assertGreater(sum(1 for entry in self.index if entry['contact_t'] is not None), 20)
+
+    def test_commonroads_planner_drives_the_problems(self):
+        python = python_with('commonroad-planner', 'commonroad-reactive-planner==2025.1')
+        files = [self.recorded / entry['files'][0] for entry in self.index]
+        lines = subprocess.run([python, DRIVES, str(DRIVEN), *files], stdout=subprocess.PIPE, check=True, text=True,
+                               stderr=subprocess.DEVNULL).stdout.splitlines()
+        driven = [found for found in map(json.loads, lines) if found['driven'] == found['wanted']]
+        self.assertGreaterEqual(len(driven), min(DRIVEN, len(files)))
 
 
 if __name__ == '__main__':

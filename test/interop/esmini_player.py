@@ -9,7 +9,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 
 STEP = 0.02  # s of simulated time
-COLUMNS = 31  # of the CSV for each entity, from its name on; X and Y are columns 11 and 12
+COLUMNS = 31  # of the CSV for each entity, from its name on; X, Y and heading are columns 11, 12 and 24
 # By default esmini drops trajectory points closer than 0.1 m and turns at corners only.
 WORDS = ['--headless', '--disable_stdout', '--collision', '--fixed_timestep', str(STEP), '--traj_filter', '0',
          '--pline_interpolation', 'segment']
@@ -76,14 +76,14 @@ class Play:
         self.touches = [(float(match[1]), {match[2], match[3]}) for match in touches]
         self.complaints = [line for line in lines if ('[warn]' in line or '[error]' in line) and
                            not HARMLESS.search(line) and 'Collision between' not in line]
-        self.places = {}  # by entity: (time, x, y)
+        self.places = {}  # by entity: (time, x, y, heading)
         for line in table.read_text().splitlines():
             fields = [field.strip() for field in line.split(',')]
             if not fields[0].isdigit():
                 continue
             for first in range(2, len(fields) - COLUMNS + 2, COLUMNS):
                 self.places.setdefault(fields[first], []).append(
-                    (float(fields[1]), float(fields[first + 11]), float(fields[first + 12])))
+                    tuple(float(fields[column]) for column in (1, first + 11, first + 12, first + 24)))
 
     def contact(self):
         """Time (s) of the first contact of ego and attacker; None if there is none."""
@@ -94,7 +94,7 @@ class Play:
         worst = 0.0
         for name, places in self.places.items():
             entity = scenario.entities[name]
-            for time, x, y in places:
+            for time, x, y, _ in places:
                 if entity.times and time <= entity.times[-1]:
                     wanted = entity.pose_at(time)
                     worst = max(worst, math.hypot(x - wanted[0], y - wanted[1]))

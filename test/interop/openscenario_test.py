@@ -1,23 +1,22 @@
 #!/usr/bin/python3
-"""Exports to OpenSCENARIO are checked by ASAM's checkers, read by SUMO's netconvert and played by esmini."""
+"""Exports to OpenSCENARIO: ASAM's checkers, roads in SUMO's netconvert and CommonRoad's designer, played by esmini."""
 import json
+import os
 import re
+import shutil
 import subprocess
 import tempfile
 import unittest
 from pathlib import Path
+from xml.etree import ElementTree
 
 from esmini_player import Play, Scenario, player
 from pages import LOGS, attacks_of, forge, make_scenarios
-from sumo_roads import farthest, python_with_netconvert
-from virtual_environments import python_with
+from sumo_roads import Lines, farthest, middle_lines, python_with_netconvert
+from virtual_environments import ASAM_CHECKS, python_with, python_with_asams_rules
 
 LATE = 0.15  # s from our contact, found within a tolerance, to the first step at which esmini's boxes overlap
-CHECKS = Path(__file__).with_name('asam_checks.py')
-
-
-def python_with_asams_rules():
-    return python_with('asam', 'asam-qc-openscenarioxml==1.0.0', 'asam-qc-opendrive==1.0.0', 'asam-qc-baselib==1.1.0')
+DESIGNER = Path(__file__).with_name('commonroad_designer.py')
 
 
 class OpenScenarioTest(unittest.TestCase):
@@ -37,7 +36,7 @@ class OpenScenarioTest(unittest.TestCase):
         return out
 
     def check(self, out):
-        return subprocess.run([python_with_asams_rules(), CHECKS, out], stdout=subprocess.PIPE,
+        return subprocess.run([python_with_asams_rules(), ASAM_CHECKS, out], stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, text=True, check=False)
 
     def test_all_attacks_are_exported(self):
@@ -74,6 +73,22 @@ class OpenScenarioTest(unittest.TestCase):
         moved = self.folder / 'moved.xodr'
         moved.write_text(road.read_text().replace('<laneOffset s="0" a="', '<laneOffset s="0" a="1'))
         self.assertGreater(farthest(python, moved, net, road), 0.5)
+
+    def test_commonroads_designer_has_the_lanes_where_they_are(self):
+        python = python_with('commonroad-designer', 'commonroad-scenario-designer==0.8.5')
+        some = self.folder / 'some_roads'
+        some.mkdir()
+        for entry in self.index[::5]:
+            shutil.copy(self.out / entry['files'][0], some)
+        lines = subprocess.run([python, DESIGNER, some], stdout=subprocess.PIPE, check=True, text=True,
+                               env=dict(os.environ, QT_QPA_PLATFORM='offscreen')).stdout.splitlines()
+        self.assertEqual(len(lines), len(self.index[::5]))
+        for found in map(json.loads, lines):
+            roads = ElementTree.parse(some / found['file']).getroot().iter('road')
+            lanes = Lines(line for road in roads for line in middle_lines(road, ('driving', 'biking')))
+            self.assertGreater(len(found['centres']), 0)
+            for centre in found['centres']:
+                self.assertLess(max(lanes.distance_to(*point) for point in centre), 0.05, found['file'])
 
     def test_esmini_plays_every_attack_as_written(self):
         program = player()

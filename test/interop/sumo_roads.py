@@ -1,4 +1,4 @@
-"""OpenDRIVE files read by SUMO's netconvert, and how far its lanes are from the middles of the file's."""
+"""OpenDRIVE files read by SUMO's netconvert, and how far its lanes are beside the middles of the file's."""
 import math
 import os
 import subprocess
@@ -7,10 +7,11 @@ from pathlib import Path
 
 from virtual_environments import python_with
 
-SPACING = 0.1  # m between the points of a lane
+SPACING = 0.5  # m between the points of a lane
+MOVED = 6.0  # m by which netconvert moves ends of lanes along the road, at most
 WORDS = ['--offset.disable-normalization', 'true', '--opendrive.internal-shapes', 'true',
          '--opendrive.curve-resolution', '0.5', '--junctions.endpoint-shape', 'true', '--no-turnarounds', 'true',
-         '--no-warnings', 'true']
+         '--opendrive.import-all-lanes', 'true', '--no-warnings', 'true']
 
 
 def places(pieces, begin, end):
@@ -22,7 +23,8 @@ def places(pieces, begin, end):
         curvature = float(arc.get('curvature')) if arc is not None else 0.0
         count = max(1, math.ceil(length / SPACING))
         ways = {length * step / count for step in range(count + 1)} | {begin - first, end - first}
-        for way in sorted(way for way in ways if 0 <= way <= length and begin - 1e-9 <= first + way <= end + 1e-9):
+        low, high = max(0.0, begin - first) - 1e-9, min(length, end - first) + 1e-9
+        for way in sorted(way for way in ways if low <= way <= high):
             half = curvature * way / 2
             chord = way * (math.sin(half) / half if half else 1.0)
             found.append((first + way, x + chord * math.cos(heading + half), y + chord * math.sin(heading + half),
@@ -36,38 +38,58 @@ def value(pieces, at, start):
     return float(part.get('a')) + float(part.get('b')) * (at - float(part.get(start)))
 
 
-def middles(road):
-    """Points of the middles of a road's lanes for traffic."""
+def middle_lines(road, kinds=('driving',), beyond=0.0):
+    """The middles of a road's lanes of these types, a line of points for each lane and lane section.
+
+    `beyond` (m) is the length by which straight lines extend both ends.
+    """
     sections = list(road.iter('laneSection'))
     ends = [float(section.get('s')) for section in sections[1:]] + [float(road.get('length'))]
     offsets = road.findall('lanes/laneOffset')
     for section, end in zip(sections, ends):
-        begin = float(section.get('s'))
+        begin, lines = float(section.get('s')), {}
         for at, x, y, heading in places(road.find('planView'), begin, end):
             for side, sign in (('left', 1), ('right', -1)):
                 border = value(offsets, at, 's')
                 for lane in sorted(section.findall(side + '/lane'), key=lambda one: abs(int(one.get('id')))):
                     width = sign * value(lane.findall('width'), max(at - begin, 0.0), 'sOffset')
-                    if lane.get('type') == 'driving':
+                    if lane.get('type') in kinds:
                         middle = border + width / 2
-                        yield x - middle * math.sin(heading), y + middle * math.cos(heading)
+                        lines.setdefault(lane.get('id'), []).append(
+                            (x - middle * math.sin(heading), y + middle * math.cos(heading), heading))
                     border += width
+        for line in lines.values():
+            (x, y, heading), (to_x, to_y, to_heading) = line[0], line[-1]
+            points = [(x, y) for x, y, _ in line]
+            yield [(x - beyond * math.cos(heading), y - beyond * math.sin(heading)), *points,
+                   (to_x + beyond * math.cos(to_heading), to_y + beyond * math.sin(to_heading))]
 
 
-class Middles:
-    """The points of the middles of all lanes of a file, found by their place."""
+class Lines:
+    """Lines of points, found by their place."""
 
-    def __init__(self, roads):
+    def __init__(self, lines):
         self.cells = {}
-        for road in roads:
-            for x, y in middles(road):
-                self.cells.setdefault((round(x), round(y)), []).append((x, y))
+        for line in lines:
+            for (x, y), (to_x, to_y) in zip(line, line[1:]):
+                count = max(1, math.ceil(math.hypot(to_x - x, to_y - y)))
+                points = [(x + (to_x - x) * i / count, y + (to_y - y) * i / count) for i in range(count + 1)]
+                for piece in zip(points, points[1:]):
+                    self.cells.setdefault((round(piece[0][0]), round(piece[0][1])), []).append(piece)
 
     def distance_to(self, x, y):
-        """Return the distance (m) of the nearest point; infinite beyond about 1 m."""
-        cells = [(round(x) + i, round(y) + j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
-        return min((math.hypot(x - px, y - py) for cell in cells for px, py in self.cells.get(cell, ())),
-                   default=math.inf)
+        """Return the distance (m) of the nearest line; infinite beyond about 1 m."""
+        cells = [(round(x) + i, round(y) + j) for i in (-2, -1, 0, 1, 2) for j in (-2, -1, 0, 1, 2)]
+        return min((to_piece(x, y, *piece) for cell in cells for piece in self.cells.get(cell, ())), default=math.inf)
+
+
+def to_piece(x, y, begin, end):
+    """Distance (m) of a point from a straight piece."""
+    along = end[0] - begin[0], end[1] - begin[1]
+    square = along[0] ** 2 + along[1] ** 2
+    share = ((x - begin[0]) * along[0] + (y - begin[1]) * along[1]) / square if square else 0.0
+    share = min(max(share, 0.0), 1.0)
+    return math.hypot(x - begin[0] - share * along[0], y - begin[1] - share * along[1])
 
 
 class RoadsNotRead(Exception):
@@ -80,7 +102,10 @@ def python_with_netconvert():
 
 
 def farthest(python, path, net, like=None):
-    """m that lanes of netconvert are off, at most; `net` is written. Raises RoadsNotRead.
+    """m that lanes of netconvert are beside the file's lanes, at most; `net` is written. Raises RoadsNotRead.
+
+    netconvert makes room for a junction where lane sections meet, and moves short pieces along the road; so lanes are
+    extended by MOVED. Sidewalks and other lanes without vehicles are not compared.
 
     `python` is that of python_with_netconvert(); `like` is the file with the right lanes, by default `path`.
     """
@@ -91,11 +116,15 @@ def farthest(python, path, net, like=None):
     if result.returncode or not Path(net).exists():
         raise RoadsNotRead('{}: {}'.format(path, result.stdout))
     roads = list(ElementTree.parse(path).getroot().iter('road'))
-    lanes, seen, worst = Middles(ElementTree.parse(like or path).getroot().iter('road')), set(), 0.0
+    right = ElementTree.parse(like or path).getroot().iter('road')
+    lanes = Lines(line for road in right for line in middle_lines(road, ('driving', 'biking'), MOVED))
+    seen, worst = set(), 0.0
     for edge in ElementTree.parse(net).getroot().iter('edge'):
         if edge.get('function') != 'internal':
             seen.add(edge.get('id').lstrip('-').partition('#')[0])  # one from a junction to itself is split
         for lane in edge.iter('lane'):
+            if lane.get('type') in ('sidewalk', 'shoulder') or lane.get('disallow') == 'all':
+                continue
             for point in lane.get('shape').split():
                 x, y = (float(text) for text in point.split(',')[:2])
                 worst = max(worst, lanes.distance_to(x, y))

@@ -6,6 +6,7 @@ import unittest
 from pathlib import Path
 
 FOLDER = Path('out') / 'interop' / 'environments'
+ASAM_CHECKS = Path(__file__).with_name('asam_checks.py')
 
 
 def python_with(name, *requirements):
@@ -37,3 +38,8 @@ def nuscenes_python():
     """The interpreter of an environment with the devkit of nuScenes; raises as python_with()."""
     return python_with('nuscenes', 'nuscenes-devkit==1.2.0', 'numpy==1.26.4', 'shapely==2.0.7',
                        'opencv-python-headless==4.11.0.86')
+
+
+def python_with_asams_rules():
+    """The interpreter of an environment with ASAM's checkers of rules; raises as python_with()."""
+    return python_with('asam', 'asam-qc-openscenarioxml==1.0.0', 'asam-qc-opendrive==1.0.0', 'asam-qc-baselib==1.1.0')

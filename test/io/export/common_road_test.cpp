@@ -362,6 +362,27 @@ TEST_F(CommonRoad, AmbiguousNeighboursAreNotAdjacent) {
   }
 }
 
+TEST_F(CommonRoad, LanesOfBicyclesAreLaneletsOfTheirOwnType) {
+  CrashRecord record = slowCarRecord();
+  record.lanes.lanes = {laneAlong("a", straight(0.0, 0.0, 20.0))};
+  record.lanes.features = {{FeatureKind::kBikeLane, {{0, -2.5}, {10, -2.5}, {20, -2.5}}}};
+  const auto range = written(record).children("lanelet");
+  const std::vector<xml_node> lanelets(range.begin(), range.end());
+  ASSERT_EQ(lanelets.size(), 2U);
+  EXPECT_STREQ(lanelets[0].child_value("laneletType"), "urban");
+  EXPECT_STREQ(lanelets[1].child_value("laneletType"), "bicycleLane");
+  EXPECT_THAT(pointsOf(lanelets[1].child("leftBound")),
+              ElementsAre(Vector2(0, -1.75), Vector2(10, -1.75), Vector2(20, -1.75)));
+  EXPECT_EQ(refOf(lanelets[0], "adjacentRight"), "");
+}
+
+TEST_F(CommonRoad, APedestrianAttacks) {
+  CrashRecord record = slowCarRecord();
+  record.attacker.agent_class = AgentClass::kPedestrian;
+  const xml_node attacker = written(record).find_child_by_attribute("dynamicObstacle", "id", "2");
+  EXPECT_STREQ(attacker.child_value("type"), "pedestrian");
+}
+
 TEST_F(CommonRoad, ConnectorsAndLaneletsInJunctionsAreMarked) {
   Lane crossing = laneAlong("crossing", straight(0.0, 0.0, 20.0));
   crossing.is_intersection = true;

@@ -254,6 +254,19 @@ TEST_F(ScenarioNetLogsTest, LanesOfBicyclesAreNoLanesOfMotorVehicles) {
   EXPECT_EQ(logged.lanes->map().drivable_area.size(), 1U);
 }
 
+TEST_F(ScenarioNetLogsTest, PaintedLinesAndLanesOfBicyclesAreFeatures) {
+  const LoggedScene logged = read(
+      withFeatures(R"("1":{"type":"ROAD_LINE_PASSING_DOUBLE_YELLOW","polyline":[[0,2],[9,2]]},)"
+                   R"("2":{"type":"ROAD_LINE_SOLID_DOUBLE_WHITE","polyline":[[0,3],[9,3]]},)"
+                   R"("3":{"type":"LANE_BIKE_LANE","polyline":[[0,-3],[5,-3],[9,-3]]},)"));
+  const auto& features = logged.lanes->map().features;
+  ASSERT_EQ(features.size(), 3U);
+  EXPECT_EQ(features[0].kind, FeatureKind::kBrokenYellowLine);
+  EXPECT_EQ(features[1].kind, FeatureKind::kSolidWhiteLine);
+  EXPECT_EQ(features[2].kind, FeatureKind::kBikeLane);
+  EXPECT_EQ(features[2].points.size(), 3U);
+}
+
 TEST_F(ScenarioNetLogsTest, TheRoadIsBetweenTheRoadEdges) {
   const LoggedScene logged =
       read(withFeatures(R"("1":{"type":"ROAD_EDGE_BOUNDARY","polyline":[[0,-4],[20,-4]]},)"

@@ -52,6 +52,18 @@ TEST(ScenarioNetMap, WritesWalkwaysAndRoadEdges) {
             R"("edge_2":{"type":"ROAD_EDGE_BOUNDARY","polyline":[[0,-4],[20,-4],[20,4]]}}})");
 }
 
+TEST(ScenarioNetMap, WritesPaintedLinesAndLanesOfBicycles) {
+  LaneMap map;
+  map.features = {{FeatureKind::kSolidYellowLine, {{0, 2}, {9, 2}}},
+                  {FeatureKind::kBikeLane, {{0, -3}, {9, -3}}}};
+  PickleWriter features;
+  EXPECT_EQ(writeMapFeatures(features, map, {}), 2u);
+  EXPECT_EQ(inlined(features.content()),
+            R"({"map_features":{)"
+            R"("feature_0":{"type":"ROAD_LINE_SOLID_SINGLE_YELLOW","polyline":[[0,2],[9,2]]},)"
+            R"("feature_1":{"type":"LANE_BIKE_LANE","polyline":[[0,-3],[9,-3]]}}})");
+}
+
 TEST(ScenarioNetMap, TheGroundHasItsSideAndPolygonsWithTheirHoles) {
   LaneMap map;
   map.driving_side = DrivingSide::kLeft;

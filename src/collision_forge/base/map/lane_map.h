@@ -31,23 +31,46 @@ struct Lane {
 
 /// Kind of a MapFeature.
 enum class FeatureKind {
-  kRoadEdge,   ///< boundary of the road: kerb, wall or border of the pavement
-  kMedian,     ///< road edge between opposite directions
-  kCrosswalk,  ///< painted crossing for pedestrians
-  kDriveway,   ///< private entrance that crosses the walkway
-  kSpeedBump,  ///< raised strip across the road
+  kRoadEdge,          ///< boundary of the road: kerb, wall or border of the pavement
+  kMedian,            ///< road edge between opposite directions
+  kCrosswalk,         ///< painted crossing for pedestrians
+  kDriveway,          ///< private entrance that crosses the walkway
+  kSpeedBump,         ///< raised strip across the road
+  kBrokenWhiteLine,   ///< painted line that may be crossed, on one side at least
+  kBrokenYellowLine,  ///< the same in yellow
+  kSolidWhiteLine,    ///< painted line that must not be crossed
+  kSolidYellowLine,   ///< the same in yellow
+  kBikeLane,          ///< centreline of a lane for bicycles, in driving direction
 };
 
-/// Returns true for kRoadEdge and kMedian, whose points are an open line.
+/// Returns true for kRoadEdge and kMedian.
 inline bool isRoadEdge(FeatureKind kind) {
   return kind == FeatureKind::kRoadEdge || kind == FeatureKind::kMedian;
+}
+
+/// Returns true for painted lines.
+inline bool isPaintedLine(FeatureKind kind) {
+  return kind >= FeatureKind::kBrokenWhiteLine && kind <= FeatureKind::kSolidYellowLine;
+}
+
+/// Returns true for painted lines that may be crossed, on one side at least.
+inline bool isBrokenLine(FeatureKind kind) {
+  return kind == FeatureKind::kBrokenWhiteLine || kind == FeatureKind::kBrokenYellowLine;
+}
+
+inline bool isYellowLine(FeatureKind kind) {
+  return kind == FeatureKind::kBrokenYellowLine || kind == FeatureKind::kSolidYellowLine;
+}
+
+/// Returns true for features whose points are an open line; the points of others are an outline.
+inline bool isOpenLine(FeatureKind kind) {
+  return isRoadEdge(kind) || isPaintedLine(kind) || kind == FeatureKind::kBikeLane;
 }
 
 /// A recorded feature of the road besides lanes and areas. Global map frame.
 struct MapFeature {
   FeatureKind kind = FeatureKind::kRoadEdge;
-  /// m; road edges and medians: open line; others: outline, open ring.
-  std::vector<Vector2> points;
+  std::vector<Vector2> points;  ///< m; an open line (isOpenLine()), or an outline: an open ring
 };
 
 /// The lanes, the drivable area and the walkways of one location. Global map frame, metres.

@@ -84,7 +84,10 @@ void paintMap(Canvas& canvas, const Viewport& viewport, const LaneMap& map,
     if (isRoadEdge(feature.kind)) {
       canvas.stroke(toPixels(viewport, feature.points),
                     {options.road_edge_color, line_width, 1.0, 0.0, false});
-    } else if (feature.kind != FeatureKind::kDriveway) {
+    } else if (isPaintedLine(feature.kind)) {
+      canvas.stroke(toPixels(viewport, feature.points),
+                    {options.painted_color, line_width, 1.0, 0.0, false});
+    } else if (!isOpenLine(feature.kind) && feature.kind != FeatureKind::kDriveway) {
       canvas.fill({toPixels(viewport, feature.points)}, options.painted_color);
     }
   }

@@ -10,7 +10,8 @@ namespace forge {
 /// NAME.xml, a scenario with one planning problem, in the record's map frame, metres, radians and
 /// times as numbers of CrashRecord::step.
 ///
-/// - Lanelets: the lanes with a centreline; the bounds are half a lane width to either side.
+/// - Lanelets: the lanes with a centreline; the bounds are half a lane width to either side. Lanes
+///   for bicycles follow as type `bicycleLane`, 1.5 m wide and without links.
 /// - Obstacles: the ego is dynamic obstacle 1, the attacker 2; the planning problem has id 3. An
 ///   agent that is out of sight for a time becomes one obstacle per stretch; a stretch of one step
 ///   is left out. Vehicles at rest throughout and objects are static obstacles at their first pose.

@@ -41,15 +41,6 @@ struct LaneBundle {
   double end = 0.0;  ///< m, > begin; where it ends
 };
 
-/// Borders of a bundle's lanes at arc lengths of its course.
-struct BundleProfile {
-  std::vector<double> arc_lengths;  ///< m, ascending, from `begin` to `end`
-  /// m from the course, positive to the left: for each element of `arc_lengths`, the left and the
-  /// right border of each member, in the order of LaneBundle::members (2 x members values). The
-  /// middle of both is the lane's centreline. Borders of neighbours are equal or leave a gap.
-  std::vector<std::vector<double>> borders;
-};
-
 /// Lanes as bundles.
 struct LaneBundles {
   /// Every lane is in exactly one; sorted by the smallest lane index in each.
@@ -69,10 +60,5 @@ LaneBundles bundlesOf(const std::vector<BundleLane>& lanes, DrivingSide side);
 /// Returns NaN if there is none.
 double besideOf(const LaneBundle& bundle, const BundleMember& member, const RoadCourse& lane,
                 double arc_length);
-
-inline constexpr double kProfileTolerance = 0.01;  ///< m, between centrelines and the profile
-/// Returns the borders of a bundle at few arc lengths from begin to end; linear interpolation in
-/// between is right within kProfileTolerance. `lanes` as for bundlesOf().
-BundleProfile profileOf(const LaneBundle& bundle, const std::vector<BundleLane>& lanes);
 
 }  // namespace forge

@@ -8,6 +8,7 @@
 #include "collision_forge/base/files/plain_name.h"
 #include "collision_forge/base/scene/number_words.h"
 #include "collision_forge/io/export/open_drive.h"
+#include "collision_forge/io/export/scenario_entities.h"
 #include "collision_forge/io/export/xml.h"
 
 namespace forge {
@@ -15,100 +16,19 @@ namespace {
 
 using pugi::xml_node;
 
-// Values that are not recorded and not used by readers here.
-constexpr double kWheelDiameter = 0.65;    // m
-constexpr double kTrackWidthShare = 0.85;  // of a vehicle's width
-constexpr double kWalkerMass = 75.0;       // kg
-constexpr double kChildMass = 23.0;        // kg, of seven years
-constexpr double kThingMass = 100.0;       // kg
-
 constexpr double kSlowEgo = 1.0;       // m/s; a slower ego has no meaningful time to a place
 constexpr double kLongestWait = 30.0;  // s that the attacker waits for a free ego, at most
 constexpr const char* kAttackerDrive = "drive of attacker";
 constexpr const char* kEventPrefix = "start of ";
 
-/// An entity of the scenario: a stretch of a track without a gap.
-struct Entity {
-  std::string name;
-  const Track* track = nullptr;
-  std::vector<AgentState> states;
-  double axle_to_middle = 0.0;  ///< m, from the entity's origin forward to the box centre
-};
-
-const char* categoryOf(AgentClass agent_class) {
-  switch (agent_class) {
-    case AgentClass::kTruck:
-    case AgentClass::kConstructionVehicle:
-      return "truck";
-    case AgentClass::kBus:
-      return "bus";
-    case AgentClass::kTrailer:
-      return "trailer";
-    case AgentClass::kMotorcycle:
-      return "motorbike";
-    case AgentClass::kBicycle:
-    case AgentClass::kScooter:
-      return "bicycle";
-    case AgentClass::kPedestrian:
-    case AgentClass::kChild:
-    case AgentClass::kRunner:
-      return "pedestrian";
-    case AgentClass::kAnimal:
-      return "animal";
-    case AgentClass::kStaticObject:
-      return "obstacle";
-    default:
-      return "car";
-  }
-}
-
-/// Returns the blueprint of CARLA that is most like a class.
-const char* blueprintOf(AgentClass agent_class) {
-  switch (agent_class) {
-    case AgentClass::kTruck:
-    case AgentClass::kTrailer:
-    case AgentClass::kConstructionVehicle:
-      return "vehicle.carlamotors.carlacola";
-    case AgentClass::kBus:
-      return "vehicle.mitsubishi.fusorosa";
-    case AgentClass::kEmergencyVehicle:
-      return "vehicle.dodge.charger_police";
-    case AgentClass::kMotorcycle:
-      return "vehicle.kawasaki.ninja";
-    case AgentClass::kBicycle:
-    case AgentClass::kScooter:
-      return "vehicle.bh.crossbike";
-    case AgentClass::kChild:
-      return "walker.pedestrian.0009";
-    case AgentClass::kPedestrian:
-    case AgentClass::kRunner:
-    case AgentClass::kAnimal:
-      return "walker.pedestrian.0001";
-    case AgentClass::kStaticObject:
-      return "static.prop.streetbarrier";
-    case AgentClass::kCar:
-      break;
-  }
-  return "vehicle.tesla.model3";
-}
-
-/// Escapes a leading '$', which readers take for a parameter.
-std::string literal(const std::string& text) {
-  return !text.empty() && text.front() == '$' ? "_" + text : text;
-}
-
 /// Writes one scenario.
 class ScenarioWriter {
  public:
   ScenarioWriter(const CrashRecord& record, const ExportPlan& plan)
-      : record_(record), plan_(plan), origin_(localOrigin(record)) {
-    addEntity("ego", record.ego, record.ego.states,
-              plan.for_carla ? 0.0 : record.scenario.ego.center_offset);
-    addTrack("attacker", record.attacker);
-    for (std::size_t i = 0; i < record.other_agents.size(); ++i) {
-      addTrack("other_" + std::to_string(i + 1), record.other_agents[i]);
-    }
-  }
+      : record_(record),
+        plan_(plan),
+        origin_(localOrigin(record)),
+        entities_(scenarioEntities(record, plan)) {}
 
   std::string text() const {
     pugi::xml_document document;
@@ -120,48 +40,30 @@ class ScenarioWriter {
     addElement(addElement(root, "RoadNetwork"), "LogicFile",
                {{"filepath", record_.name + ".xodr"}});
     xml_node entities = addElement(root, "Entities");
-    for (const Entity& entity : entities_) addObject(entities, entity);
+    for (const ScenarioEntity& entity : entities_)
+      addScenarioObject(entities, entity, record_, plan_);
     addStoryboard(addElement(root, "Storyboard"));
     return xmlText(document);
   }
 
  private:
-  void addEntity(const std::string& name, const Track& track, std::vector<AgentState> states,
-                 double axle_to_middle) {
-    entities_.push_back({name, &track, std::move(states), axle_to_middle});
-  }
-
-  /// Adds an entity per stretch in sight; a stretch of one state has no motion.
-  void addTrack(const std::string& name, const Track& track) {
-    const double ahead =
-        isVehicle(track.agent_class) && !plan_.for_carla
-            ? driveLimitsOf(track.agent_class, track.size, plan_.limits).axle_to_middle
-            : 0.0;
-    int number = 0;
-    for (std::vector<AgentState>& states : splitAtGaps(track, record_.step)) {
-      if (states.size() < 2) continue;
-      const std::string again = number++ == 0 ? "" : "_" + std::to_string(number);
-      addEntity(name + again, track, std::move(states), ahead);
-    }
-  }
-
-  bool isDriven(const Entity& entity) const {
+  bool isDriven(const ScenarioEntity& entity) const {
     return !(plan_.ego_free && entity.track == &record_.ego);
   }
 
-  bool comesLater(const Entity& entity) const { return entity.states.front().time > 0.0; }
+  bool comesLater(const ScenarioEntity& entity) const { return entity.states.front().time > 0.0; }
 
   /// Entities drive from Init on if they are there from the start: an event at 0 s would interrupt
   /// their Init actions, and a later one would miss the first step. ScenarioRunner takes the last
   /// position in Init for the first.
-  bool drivesFromInit(const Entity& entity) const {
+  bool drivesFromInit(const ScenarioEntity& entity) const {
     return isDriven(entity) && !waits(entity) && !comesLater(entity) && !plan_.for_carla;
   }
 
   /// ScenarioRunner has all entities from the start to the end.
   bool isAlways() const { return plan_.for_carla; }
 
-  bool goesEarlier(const Entity& entity) const {
+  bool goesEarlier(const ScenarioEntity& entity) const {
     return entity.states.back().time < record_.end() - 0.5 * record_.step;
   }
 
@@ -196,73 +98,8 @@ class ScenarioWriter {
     add("map_origin_y", "double", xmlNumber(origin_.y()));
   }
 
-  void addObject(xml_node entities, const Entity& entity) const {
-    xml_node object = addElement(entities, "ScenarioObject", {{"name", entity.name}});
-    const AgentClass agent_class = entity.track->agent_class;
-    const std::string category = categoryOf(agent_class);
-    const std::string name = plan_.for_carla ? blueprintOf(agent_class) : entity.name;
-    xml_node body;
-    if (isVehicle(agent_class)) {
-      body = addElement(object, "Vehicle", {{"name", name}, {"vehicleCategory", category}});
-      addBox(body, entity);
-      addPerformance(body, entity);
-    } else if (agent_class == AgentClass::kStaticObject) {
-      body = addElement(
-          object, "MiscObject",
-          {{"mass", xmlNumber(kThingMass)}, {"name", name}, {"miscObjectCategory", category}});
-      addBox(body, entity);
-    } else {
-      body = addElement(
-          object, "Pedestrian",
-          {{"mass", xmlNumber(agent_class == AgentClass::kChild ? kChildMass : kWalkerMass)},
-           {"name", name},
-           {"pedestrianCategory", category}});
-      if (plan_.for_carla) body.append_attribute("model") = name.c_str();
-      addBox(body, entity);
-    }
-    xml_node properties = addElement(body, "Properties");
-    const auto add = [&](const char* name, const std::string& value) {
-      addElement(properties, "Property", {{"name", name}, {"value", value}});
-    };
-    add("recorded_id", literal(entity.track->id));
-    add("class", toString(agent_class));
-    if (plan_.for_carla) {
-      add("type", entity.track == &record_.ego ? "ego_vehicle" : "simulation");
-    }
-  }
-
-  void addBox(xml_node body, const Entity& entity) const {
-    const double height = heightOf(*entity.track);
-    xml_node box = addElement(body, "BoundingBox");
-    addElement(box, "Center",
-               {{"x", xmlNumber(entity.axle_to_middle)}, {"y", "0"}, {"z", xmlNumber(height / 2)}});
-    addElement(box, "Dimensions",
-               {{"length", xmlNumber(entity.track->size.length)},
-                {"width", xmlNumber(entity.track->size.width)},
-                {"height", xmlNumber(height)}});
-  }
-
-  void addPerformance(xml_node body, const Entity& entity) const {
-    const DriveLimits limits =
-        driveLimitsOf(entity.track->agent_class, entity.track->size, plan_.limits);
-    addElement(body, "Performance",
-               {{"maxSpeed", xmlNumber(limits.max_speed)},
-                {"maxAcceleration", xmlNumber(limits.max_forward_acceleration)},
-                {"maxDeceleration", xmlNumber(limits.max_braking)}});
-    xml_node axles = addElement(body, "Axles");
-    const auto add = [&](const char* name, double steering, double x) {
-      addElement(axles, name,
-                 {{"maxSteering", xmlNumber(steering)},
-                  {"wheelDiameter", xmlNumber(kWheelDiameter)},
-                  {"trackWidth", xmlNumber(kTrackWidthShare * entity.track->size.width)},
-                  {"positionX", xmlNumber(x)},
-                  {"positionZ", xmlNumber(kWheelDiameter / 2)}});
-    };
-    add("FrontAxle", limits.max_steering_angle, limits.wheelbase);
-    add("RearAxle", 0.0, 0.0);
-  }
-
-  void addPosition(xml_node parent, const Entity& entity, const Pose2& middle, double yaw) const {
+  void addPosition(xml_node parent, const ScenarioEntity& entity, const Pose2& middle,
+                   double yaw) const {
     const Pose2 axle = compose(middle, {-entity.axle_to_middle, 0.0, 0.0});
     addElement(addElement(parent, "Position"), "WorldPosition",
                {{"x", xmlNumber(axle.x - origin_.x())},
@@ -278,7 +115,7 @@ class ScenarioWriter {
     pugi::xml_document story;
     xml_node act =
         addElement(addElement(story, "Story", {{"name", "crash"}}), "Act", {{"name", "drives"}});
-    for (const Entity& entity : entities_) {
+    for (const ScenarioEntity& entity : entities_) {
       if (isAlways() || !comesLater(entity)) addStart(actions, entity);
       if (waits(entity)) {
         addDrive(addWaiting(act, entity), entity);
@@ -298,13 +135,13 @@ class ScenarioWriter {
 
   /// The attacker of a free ego waits until the ego is as far from the place of the contact, in
   /// time, as it was at the start of the recording.
-  bool waits(const Entity& entity) const {
+  bool waits(const ScenarioEntity& entity) const {
     return plan_.ego_free && entity.track == &record_.attacker && !comesLater(entity);
   }
 
-  static double startOf(const Entity& entity) { return entity.states.front().time; }
+  static double startOf(const ScenarioEntity& entity) { return entity.states.front().time; }
 
-  void addStart(xml_node actions, const Entity& entity) const {
+  void addStart(xml_node actions, const ScenarioEntity& entity) const {
     const AgentState& state = entity.states.front();
     xml_node one = addElement(actions, "Private", {{"entityRef", entity.name}});
     addPosition(addElement(addElement(one, "PrivateAction"), "TeleportAction"), entity, state.pose,
@@ -361,7 +198,7 @@ class ScenarioWriter {
   }
 
   /// Adds the event of an attacker that waits for the ego and returns its action.
-  xml_node addWaiting(xml_node act, const Entity& entity) const {
+  xml_node addWaiting(xml_node act, const ScenarioEntity& entity) const {
     const auto [action, trigger] = addUntriggered(act, kAttackerDrive, entity.name);
     xml_node group = addElement(trigger, "ConditionGroup");
     addTimeCondition(group, "after the start", 0.0, "greaterThan");
@@ -404,7 +241,7 @@ class ScenarioWriter {
                 {"state", "completeState"}});
   }
 
-  void addDrive(xml_node parent, const Entity& entity) const {
+  void addDrive(xml_node parent, const ScenarioEntity& entity) const {
     xml_node follow = addElement(addElement(addElement(parent, "PrivateAction"), "RoutingAction"),
                                  "FollowTrajectoryAction");
     xml_node trajectory =
@@ -421,7 +258,7 @@ class ScenarioWriter {
 
   /// Headings are unwrapped, so that readers that interpolate take the shorter turn. States at rest
   /// are reduced to the first and the last.
-  void addVertices(xml_node polyline, const Entity& entity) const {
+  void addVertices(xml_node polyline, const ScenarioEntity& entity) const {
     const std::vector<AgentState>& states = entity.states;
     double yaw = states.front().pose.yaw;
     for (std::size_t i = 0; i < states.size(); ++i) {
@@ -437,7 +274,7 @@ class ScenarioWriter {
     return a.pose.position() == b.pose.position() && a.pose.yaw == b.pose.yaw;
   }
 
-  void addAppearance(xml_node act, const Entity& entity, bool comes) const {
+  void addAppearance(xml_node act, const ScenarioEntity& entity, bool comes) const {
     const std::string name = (comes ? "arrival of " : "departure of ") + entity.name;
     const AgentState& state = comes ? entity.states.front() : entity.states.back();
     xml_node action = addElement(addElement(addEvent(act, name, "", state.time), "GlobalAction"),
@@ -468,7 +305,7 @@ class ScenarioWriter {
   const CrashRecord& record_;
   const ExportPlan& plan_;
   const Vector2 origin_;
-  std::vector<Entity> entities_;
+  const std::vector<ScenarioEntity> entities_;
 };
 
 class OpenScenarioWriter : public CrashWriter {

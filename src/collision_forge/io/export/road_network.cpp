@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
 #include <unordered_map>
 
+#include "collision_forge/io/export/bundle_profile.h"
 #include "collision_forge/io/export/lane_bundles.h"
+#include "collision_forge/io/export/linked_lanes.h"
 
 namespace forge {
 namespace {
@@ -29,9 +30,8 @@ struct RoadEnd {
 class NetworkBuilder {
  public:
   NetworkBuilder(const LaneMap& map, const LaneArcs& arcs, double lane_width)
-      : is_right_(map.driving_side == DrivingSide::kRight) {
-    addLanes(map, arcs, lane_width);
-    addLinks(map);
+      : is_right_(map.driving_side == DrivingSide::kRight),
+        linked_(linkedLanes(map, arcs, lane_width)) {
     bundle(map.driving_side);
     findDirectEnds();
     findConnecting();
@@ -47,42 +47,6 @@ class NetworkBuilder {
   }
 
  private:
-  using Places = std::vector<std::size_t>;
-
-  void addLanes(const LaneMap& map, const LaneArcs& arcs, double lane_width) {
-    for (const Lane& lane : map.lanes) {
-      RoadCourse course = courseOf(lane, arcs);
-      if (course.empty()) continue;
-      places_[lane.id] = lanes_.size();
-      sources_.push_back(&lane);
-      const double width = widthOf(lane, course.length(), lane_width);
-      lanes_.push_back({std::move(course), width, !lane.is_connector});
-    }
-    next_.resize(lanes_.size());
-    previous_.resize(lanes_.size());
-  }
-
-  bool meets(std::size_t from, std::size_t to) const {
-    const RoadCourse& course = lanes_[from].course;
-    const Vector2 end = course.poseAt(course.length()).position();
-    return (end - lanes_[to].course.poseAt(0.0).position()).norm() <= kMaxJointGap;
-  }
-
-  void addLinks(const LaneMap& map) {
-    for (const Lane& lane : map.lanes) {
-      const auto from = places_.find(lane.id);
-      if (from == places_.end()) continue;
-      for (const std::string& id :
-           std::set<std::string>(lane.outgoing.begin(), lane.outgoing.end())) {
-        const auto to = places_.find(id);
-        if (to == places_.end() || to == from || !meets(from->second, to->second)) continue;
-        next_[from->second].push_back(to->second);
-        previous_[to->second].push_back(from->second);
-        lanes_[from->second].is_left = lanes_[to->second].is_entered = true;
-      }
-    }
-  }
-
   void bundle(DrivingSide side) {
     LaneBundles found = bundlesOf(lanes_, side);
     bundles_ = std::move(found.bundles);
@@ -261,6 +225,7 @@ class NetworkBuilder {
     lane.to = std::min(bundle.end, from.to) - bundle.begin;
     lane.width = widthBetween(near, far);
     lane.speed_limit = source.speed_limit;
+    lane.is_for_bikes = linked_.isForBikes(from.lane);
     ids_[from.lane] = lane.id;
     lanes.push_back(std::move(lane));
     inner = far;
@@ -379,11 +344,11 @@ class NetworkBuilder {
 
   const bool is_right_;
   RoadNetwork network_;
-  std::unordered_map<std::string, std::size_t> places_;
-  std::vector<BundleLane> lanes_;
-  std::vector<const Lane*> sources_;  // this and the lists below: one per lane
-  std::vector<Places> next_;
-  std::vector<Places> previous_;
+  const LinkedLanes linked_;
+  const std::vector<BundleLane>& lanes_ = linked_.lanes;
+  const std::vector<const Lane*>& sources_ = linked_.sources;  // this and the lists below: per lane
+  const std::vector<std::vector<std::size_t>>& next_ = linked_.next;
+  const std::vector<std::vector<std::size_t>>& previous_ = linked_.previous;
   std::vector<std::size_t> bundle_of_;
   std::vector<const BundleMember*> members_;
   std::vector<bool> is_connecting_;
@@ -404,6 +369,24 @@ std::string Road::name() const {
     }
   }
   return name;
+}
+
+double Road::valueAt(const std::vector<double>& per_knot, double arc_length) const {
+  const auto after = std::upper_bound(knots.begin(), knots.end(), arc_length);
+  const std::size_t next = static_cast<std::size_t>(after - knots.begin());
+  if (next == 0 || next == knots.size()) return per_knot[next == 0 ? 0 : next - 1];
+  const double share = (arc_length - knots[next - 1]) / (knots[next] - knots[next - 1]);
+  return per_knot[next - 1] + share * (per_knot[next] - per_knot[next - 1]);
+}
+
+double Road::borderAt(int id, double arc_length) const {
+  double border = valueAt(offset, arc_length);
+  const std::vector<RoadLane>& lanes = id < 0 ? right : left;
+  for (int i = 0; i < std::abs(id); ++i) {
+    const double width = valueAt(lanes[static_cast<std::size_t>(i)].width, arc_length);
+    border += id < 0 ? -width : width;
+  }
+  return border;
 }
 
 RoadNetwork roadNetwork(const LaneMap& lanes, const LaneArcs& arcs, double lane_width) {

@@ -22,9 +22,11 @@ struct RoadJoint {
 struct RoadLane {
   /// OpenDRIVE's: > 0 left of the centre, < 0 right of it, counted outwards from 1 or -1; never 0.
   int id = 0;
-  std::string lane;   ///< id of the map's lane; "" for the gap between the directions or
-                      ///< between lanes
-  double from = 0.0;  ///< m, arc length of the road at which the lane begins
+  /// Id of the map's lane, or of the one of bikeLanesOf(); "" for the gap between the directions or
+  /// between lanes.
+  std::string lane;
+  bool is_for_bikes = false;  ///< a FeatureKind::kBikeLane, else a lane for motor vehicles or a gap
+  double from = 0.0;          ///< m, arc length of the road at which the lane begins
   /// m, arc length at which the lane ends; outside `from` to `to`, its strip of the road is a gap.
   double to = 0.0;
   std::vector<double> width;  ///< m, one per element of Road::knots
@@ -53,6 +55,13 @@ struct Road {
 
   /// Returns the ids of the map's lanes, joined by spaces.
   std::string name() const;
+
+  /// Returns the value (of widths or offset) at an arc length, m.
+  double valueAt(const std::vector<double>& per_knot, double arc_length) const;
+
+  /// Returns the distance (m, positive to the left) from the course to the outer border of the lane
+  /// with this id (OpenDRIVE's; 0: the centre) at an arc length, m.
+  double borderAt(int id, double arc_length) const;
 };
 
 /// A fork or merge of roads. Connecting roads that share an incoming or an outgoing road end belong
@@ -76,15 +85,15 @@ struct RoadNetwork {
   std::size_t unbundled = 0;        ///< LaneBundles::unbundled
 };
 
-inline constexpr double kForkPiece = 0.3;    ///< m; length of a connecting road at a fork
-inline constexpr double kMaxJointGap = 0.1;  ///< m; lanes farther apart are not linked
+inline constexpr double kForkPiece = 0.3;  ///< m; length of a connecting road at a fork
 /// Returns the lanes as roads linked by the rules of ASAM OpenDRIVE 1.6 (Sec. 8.2 and 10). Lanes
 /// side by side share a road (bundlesOf()). Two road ends whose lanes lead one to one into each
 /// other are linked directly. All other links go through junctions: a connector between two lanes
 /// becomes a connecting road; without a connector, the first kForkPiece of the following lane
 /// becomes one. The part of a lane beyond the end of its road belongs to the connecting road. Links
-/// between lanes more than kMaxJointGap apart and lanes without a course are left out. `lane_width`
-/// (m) is the width of lanes without an outline.
+/// between lanes more than kMaxJointGap (linked_lanes.h) apart and lanes without a course are left
+/// out. Each kBikeLane of the map is a road of its own, without links, whose lane id is "bike_" and
+/// a number. `lane_width` (m) is the width of lanes without an outline.
 RoadNetwork roadNetwork(const LaneMap& lanes, const LaneArcs& arcs, double lane_width);
 
 }  // namespace forge

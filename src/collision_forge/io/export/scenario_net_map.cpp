@@ -84,9 +84,8 @@ class FeatureWriter {
   }
 
   void writeFeature(const MapFeature& feature) {
-    const bool is_edge = isRoadEdge(feature.kind);
-    beginFeature(is_edge ? "edge_" : "feature_", toScenarioNet(feature.kind));
-    writer_.array(is_edge ? "polyline" : "polygon", flat(feature.points), 2);
+    beginFeature(isRoadEdge(feature.kind) ? "edge_" : "feature_", toScenarioNet(feature.kind));
+    writer_.array(isOpenLine(feature.kind) ? "polyline" : "polygon", flat(feature.points), 2);
     writer_.endObject();
   }
 

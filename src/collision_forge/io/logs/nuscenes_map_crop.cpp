@@ -71,7 +71,7 @@ LaneMap cropped(const LaneMap& map, const std::vector<Vector2>& points, double r
     if (isNear(polygon, points, radius)) crop.walkways.push_back(polygon);
   }
   for (const MapFeature& feature : map.features) {
-    if (isNear(feature.points, !isRoadEdge(feature.kind), points, radius)) {
+    if (isNear(feature.points, !isOpenLine(feature.kind), points, radius)) {
       crop.features.push_back(feature);
     }
   }

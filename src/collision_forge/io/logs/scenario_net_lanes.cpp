@@ -16,13 +16,23 @@ namespace {
 
 constexpr double kKilometresAnHour = 3.6;  // km/h in 1 m/s
 
-/// Has every kind.
+/// Has every kind; of several names of a kind, the first one is written. Double lines are read as
+/// single ones, lines that one side may cross as broken ones.
 constexpr std::pair<const char*, FeatureKind> kFeatureKinds[] = {
     {"ROAD_EDGE_BOUNDARY", FeatureKind::kRoadEdge},
     {"ROAD_EDGE_MEDIAN", FeatureKind::kMedian},
     {"CROSSWALK", FeatureKind::kCrosswalk},
     {"DRIVEWAY", FeatureKind::kDriveway},
-    {"SPEED_BUMP", FeatureKind::kSpeedBump}};
+    {"SPEED_BUMP", FeatureKind::kSpeedBump},
+    {"ROAD_LINE_BROKEN_SINGLE_WHITE", FeatureKind::kBrokenWhiteLine},
+    {"ROAD_LINE_BROKEN_SINGLE_YELLOW", FeatureKind::kBrokenYellowLine},
+    {"ROAD_LINE_BROKEN_DOUBLE_YELLOW", FeatureKind::kBrokenYellowLine},
+    {"ROAD_LINE_PASSING_DOUBLE_YELLOW", FeatureKind::kBrokenYellowLine},
+    {"ROAD_LINE_SOLID_SINGLE_WHITE", FeatureKind::kSolidWhiteLine},
+    {"ROAD_LINE_SOLID_DOUBLE_WHITE", FeatureKind::kSolidWhiteLine},
+    {"ROAD_LINE_SOLID_SINGLE_YELLOW", FeatureKind::kSolidYellowLine},
+    {"ROAD_LINE_SOLID_DOUBLE_YELLOW", FeatureKind::kSolidYellowLine},
+    {"LANE_BIKE_LANE", FeatureKind::kBikeLane}};
 
 /// Returns the outlines in the dict's "interiors".
 std::vector<std::vector<Vector2>> holesOf(const PickleField& polygon) {
@@ -60,7 +70,7 @@ class MapReader {
   }
 
   void addFeature(FeatureKind kind, const PickleField& feature) {
-    const bool is_line = isRoadEdge(kind);
+    const bool is_line = isOpenLine(kind);
     std::vector<Vector2> points = feature.at(is_line ? "polyline" : "polygon").points();
     if (points.size() < (is_line ? 2 : 3)) return;
     map_.features.push_back({kind, std::move(points)});

@@ -17,13 +17,13 @@ struct FeatureProblems {
 /// Returns the name of a kind of feature in scenario descriptions, as "ROAD_EDGE_MEDIAN".
 const char* toScenarioNet(FeatureKind kind);
 
-/// Returns the lanes (with mutual links), walkways, road edges, medians, crosswalks, driveways and
-/// speed bumps of a scenario description's `map_features`, m, in the frame of the file; without
-/// drivable area. A lane without an outline gets a strip of kLaneWidth; a lane whose line has no
-/// length has no centreline. Features of other types, and lines of fewer than two and areas of
-/// fewer than three points, are left out without a message. Leaves out lanes of bicycles, which are
-/// not lanes of motor vehicles, and features that cannot be read, and adds a message for each
-/// problem to `problems`. Throws std::runtime_error if `features` is not a dict.
+/// Returns the lanes (with mutual links), walkways and features (each FeatureKind) of a scenario
+/// description's `map_features`, m, in the frame of the file; without drivable area. Lanes of
+/// bicycles are features (kBikeLane), because motor vehicles do not drive there. A lane without an
+/// outline gets a strip of kLaneWidth; a lane whose line has no length has no centreline. Features
+/// of other types, and lines of fewer than two and areas of fewer than three points, are left out
+/// without a message. Leaves out features that cannot be read, and adds a message for each problem
+/// to `problems`. Throws std::runtime_error if `features` is not a dict.
 LaneMap lanesOf(const PickleField& features, FeatureProblems& problems);
 
 /// Returns polygons with holes, m, from a list of dicts with "exterior" and, optionally,

@@ -95,7 +95,7 @@ void addFeatures(const LaneMap& map, MarkerList& markers) {
   for (const MapFeature& feature : map.features) {
     if (isRoadEdge(feature.kind)) {
       appendPolyline(simplified(feature.points, kLineTolerance), edges);
-    } else if (feature.kind != FeatureKind::kDriveway) {
+    } else if (!isOpenLine(feature.kind) && feature.kind != FeatureKind::kDriveway) {
       const std::vector<Vector2> triangles = fillTriangles({feature.points, {}});
       painted.insert(painted.end(), triangles.begin(), triangles.end());
     }

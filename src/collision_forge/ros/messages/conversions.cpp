@@ -312,7 +312,7 @@ collision_forge::PolygonWithHoles toMessage(const Polygon& polygon, const Vector
 }
 
 MapFeature fromMessage(const collision_forge::MapFeature& message, const Vector2& origin) {
-  return {enumOf(message.kind, FeatureKind::kSpeedBump, "map feature: kind"),
+  return {enumOf(message.kind, FeatureKind::kBikeLane, "map feature: kind"),
           fromMessage(message.points, origin)};
 }
 
