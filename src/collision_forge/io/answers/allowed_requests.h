@@ -7,7 +7,7 @@
 namespace forge {
 
 /// Returns true if the lanes of the map allow a request (roadAllows()), for the recorded motion of
-/// the ego and the crash definition of `options`.
+/// the ego and the crash definition of `options`. People on foot need no lane: true for them.
 bool roadAllowsRequest(const SceneRequest& asked, const IndexedScene& recording,
                        const AnswerOptions& options);
 
