@@ -21,11 +21,13 @@ IndexedScene onTwoLanes() {
   return recording;
 }
 
-bool isAllowed(CollisionType type, const IndexedScene& recording) {
+bool isAllowed(CollisionType type, const IndexedScene& recording,
+               const std::optional<AgentClass>& attacker_class = std::nullopt) {
   static const Config config = loadConfig(COLLISION_FORGE_SOURCE_DIR "/config");
   SceneRequest asked{"scene", kNow, {}};
   asked.request.type = type;
   asked.request.tta = 4.0;
+  asked.request.attacker_class = attacker_class;
   return roadAllowsRequest(asked, recording, config);
 }
 
@@ -33,6 +35,16 @@ TEST(AllowedRequests, RequireALaneOfTheTypesDirection) {
   const IndexedScene recording = onTwoLanes();
   EXPECT_TRUE(isAllowed(CollisionType::kRearEnd, recording));
   EXPECT_FALSE(isAllowed(CollisionType::kJunctionCrossing, recording));
+}
+
+TEST(AllowedRequests, NeedNoLaneForPeopleOnFoot) {
+  const IndexedScene recording = onTwoLanes();
+  const auto allows = [&](AgentClass agent_class) {
+    return isAllowed(CollisionType::kJunctionCrossing, recording, agent_class);
+  };
+  EXPECT_TRUE(allows(AgentClass::kPedestrian));
+  EXPECT_TRUE(allows(AgentClass::kChild));
+  EXPECT_FALSE(allows(AgentClass::kScooter));
 }
 
 TEST(AllowedRequests, AreJudgedAtTheEgosPlaceAtImpact) {

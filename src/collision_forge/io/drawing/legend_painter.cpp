@@ -74,7 +74,7 @@ std::vector<LegendRow> legendRows(Canvas& canvas, double font, const ScenarioVie
                 {body(options.agent_color, options.ghost_opacity), "Agents when passed"});
   }
   if (!view.supports.empty()) {
-    rows.insert(rows.begin() + 2, {body(options.support_color, 1.0), "Hides the attacker"});
+    rows.insert(rows.begin() + 2, {body(options.support_color, 1.0), "Support vehicle"});
   }
   if (is_still && hasRest(view)) {
     rows.push_back({body(options.muted_text_color, kRestGhosts * options.ghost_opacity),

@@ -47,7 +47,7 @@ struct DrawingOptions {
   Color yellow_light_color{0.95, 0.75, 0.05};
   Color green_light_color{0.10, 0.62, 0.25};
   Color agent_color{0.56, 0.63, 0.70};    ///< other agents
-  Color support_color{0.08, 0.47, 0.47};  ///< vehicles that hide the attacker
+  Color support_color{0.15, 0.17, 0.20};  ///< vehicles that hide the attacker or queue ahead of it
   Color ego_color;
   Color attacker_color;
   Color recorded_attacker_color{0.90, 0.45, 0.45};  ///< the attacker's recorded motion

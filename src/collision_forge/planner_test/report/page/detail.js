@@ -309,7 +309,7 @@ export class Detail {
   legendEntries() {
     const entry = (name, kind) => element('span', {}, element('i', {className: 'swatch ' + kind}), name);
     const entries = this.world.roles.map((role) => entry(role.name, 'of-' + role.color + (role.isPale ? ' pale' : '')));
-    if (this.world.others.some(({role}) => role)) entries.push(entry('Hides the attacker', 'of-support'));
+    if (this.world.others.some(({role}) => role)) entries.push(entry('Support vehicle', 'of-support'));
     if (this.world.aim) entries.push(entry('Pattern: ego', 'of-aim-ego'), entry('attacker', 'of-aim-attacker'));
     if (this.world.contact) entries.push(entry('Contact', 'of-contact'));
     return entries;
