@@ -38,12 +38,13 @@ struct PosedBody {
 
 /// Which rays return from a vehicle, and how bright: learnt from recorded vehicles of known boxes.
 ///
-/// Outline: annotated boxes are larger than what returns. The fit of a group of classes is the
-/// PosedBody::fit with which bodies return as many rays as the recorded vehicles did. Inside: share
-/// of returns and intensities by group, range and height on the vehicle, from rays that meet the
-/// body at a fit of 0.8, too. Where fewer than 30 rays were seen, the model `materials`: a fit of
-/// 0.88, a share per kind of surface that falls with range and grazing incidence, and an intensity
-/// that is reflectivity (0 to 255) times the cosine of the incidence.
+/// Outline: annotated boxes are larger than what returns. The fit of a group of classes (cars,
+/// large vehicles, two-wheelers, pedestrians; with few rays the first two or the last two together)
+/// is the PosedBody::fit with which bodies return as many rays as the recorded vehicles did.
+/// Inside: share of returns and intensities by group, range and height on the vehicle, from rays
+/// that meet the body at a fit of 0.8, too. Where fewer than 30 rays were seen, the model
+/// `materials`: a fit of 0.88, a share per kind of surface that falls with range and grazing
+/// incidence, and an intensity that is reflectivity (0 to 255) times the cosine of the incidence.
 class SurfaceReturns {
  public:
   /// Learns from the bodies, of fit 1, that stand for recorded vehicles: a ray that meets the body
@@ -81,7 +82,8 @@ class SurfaceReturns {
     std::vector<float> intensities;  ///< ascending
   };
   static void addTo(Bin& bin, bool is_return, double intensity);
-  /// Returns the bin of a hit, or the one of all ranges if that has too few rays; null if both do.
+  /// Returns the bin of a hit in the smallest group that has enough rays, else in the bin of all
+  /// ranges; null if no bin has enough.
   const Bin* binOf(const LidarBody& body, const BodyHit& hit, double height) const;
 
   static constexpr std::size_t kFits = 7;
@@ -100,8 +102,10 @@ class SurfaceReturns {
 
   /// Adds the intensities of one vehicle.
   static void addSpread(const std::vector<double>& logarithms, Group& group);
+  static double fitOf(const Group& group);
 
-  std::array<Group, 2> groups_;  ///< car-like vehicles; two-wheelers and pedestrians
+  /// Cars; large vehicles; two-wheelers; pedestrians; the first two together; the last two.
+  std::array<Group, 6> groups_;
   std::size_t learnt_ = 0;
 };
 
