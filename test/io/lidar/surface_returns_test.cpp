@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "collision_forge/io/lidar/cloud_injection.h"
@@ -65,30 +66,64 @@ TEST(SurfaceReturns, TheModelMaterialsFallsWithRangeAndGrazingIncidence) {
             model.intensityOf(body, {10.0, 1.0, SurfaceKind::kTyre}, 0.5, 1.0));
 }
 
-/// Three cars of 40 returns each, with intensities `mean` + `step` times 0 or 1.
-double spreadOfCars(const std::array<double, 3>& means, double step) {
+PosedBody bodyAt(AgentClass agent_class, const Eigen::Vector3d& size, double y) {
+  PosedBody posed;
+  posed.body = lidarBodyOf(agent_class, size);
+  posed.end = Eigen::Isometry3d(Eigen::Translation3d(9.0, y, -1.8));
+  posed.begin = posed.end;
+  return posed;
+}
+
+/// Returns the intensity of a return at `y` of the point with this index.
+using IntensityAt = std::function<double(double y, std::size_t index)>;
+
+/// Learns from bodies on flat ground.
+SurfaceReturns learntFrom(const std::vector<PosedBody>& bodies, const IntensityAt& intensity) {
   MadeUpLidar lidar;
-  lidar.columns = 720;
+  lidar.columns = 2160;
   PointCloud cloud = madeUpCloud(lidar, groundRangeOf);
-  std::vector<PosedBody> cars;
-  for (const double y : {-6.0, 0.0, 6.0}) {
-    PosedBody car;
-    car.body = lidarBodyOf(AgentClass::kCar, {4.5, 1.9, 1.5});
-    car.end = Eigen::Isometry3d(Eigen::Translation3d(9.0, y, -1.8));
-    car.begin = car.end;
-    cars.push_back(car);
-  }
   const CloudLayout empty(cloud);
-  editCloud(cloud, empty, raysOf(cloud, empty, {0.0, 0.1}), {cars, {}, nullptr, 0.0, 1}, {});
+  editCloud(cloud, empty, raysOf(cloud, empty, {0.0, 0.1}), {bodies, {}, nullptr, 0.0, 1}, {});
   const CloudLayout layout(cloud);
   for (std::size_t i = 0; i < cloud.pointCount(); ++i) {
-    const Eigen::Vector3d point = layout.position(cloud.pointAt(i));
-    const std::size_t car = point.y() < -3.0 ? 0 : point.y() < 3.0 ? 1 : 2;
-    layout.intensity->set(cloud.pointAt(i), std::expm1(means[car] + step * (i % 2)));
+    std::uint8_t* point = cloud.pointAt(i);
+    layout.intensity->set(point, intensity(layout.position(point).y(), i));
   }
   SurfaceReturns surfaces;
-  surfaces.learn(cloud, layout, raysOf(cloud, layout, {0.0, 0.1}), cars);
+  surfaces.learn(cloud, layout, raysOf(cloud, layout, {0.0, 0.1}), bodies);
+  return surfaces;
+}
+
+constexpr double kCarY[] = {-6.0, 0.0, 6.0};
+
+/// Three cars whose intensities have the logarithms `means` + `step` times 0 or 1.
+double spreadOfCars(const std::array<double, 3>& means, double step) {
+  std::vector<PosedBody> cars;
+  for (const double y : kCarY) cars.push_back(bodyAt(AgentClass::kCar, {4.5, 1.9, 1.5}, y));
+  const SurfaceReturns surfaces = learntFrom(cars, [&](double y, std::size_t index) {
+    const std::size_t car = y < -3.0 ? 0 : y < 3.0 ? 1 : 2;
+    return std::expm1(means[car] + step * static_cast<double>(index % 2));
+  });
   return surfaces.spreadWithin(cars[0].body);
+}
+
+TEST(SurfaceReturns, AClassLearnsFromItsOwnKindFirst) {
+  const PosedBody car = bodyAt(AgentClass::kCar, {4.5, 1.9, 1.5}, -5.0);
+  const PosedBody truck = bodyAt(AgentClass::kTruck, {6.0, 2.3, 2.8}, 5.0);
+  const SurfaceReturns surfaces =
+      learntFrom({car, truck}, [](double y, std::size_t) { return y < 0.0 ? 10.0 : 100.0; });
+  const BodyHit hit{8.0, 1.0, SurfaceKind::kPaint};
+  const auto intensityOf = [&](AgentClass agent_class, const SurfaceReturns& model) {
+    return model.intensityOf(lidarBodyOf(agent_class, {3.0, 1.9, 1.6}), hit, 0.5, 0.5);
+  };
+  EXPECT_EQ(intensityOf(AgentClass::kCar, surfaces), 10.0);
+  EXPECT_EQ(intensityOf(AgentClass::kTruck, surfaces), 100.0);
+  EXPECT_EQ(intensityOf(AgentClass::kTrailer, surfaces), 100.0) << "another large vehicle";
+  EXPECT_EQ(intensityOf(AgentClass::kPedestrian, surfaces),
+            intensityOf(AgentClass::kPedestrian, {}))
+      << "nobody to learn from";
+  const SurfaceReturns cars = learntFrom({car}, [](double, std::size_t) { return 10.0; });
+  EXPECT_EQ(intensityOf(AgentClass::kTruck, cars), 10.0) << "cars and large vehicles together";
 }
 
 TEST(SurfaceReturns, TheSpreadOfIntensitiesWithinAVehicleIsLearnt) {

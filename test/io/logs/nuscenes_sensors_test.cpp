@@ -17,6 +17,7 @@ TEST(NuScenesSensors, ListsTheFilesOfTheEmbeddedScenes) {
   ASSERT_EQ(scenes.size(), 1u);
   const NuScenesSensorScene& scene = scenes.at("scene-0002");
   ASSERT_EQ(scene.sensors.size(), 1u);
+  EXPECT_EQ(scene.dataroot, root);
   EXPECT_EQ(scene.sensors[0].channel, "LIDAR_TOP");
   EXPECT_EQ(scene.sensors[0].modality, "lidar");
   EXPECT_EQ(scene.sensors[0].translation, Eigen::Vector3d(0.95, 0.0, 1.84));

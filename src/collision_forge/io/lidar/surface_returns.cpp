@@ -1,6 +1,7 @@
 #include "collision_forge/io/lidar/surface_returns.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace forge {
@@ -36,7 +37,23 @@ Material materialOf(SurfaceKind surface) {
   return {};
 }
 
-std::size_t groupOf(const LidarBody& body) { return isCarLike(body.agent_class) ? 0 : 1; }
+/// Returns the indices of the groups that a body belongs to: its own kind first, then cars and
+/// large vehicles together, or two-wheelers and pedestrians together.
+std::array<std::size_t, 2> groupsOf(const LidarBody& body) {
+  constexpr std::size_t kCars = 0, kLarge = 1, kTwoWheelers = 2, kPeople = 3;
+  constexpr std::size_t kFourWheelers = 4, kSmall = 5;
+  switch (body.agent_class) {
+    case AgentClass::kCar:
+      return {kCars, kFourWheelers};
+    case AgentClass::kMotorcycle:
+    case AgentClass::kBicycle:
+      return {kTwoWheelers, kSmall};
+    case AgentClass::kPedestrian:
+      return {kPeople, kSmall};
+    default:
+      return {kLarge, kFourWheelers};
+  }
+}
 
 std::size_t rangeIndex(double range) {
   return static_cast<std::size_t>(
@@ -103,7 +120,9 @@ void SurfaceReturns::learn(const PointCloud& cloud, const CloudLayout& layout,
     if (!isVehicle(posed.body.agent_class) && !isOnFoot(posed.body.agent_class)) {
       continue;
     }
-    Group& group = groups_[groupOf(posed.body)];
+    const auto forGroups = [this, groups = groupsOf(posed.body)](const auto& change) {
+      for (const std::size_t group : groups) change(groups_[group]);
+    };
     const RayWindow window = posed.window();
     std::vector<double> logarithms;
     for (const LidarRay& ray : sweep.rays) {
@@ -117,7 +136,7 @@ void SurfaceReturns::learn(const PointCloud& cloud, const CloudLayout& layout,
                              isInBox(posed.body, to_body * (ray.range * direction));
       if (!is_return && ray.range < hit->distance) continue;  // something stands in front
       ++learnt_;
-      if (is_return) group.returns += 1.0;
+      if (is_return) forGroups([](Group& group) { group.returns += 1.0; });
       if (is_return && layout.intensity) {
         const double intensity = layout.intensity->get(cloud.pointAt(ray.point));
         if (intensity >= 0.0 && std::isfinite(intensity)) {
@@ -126,23 +145,26 @@ void SurfaceReturns::learn(const PointCloud& cloud, const CloudLayout& layout,
       }
       std::size_t fit = 0;
       for (; fit < kFits && hit; ++fit) {
-        group.rays[fit] += 1.0;
+        forGroups([=](Group& group) { group.rays[fit] += 1.0; });
         if (fit == kInnerFit) {
           const double height =
               heightShare(posed.body, (to_body * (hit->distance * direction)).z());
-          for (const std::size_t range : {rangeIndex(hit->distance), kRanges}) {
-            addTo(group.bins[range][heightIndex(height, kHeights)], is_return,
-                  is_return && layout.intensity ? layout.intensity->get(cloud.pointAt(ray.point))
-                                                : std::numeric_limits<double>::quiet_NaN());
-          }
-          if (is_return) group.inner_returns += 1.0;
+          const double intensity = is_return && layout.intensity
+                                       ? layout.intensity->get(cloud.pointAt(ray.point))
+                                       : std::numeric_limits<double>::quiet_NaN();
+          forGroups([&](Group& group) {
+            for (const std::size_t range : {rangeIndex(hit->distance), kRanges}) {
+              addTo(group.bins[range][heightIndex(height, kHeights)], is_return, intensity);
+            }
+            if (is_return) group.inner_returns += 1.0;
+          });
         }
         if (fit + 1 == kFits) break;
         posed.fit = kTriedFits[fit + 1];
         hit = posed.hitOf(ray);
       }
     }
-    addSpread(logarithms, group);
+    forGroups([&](Group& group) { addSpread(logarithms, group); });
   }
 }
 
@@ -161,12 +183,15 @@ double SurfaceReturns::spreadWithin(const LidarBody& body) const {
   constexpr double kUsual = 0.35;
   constexpr double kLeast = 0.05;
   constexpr std::size_t kLeastVehicles = 3;
-  const Group& group = groups_[groupOf(body)];
-  if (group.vehicles < kLeastVehicles || group.intensities < kLeastRays) return kUsual;
-  const double all = group.squares - group.sum * group.sum / group.intensities;
-  if (!(all > 0.0)) return kUsual;
-  const double freedom = group.intensities - static_cast<double>(group.vehicles);
-  return std::clamp(group.within / freedom / (all / (group.intensities - 1.0)), kLeast, 1.0);
+  for (const std::size_t index : groupsOf(body)) {
+    const Group& group = groups_[index];
+    if (group.vehicles < kLeastVehicles || group.intensities < kLeastRays) continue;
+    const double all = group.squares - group.sum * group.sum / group.intensities;
+    if (!(all > 0.0)) continue;
+    const double freedom = group.intensities - static_cast<double>(group.vehicles);
+    return std::clamp(group.within / freedom / (all / (group.intensities - 1.0)), kLeast, 1.0);
+  }
+  return kUsual;
 }
 
 void SurfaceReturns::addTo(Bin& bin, bool is_return, double intensity) {
@@ -179,8 +204,16 @@ void SurfaceReturns::addTo(Bin& bin, bool is_return, double intensity) {
 }
 
 double SurfaceReturns::fitOf(const LidarBody& body) const {
-  const Group& group = groups_[groupOf(body)];
-  if (group.rays[0] < kLeastOutlineRays || group.rays[kInnerFit] < kLeastRays) return kUsualFit;
+  for (const std::size_t index : groupsOf(body)) {
+    const Group& group = groups_[index];
+    if (group.rays[0] >= kLeastOutlineRays && group.rays[kInnerFit] >= kLeastRays) {
+      return fitOf(group);
+    }
+  }
+  return kUsualFit;
+}
+
+double SurfaceReturns::fitOf(const Group& group) {
   const double wanted = group.returns * group.rays[kInnerFit] / std::max(1.0, group.inner_returns);
   for (std::size_t i = 1; i < kFits; ++i) {
     if (group.rays[i] > wanted) continue;
@@ -193,10 +226,11 @@ double SurfaceReturns::fitOf(const LidarBody& body) const {
 
 const SurfaceReturns::Bin* SurfaceReturns::binOf(const LidarBody& body, const BodyHit& hit,
                                                  double height) const {
-  const auto& bins = groups_[groupOf(body)].bins;
-  for (const std::size_t range : {rangeIndex(hit.distance), kRanges}) {
-    const Bin& bin = bins[range][heightIndex(height, kHeights)];
-    if (bin.rays >= kLeastRays) return &bin;
+  for (const std::size_t group : groupsOf(body)) {
+    for (const std::size_t range : {rangeIndex(hit.distance), kRanges}) {
+      const Bin& bin = groups_[group].bins[range][heightIndex(height, kHeights)];
+      if (bin.rays >= kLeastRays) return &bin;
+    }
   }
   return nullptr;
 }

@@ -47,8 +47,9 @@ struct PosedBody {
 /// Which rays return from a vehicle, and how bright: learnt from recorded vehicles of known boxes.
 ///
 /// - Outline: annotated boxes are larger than the surface that returns. The fit of a group of
-///   classes (car-like vehicles; two-wheelers and pedestrians) is the PosedBody::fit with which
-///   bodies return as many rays as the recorded vehicles did.
+///   classes (cars; large vehicles; two-wheelers; pedestrians; with few rays the first two or the
+///   last two together) is the PosedBody::fit with which bodies return as many rays as the recorded
+///   vehicles did.
 /// - Inside: share of returns and intensities by group, range and height on the vehicle, from rays
 ///   that meet the body at a fit of 0.8, too.
 /// - Where fewer than 30 rays (for the fit: 150) were seen, the model `materials` applies: a fit of
@@ -101,7 +102,8 @@ class SurfaceReturns {
   };
   /// Counts a ray; an `intensity` that is not finite is not stored.
   static void addTo(Bin& bin, bool is_return, double intensity);
-  /// Returns the bin of a hit, or the one of all ranges if that has too few rays; null if both do.
+  /// Returns the bin of a hit in the smallest group that has enough rays, else in the bin of all
+  /// ranges; null if no bin has enough.
   const Bin* binOf(const LidarBody& body, const BodyHit& hit, double height) const;
 
   /// Number of the fits that learn() tries: 1, 0.95, ... 0.7.
@@ -124,9 +126,12 @@ class SurfaceReturns {
 
   /// Adds the intensities of one vehicle.
   static void addSpread(const std::vector<double>& logarithms, Group& group);
+  /// Returns the fit at which the bodies of the group return as many rays as recorded.
+  static double fitOf(const Group& group);
 
-  std::array<Group, 2> groups_;  ///< car-like vehicles; two-wheelers and pedestrians
-  std::size_t learnt_ = 0;       ///< rays
+  /// Cars; large vehicles; two-wheelers; pedestrians; the first two together; the last two.
+  std::array<Group, 6> groups_;
+  std::size_t learnt_ = 0;  ///< rays
 };
 
 }  // namespace forge

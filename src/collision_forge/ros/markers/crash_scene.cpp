@@ -112,9 +112,9 @@ SceneEntity boxEntity(const std::string& id, const OrientedBox& box, const BoxLo
 }
 
 std::string className(std::uint8_t agent_class) {
-  return toString(static_cast<AgentClass>(agent_class <= collision_forge::Agent::SCOOTER
-                                              ? agent_class
-                                              : collision_forge::Agent::STATIC_OBJECT));
+  constexpr std::uint8_t kOther = collision_forge::Agent::STATIC_OBJECT;
+  const bool is_known = agent_class <= collision_forge::Agent::SCOOTER;
+  return toString(static_cast<AgentClass>(is_known ? agent_class : kOther));
 }
 
 /// Cones and barriers, which are many, have no labels.
