@@ -11,6 +11,7 @@ import math
 import sys
 import warnings
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
 from commonroad.common.file_reader import CommonRoadFileReader
@@ -94,6 +95,8 @@ def findings(path):
         scenario.remove_obstacle(ego)
     problem, = problems.planning_problem_dict.values()
     begin, last = problem.initial_state.time_step, problem.goal.state_list[0].time_step.end
+    # commonroad-io does not read the yaw rate.
+    problem.initial_state.yaw_rate = float(ElementTree.parse(path).findtext('planningProblem//yawRate/exact'))
     reference = reference_path(scenario.lanelet_network, problem.initial_state)
     reached = begin if reference is None else drive(planner_of(scenario, problem, reference), last)
     return {'file': path.name, 'driven': reached - begin, 'wanted': last - begin}

@@ -78,15 +78,17 @@ TEST(LaneMapMessage, TheOriginOfALocalMapIsZero) {
 
 TEST(LaneMapMessage, FeaturesAreReadBack) {
   LaneMap map;
-  map.features = {{FeatureKind::kMedian, {{1.0, 2.0}, {3.0, 4.0}}}};
+  map.features = {{FeatureKind::kMedian, {{1.0, 2.0}, {3.0, 4.0}}},
+                  {FeatureKind::kBikeLane, {{5.0, 6.0}, {7.0, 8.0}}}};
   collision_forge::LaneMap message = toMessage(map, ros::Time(1));
   const LaneMap back = fromMessage(message);
-  ASSERT_EQ(back.features.size(), 1U);
+  ASSERT_EQ(back.features.size(), 2U);
   EXPECT_EQ(back.features[0].kind, FeatureKind::kMedian);
+  EXPECT_EQ(back.features[1].kind, FeatureKind::kBikeLane);
   EXPECT_EQ(back.features[0].points, map.features[0].points);
-  message.features[0].kind = 5;
+  message.features[0].kind = 10;
   EXPECT_THAT([&] { fromMessage(message); },
-              testing::ThrowsMessage<MessageError>("map feature: kind = 5 does not exist"));
+              testing::ThrowsMessage<MessageError>("map feature: kind = 10 does not exist"));
 }
 
 TEST(AttackerPath, WithTooFewPointsIsRefusedWithItsAttacker) {

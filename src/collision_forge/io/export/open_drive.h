@@ -18,10 +18,10 @@ struct OpenDriveFile {
 
 /// Returns the record's lanes as OpenDRIVE 1.6 (ASAM, 2020), relative to localOrigin(). The roads
 /// come from roadNetwork(). The reference line is the centreline of one lane; `laneOffset` and
-/// widths, both piecewise linear, put the middles of all lanes on their centrelines. Left-hand
-/// roads have `rule` LHT and the lanes along the reference line on the left. The header has the
-/// map's origin as a transverse Mercator projection and localOrigin() as offset. Crosswalks within
-/// 20 m of a reference line are objects of the nearest road. Throws std::invalid_argument for a
+/// widths, both piecewise linear, put the middles of all lanes on their centrelines. LaneWriter
+/// describes types and marks of lanes, ObjectWriter the objects. Left-hand roads have `rule` LHT
+/// and the lanes along the reference line on the left. The header has the map's origin as a
+/// transverse Mercator projection and localOrigin() as offset. Throws std::invalid_argument for a
 /// number that is not finite.
 OpenDriveFile openDriveFile(const CrashRecord& record, const ExportOptions& options);
 
