@@ -38,17 +38,6 @@ std::string scenarioLine(const Scenario& scenario);
 Scenario readScenarioLine(const std::string& where, const std::string& line,
                           const InputLimits& limits);
 
-// Write parts of the line, for files that share them; times in s from `now`.
-
-/// Writes the object `key` with x and y in m, yaw in rad.
-void writePose(JsonLineWriter& writer, const char* key, const Pose2& pose);
-
-/// Writes the object `key` (null: an element of an array) with the fields of a report, as
-/// docs/scenarios.md defines them. Times are written in s from `now` (s, clock of the report). The
-/// field `conditions` is written only if `has_conditions`, for requests that asksForConditions().
-void writeCollisionReport(JsonLineWriter& writer, const char* key, const CollisionReport& report,
-                          double now, bool has_conditions);
-
 /// Adds the field "trajectory" with `points` to the open object of `writer`; times in s from `now`.
 using WritePoints = std::function<void(JsonLineWriter& writer,
                                        const std::vector<TrajectoryPoint>& points, double now)>;

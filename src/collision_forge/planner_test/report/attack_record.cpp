@@ -6,6 +6,8 @@
 #include "collision_forge/attack/policy/attacker_policy.h"
 #include "collision_forge/base/scene/clock.h"
 #include "collision_forge/base/scene/support_vehicles.h"
+#include "collision_forge/io/scenarios/motion_fields.h"
+#include "collision_forge/io/scenarios/report_fields.h"
 #include "collision_forge/io/scenarios/request_fields.h"
 #include "collision_forge/planner_test/report/compact_motion.h"
 #include "collision_forge/planner_test/trials/planner_result_file.h"
