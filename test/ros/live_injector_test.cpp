@@ -122,6 +122,7 @@ TEST_F(LiveInjectorTest, SupportVehiclesStandWhereTheAttackHasThem) {
   auto& support = with_support.supports.emplace_back();
   support.role = "parked_vehicle";
   support.motion = attack("parked-1").trajectory;
+  support.motion.added = true;
   support.motion.past.resize(1);
   support.motion.past.front().stamp = ros::Time(9.0);
   support.motion.past.front().pose.y = -6.0;
