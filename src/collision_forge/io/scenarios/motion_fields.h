@@ -13,7 +13,7 @@ namespace forge {
 // The write functions add fields to the open object; the read functions throw JsonLineError, also
 // for a number beyond the limits.
 
-/// What the fields of a line depend on, for reading them.
+/// Properties of a line on which the reading of its fields depends.
 struct LineContext {
   const InputLimits& limits;
   bool is_oldest = false;     ///< version 5, which lacks fields
@@ -41,8 +41,8 @@ void writePoints(JsonLineWriter& writer, const std::vector<TrajectoryPoint>& poi
 /// increase.
 std::vector<TrajectoryPoint> readPoints(JsonObject& object, const LineContext& line);
 
-/// Writes id, class, origin, box, past and trajectory. Of the velocities of past states, the line
-/// holds the component along the heading, rounded to 1e-6 m/s.
+/// Writes id, class, origin, box, past and trajectory. The speed of a past state is the component
+/// of its velocity along the heading, rounded to 1e-6 m/s.
 void writeVehicle(JsonLineWriter& writer, const AttackerTrajectory& trajectory, double now);
 /// Reads the fields of writeVehicle() and leaves all others of the object unread. Throws also for
 /// an unknown class or origin, a past that contradicts the origin, times that do not increase, and

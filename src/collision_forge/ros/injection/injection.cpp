@@ -7,23 +7,20 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "collision_forge/attack/verify/post_crash_motion.h"
-#include "collision_forge/base/geometry/enum_words.h"
 #include "collision_forge/ros/bags/bag_file.h"
 #include "collision_forge/ros/bags/older_message.h"
-#include "collision_forge/ros/injection/attacker_injector.h"
+#include "collision_forge/ros/injection/attacked_frames.h"
 #include "collision_forge/ros/injection/camera_boxes.h"
 #include "collision_forge/ros/injection/finite_parts.h"
-#include "collision_forge/ros/injection/frame_between.h"
+#include "collision_forge/ros/injection/header_stamp.h"
 #include "collision_forge/ros/injection/lidar_injection.h"
 #include "collision_forge/ros/injection/post_crash_ego.h"
-#include "collision_forge/ros/injection/record_clock.h"
 #include "collision_forge/ros/markers/marker_parts.h"
 #include "collision_forge/ros/markers/markers.h"
 #include "collision_forge/ros/messages/conversions.h"
@@ -33,17 +30,6 @@
 
 namespace forge {
 namespace {
-
-constexpr EnumWord<AfterContact> kAfterContactWords[] = {
-    {AfterContact::kStop, "stop"},
-    {AfterContact::kEnd, "end"},
-    {AfterContact::kDriveOn, "drive_on"},
-};
-
-/// Topics of a bag with an attack.
-constexpr const char* kAttackTopics[] = {names::kAttack,        names::kTestedReport,
-                                         names::kAttackRequest, names::kAttackPath,
-                                         names::kAttackEgoPath, names::kAttackMarkers};
 
 constexpr double kMapInterval = 1.0;  // s between two messages of map_markers
 constexpr double kWordsReach = 40.0;  // m from the contact; the text is nearer
@@ -55,31 +41,6 @@ Header markedInBetween(const Header& recorded) {
   auto header = boost::make_shared<ros::M_string>(*recorded);
   (*header)["callerid"] = names::kInBetween;
   return header;
-}
-
-/// A frame of agents with the attacker.
-struct AttackedFrame {
-  ros::Time recorded;  ///< record time
-  collision_forge::AgentArray agents;
-  bool is_recorded = true;
-  bool is_mended = false;  ///< non-finite agents were removed
-};
-/// Sorted by header stamp, then by record time.
-using AttackedFrames = std::map<std::pair<ros::Time, ros::Time>, AttackedFrame>;
-
-/// Returns the times of the additional frames between two frames, as shares of their interval:
-/// evenly spaced, and the contact at `contact_share` if it is between the frames.
-std::vector<double> sharesBetween(double gap, double frame_rate, double contact_share) {
-  std::vector<double> shares;
-  const double steps = std::ceil(gap * frame_rate - kSameTime);
-  for (double i = 1.0; i < steps; ++i) shares.push_back(i / steps);
-  const double margin = kSameTime / gap;
-  const bool is_between = contact_share > margin && contact_share < 1.0 - margin;
-  const bool is_there = std::any_of(shares.begin(), shares.end(), [=](double share) {
-    return std::abs(share - contact_share) <= margin;
-  });
-  if (is_between && !is_there) shares.push_back(contact_share);
-  return shares;
 }
 
 /// Copies one bag to another and inserts the attack.
@@ -94,13 +55,15 @@ class Injection {
         trajectory_(fromMessage(attack.attack.trajectory)),
         recording_(recording),
         now_(attack.attack.trajectory.header.stamp),
-        cameras_(source, attack.attack.trajectory.attacker_id) {
+        crash_(crash()),
+        end_(end()),
+        cameras_(source, attack.attack.trajectory.attacker_id),
+        attacked_(source, attack, recording, crash_, end_),
+        next_frame_(attacked_.frames().begin()) {
     shown_.report = attack.tested_report;
-    findCrash();
-    findEnd();
-    makeFrames();
+    if (crash_) ego_.emplace(*crash_, recording_.center_offset);
+    if (attacked_.leftOut() > 0) left_out_[bagTopic(names::kAgents)] = attacked_.leftOut();
     findWordsObstacles();
-    next_frame_ = frames_.begin();
     if (attack.lidar) openLidar(*attack.lidar);
   }
 
@@ -108,7 +71,7 @@ class Injection {
     rosbag::View view(source_);
     const double count = view.size();
     if (view.size() > 0) {
-      report_time_ = std::min(clock_.recordedAt(reportTime()), view.getEndTime());
+      report_time_ = std::min(attacked_.clock().recordedAt(reportTime()), view.getEndTime());
     }
     double done = 0.0;
     for (const rosbag::MessageInstance& instance : view) {
@@ -143,41 +106,19 @@ class Injection {
                         : attack_.attack.trajectory.points.back().stamp;
   }
 
-  void findCrash() {
-    if (attack_.after_contact != AfterContact::kStop || !hasContact()) return;
-    crash_ = motionAfterContact(attack_.tested_report.contact_time.toSec(), trajectory_,
-                                recording_.ego, recording_.verification.severity);
-    if (crash_) ego_.emplace(*crash_, recording_.center_offset);
+  /// Returns the motion after the contact, with AfterContact::kStop.
+  std::optional<PostCrashMotion> crash() const {
+    if (attack_.after_contact != AfterContact::kStop || !hasContact()) return std::nullopt;
+    return motionAfterContact(attack_.tested_report.contact_time.toSec(), trajectory_,
+                              recording_.ego, recording_.verification.severity);
   }
 
-  void findEnd() {
+  /// Returns the greatest header stamp in the new bag.
+  ros::Time end() const {
     const AttackedBagOptions& options = recording_.options;
-    if (crash_) end_ = stampOf(crash_->standTime() + options.seconds_after_stand);
-    if (attack_.after_contact != AfterContact::kEnd || !hasContact()) return;
-    end_ = attack_.tested_report.contact_time + ros::Duration(options.end_time);
-  }
-
-  void makeFrames() {
-    const DriveLimitOptions& limits = recording_.verification.drivable;
-    for (const collision_forge::SupportVehicle& support : attack_.attack.supports) {
-      injectors_.emplace_back(support.motion, limits);
-    }
-    injectors_.emplace_back(attack_.attack.trajectory, limits).setCrash(crash_);
-    collision_forge::AgentArray::Ptr before;
-    const rosbag::TopicQuery topic(bagTopic(names::kAgents));
-    for (const rosbag::MessageInstance& instance : rosbag::View(source_, topic)) {
-      const auto agents = readMessage<collision_forge::AgentArray>(instance);
-      if (!agents) continue;
-      const int left_out = keepFinite(*agents);
-      if (left_out > 0) left_out_[instance.getTopic()] += left_out;
-      agents_header_ = instance.getConnectionHeader();
-      clock_.add(agents->header.stamp, instance.getTime());
-      if (attack_.lidar) recorded_.push_back(*agents);
-      addFrame({instance.getTime(), injected(*agents), true, left_out > 0});
-      if (before && before->header.stamp >= now_) addFramesBetween(*before, *agents);
-      before = agents;
-    }
-    frames_.erase(frames_.upper_bound({end_, ros::TIME_MAX}), frames_.end());
+    if (crash_) return stampOf(crash_->standTime() + options.seconds_after_stand);
+    if (attack_.after_contact != AfterContact::kEnd || !hasContact()) return ros::TIME_MAX;
+    return attack_.tested_report.contact_time + ros::Duration(options.end_time);
   }
 
   void openLidar(const LidarRequest& request) {
@@ -185,17 +126,15 @@ class Injection {
     setup.topics = request.topics;
     setup.options = request.options;
     setup.seed = request.seed;
-    setup.placed = [this](const ros::Time& time) { return placedAt(time); };
+    setup.placed = [this](const ros::Time& time) { return attacked_.placedAt(time); };
     const auto is_recorded = [](const auto& motion) { return motion.past.empty(); };
     const auto& supports = attack_.attack.supports;
     if (is_recorded(attack_.attack.trajectory) ||
         std::any_of(supports.begin(), supports.end(),
                     [&](const auto& support) { return is_recorded(support.motion); })) {
-      setup.vacated = [this](const ros::Time& time) { return vacatedAt(time); };
+      setup.vacated = [this](const ros::Time& time) { return attacked_.vacatedAt(time); };
     }
-    std::stable_sort(recorded_.begin(), recorded_.end(),
-                     [](const auto& a, const auto& b) { return a.header.stamp < b.header.stamp; });
-    setup.recorded = &recorded_;
+    setup.recorded = &attacked_.recorded();
     if (ego_) {
       setup.moved = [ego = *ego_](const tf2_msgs::TFMessage& message) mutable {
         return ego.changed(message);
@@ -204,32 +143,10 @@ class Injection {
     lidar_.emplace(source_, std::move(setup));
   }
 
-  /// Returns the attacker and its supports, while they drive elsewhere than recorded.
-  std::vector<collision_forge::Agent> placedAt(const ros::Time& time) {
-    collision_forge::AgentArray agents;
-    agents.header.stamp = time;
-    return injected(agents).agents;
-  }
-
-  /// Returns the attacker and its supports as recorded, while they drive elsewhere.
-  std::vector<collision_forge::Agent> vacatedAt(const ros::Time& time) const {
-    if (!isChangedAt(time)) return {};
-    std::vector<collision_forge::Agent> agents = agentsAt(recorded_, time);
-    const auto stays = [this](const collision_forge::Agent& agent) {
-      const auto& supports = attack_.attack.supports;
-      return agent.id != trajectory_.attacker_id &&
-             std::none_of(supports.begin(), supports.end(), [&](const auto& support) {
-               return support.motion.attacker_id == agent.id;
-             });
-    };
-    agents.erase(std::remove_if(agents.begin(), agents.end(), stays), agents.end());
-    return agents;
-  }
-
   /// Returns the boxes of other agents near the contact from now on; the text avoids them.
   void findWordsObstacles() {
     const Vector2 contact = fromMessage(shown_.report.attacker_at_contact).position();
-    for (const auto& [stamp, frame] : frames_) {
+    for (const auto& [stamp, frame] : attacked_.frames()) {
       if (!hasContact() || !frame.is_recorded || frame.agents.header.stamp < now_) continue;
       for (const collision_forge::Agent& agent : frame.agents.agents) {
         const OrientedBox box{fromMessage(agent.pose), sizeOf(agent.size)};
@@ -239,33 +156,9 @@ class Injection {
     }
   }
 
-  void addFrame(const AttackedFrame& frame) {
-    frames_[{frame.agents.header.stamp, frame.recorded}] = frame;
-  }
-
-  /// Returns the frame with the supports and the attacker.
-  collision_forge::AgentArray injected(collision_forge::AgentArray agents) {
-    for (AttackerInjector& injector : injectors_) agents = injector.inject(std::move(agents));
-    return agents;
-  }
-
-  /// Adds no frames in a gap without known motion of the other agents.
-  void addFramesBetween(const collision_forge::AgentArray& before,
-                        const collision_forge::AgentArray& after) {
-    const double gap = (after.header.stamp - before.header.stamp).toSec();
-    if (gap <= 0.0 || gap > kMaxGap) return;
-    const auto& report = attack_.tested_report;
-    const double contact =
-        report.contact ? (report.contact_time - before.header.stamp).toSec() / gap : -1.0;
-    for (const double share : sharesBetween(gap, recording_.options.frame_rate, contact)) {
-      const auto frame = injected(frameBetween(before, after, share));
-      addFrame({clock_.recordedAt(frame.header.stamp), frame, false, false});
-    }
-  }
-
   /// Writes the new messages recorded before `time`: the attack at t0 and with every frame.
   void writeMadeBefore(const ros::Time& time) {
-    while (next_frame_ != frames_.end() && next_frame_->second.recorded < time) {
+    while (next_frame_ != attacked_.frames().end() && next_frame_->second.recorded < time) {
       const AttackedFrame& frame = (next_frame_++)->second;
       writeAttackBefore(frame.recorded);
       writeReportBefore(frame.recorded);
@@ -279,7 +172,7 @@ class Injection {
   }
 
   void writeAttackBefore(const ros::Time& time) {
-    const ros::Time recorded = clock_.recordedAt(now_);
+    const ros::Time recorded = attacked_.clock().recordedAt(now_);
     if (is_attack_written_ || time <= recorded) return;
     is_attack_written_ = true;
     target_.writeLatched(bagTopic(names::kAttack), recorded, attack_.attack);
@@ -302,7 +195,7 @@ class Injection {
 
   void writeInBetween(const AttackedFrame& frame) {
     target_.write(bagTopic(names::kAgents), frame.recorded, frame.agents,
-                  markedInBetween(agents_header_));
+                  markedInBetween(attacked_.header()));
     if (!markers_header_) return;
     target_.write(bagTopic(names::kAnnotationMarkers), frame.recorded, shownAgents(frame.agents),
                   markers_header_);
@@ -345,53 +238,11 @@ class Injection {
     return crashMarkers(view);
   }
 
-  /// Returns true if the attack changes messages with this stamp.
-  bool isChangedAt(const ros::Time& stamp) const {
-    const auto isChangedBy = [&](const collision_forge::AttackerTrajectory& vehicle) {
-      return !vehicle.past.empty() && stamp >= vehicle.past.front().stamp;
-    };
-    const auto& supports = attack_.attack.supports;
-    return stamp > now_ || isChangedBy(attack_.attack.trajectory) ||
-           std::any_of(supports.begin(), supports.end(),
-                       [&](const auto& support) { return isChangedBy(support.motion); });
-  }
-
-  static std::optional<ros::Time> headerStamp(const collision_forge::AgentArray& message) {
-    return message.header.stamp;
-  }
-  static std::optional<ros::Time> headerStamp(const nav_msgs::Odometry& message) {
-    return message.header.stamp;
-  }
-  static std::optional<ros::Time> headerStamp(const visualization_msgs::MarkerArray& message) {
-    if (message.markers.empty()) return std::nullopt;
-    return message.markers.front().header.stamp;
-  }
-  static std::optional<ros::Time> headerStamp(const tf2_msgs::TFMessage& message) {
-    const auto ego =
-        std::find_if(message.transforms.begin(), message.transforms.end(), PostCrashEgo::isEgo);
-    if (ego == message.transforms.end()) return std::nullopt;
-    return ego->header.stamp;
-  }
-
-  template <typename Message>
-  static std::optional<ros::Time> headerStamp(const rosbag::MessageInstance& instance) {
-    const auto message = instance.instantiate<Message>();
-    return message ? headerStamp(*message) : std::nullopt;
-  }
-
   /// Returns the header stamp of a message that shows agents or the ego; for other messages, the
   /// stamp that corresponds to the record time.
   ros::Time stampIn(const rosbag::MessageInstance& instance) const {
-    const std::string& topic = instance.getTopic();
-    std::optional<ros::Time> stamp;
-    if (topic == bagTopic(names::kAgents))
-      stamp = headerStamp<collision_forge::AgentArray>(instance);
-    if (topic == names::kTf) stamp = headerStamp<tf2_msgs::TFMessage>(instance);
-    if (topic == bagTopic(names::kOdometry)) stamp = headerStamp<nav_msgs::Odometry>(instance);
-    if (topic == bagTopic(names::kAnnotationMarkers)) {
-      stamp = headerStamp<visualization_msgs::MarkerArray>(instance);
-    }
-    return stamp ? *stamp : clock_.stampAt(instance.getTime());
+    const auto stamp = headerStampOf(instance);
+    return stamp ? *stamp : attacked_.clock().stampAt(instance.getTime());
   }
 
   void copy(const rosbag::MessageInstance& instance, const ros::Time& stamp) {
@@ -421,7 +272,7 @@ class Injection {
     if (!info) return;
     const bool is_over = crash_ && info->header.stamp.toSec() > crash_->contactTime();
     const auto agents =
-        is_over ? std::vector<collision_forge::Agent>() : placedAt(info->header.stamp);
+        is_over ? std::vector<collision_forge::Agent>() : attacked_.placedAt(info->header.stamp);
     for (const auto& marker : cameras_.mark(instance.getTopic(), *info, agents)) {
       target_.write(CameraBoxes::boxTopic(instance.getTopic()), instance.getTime(), marker);
     }
@@ -456,9 +307,9 @@ class Injection {
   }
 
   bool copyAgents(const rosbag::MessageInstance& instance, const ros::Time& stamp) {
-    const auto frame = frames_.find({stamp, instance.getTime()});
-    if (frame == frames_.end()) return false;
-    if (!isChangedAt(stamp) && !frame->second.is_mended) return false;
+    const auto frame = attacked_.frames().find({stamp, instance.getTime()});
+    if (frame == attacked_.frames().end()) return false;
+    if (!attacked_.isChangedAt(stamp) && !frame->second.is_mended) return false;
     target_.write(instance.getTopic(), instance.getTime(), frame->second.agents,
                   instance.getConnectionHeader());
     return true;
@@ -467,8 +318,8 @@ class Injection {
   /// Copies the markers of the newest frame. The order of messages of one time is arbitrary.
   bool copyAnnotationMarkers(const rosbag::MessageInstance& instance, const ros::Time& stamp) {
     markers_header_ = instance.getConnectionHeader();
-    const auto after = frames_.upper_bound({stamp, ros::TIME_MAX});
-    if (after == frames_.begin() || !isChangedAt(stamp)) return false;
+    const auto after = attacked_.frames().upper_bound({stamp, ros::TIME_MAX});
+    if (after == attacked_.frames().begin() || !attacked_.isChangedAt(stamp)) return false;
     target_.write(instance.getTopic(), instance.getTime(),
                   shownAgents(std::prev(after)->second.agents), markers_header_);
     return true;
@@ -509,20 +360,16 @@ class Injection {
   AttackerTrajectory trajectory_;
   const RecordingContext& recording_;
   ros::Time now_;                               ///< header stamp
-  ros::Time end_ = ros::TIME_MAX;               ///< greatest header stamp in the new bag
-  RecordClock clock_;                           ///< of the frames of agents
   std::optional<PostCrashMotion> crash_;        ///< with AfterContact::kStop and a contact
+  ros::Time end_;                               ///< greatest header stamp in the new bag
   std::optional<PostCrashEgo> ego_;             ///< the same
   std::map<std::string, ros::Time> ego_times_;  ///< by topic: record time of its last message
-  std::vector<AttackerInjector> injectors_;     ///< of the supports and of the attacker
-  std::vector<collision_forge::AgentArray> recorded_;  ///< frames of agents, if clouds are changed
   std::optional<LidarInjection> lidar_;
   CameraBoxes cameras_;
-  AttackedFrames frames_;
-  AttackedFrames::const_iterator next_frame_;  ///< first frame not yet written
-  std::vector<OrientedBox> words_obstacles_;   ///< of all frames
-  std::map<std::string, int> left_out_;        ///< by topic: number of dropped messages
-  Header agents_header_;
+  AttackedFrames attacked_;
+  AttackedFrames::Frames::const_iterator next_frame_;  ///< first frame not yet written
+  std::vector<OrientedBox> words_obstacles_;           ///< of all frames
+  std::map<std::string, int> left_out_;                ///< by topic: number of dropped messages
   Header markers_header_;  ///< null until the first markers of annotations
   bool is_attack_written_ = false;
   bool is_report_written_ = false;
@@ -532,30 +379,6 @@ class Injection {
 };
 
 }  // namespace
-
-const char* toString(AfterContact after) { return wordOf(kAfterContactWords, after); }
-
-AfterContact liveAfterContact(const std::string& word) {
-  for (const AfterContact after : {AfterContact::kStop, AfterContact::kDriveOn}) {
-    if (word == toString(after)) return after;
-  }
-  throw std::invalid_argument("neither stop nor drive_on");
-}
-
-void requireNoAttack(const std::string& path) {
-  try {
-    const OpenedBag opened(path);
-    const rosbag::Bag& bag = opened.bag();
-    for (const char* name : kAttackTopics) {
-      const std::string topic = bagTopic(name);
-      if (rosbag::View(bag, rosbag::TopicQuery(topic)).size() == 0) continue;
-      throw BagError(path + ": already has an attack, on " + topic +
-                     "; use the recording without it");
-    }
-  } catch (const rosbag::BagException& error) {
-    throw BagError(path + ": cannot be read: " + error.what());
-  }
-}
 
 InjectionNotes injectIntoBag(const std::string& in, const std::string& out, const BagAttack& attack,
                              const RecordingContext& recording,

@@ -1,54 +1,12 @@
 #pragma once
 
-#include <collision_forge/Attack.h>
-#include <collision_forge/AttackRequest.h>
-#include <collision_forge/CollisionReport.h>
-
-#include <array>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "collision_forge/attack/verify/options.h"
-#include "collision_forge/base/scene/scene.h"
-#include "collision_forge/io/lidar/options.h"
-#include "collision_forge/io/logs/options.h"
+#include "collision_forge/ros/injection/bag_attack.h"
 
 namespace forge {
-
-/// Content of an attacked bag after the contact with the recorded ego. Without such a contact each
-/// value means the content of kDriveOn.
-enum class AfterContact {
-  kStop,     ///< ego and attacker move by PostCrashMotion; /tf and odom are rewritten; the bag ends
-             ///< when both have stood for AttackedBagOptions::seconds_after_stand
-  kEnd,      ///< the bag ends AttackedBagOptions::end_time after the contact
-  kDriveOn,  ///< the ego moves as recorded, the attacker by its whole trajectory, then it brakes;
-             ///< the bag ends like the recording
-};
-
-/// Returns "stop", "end" or "drive_on".
-const char* toString(AfterContact after);
-
-/// Parses the value for a live replay, whose end cannot be set: kStop or kDriveOn. Throws
-/// std::invalid_argument for any other word, with both in the message.
-AfterContact liveAfterContact(const std::string& word);
-
-/// The lidar clouds that show the attack.
-struct LidarRequest {
-  std::vector<std::string> topics;  ///< topics of the clouds with leading slash; or kAllClouds
-  LidarOptions options;
-  std::uint64_t seed = 0;  ///< of the noise, of lost returns and of the vehicles' brightness
-};
-
-/// The attack to insert into a bag.
-struct BagAttack {
-  collision_forge::Attack attack;                  ///< with a trajectory; header stamp: t0
-  collision_forge::CollisionReport tested_report;  ///< outcome against the recorded ego
-  collision_forge::AttackRequest request;          ///< as attackRequest() returns it
-  AfterContact after_contact = AfterContact::kStop;
-  std::optional<LidarRequest> lidar;  ///< empty: clouds are copied
-};
 
 /// Lines for the user.
 struct InjectionNotes {
@@ -56,20 +14,6 @@ struct InjectionNotes {
   std::vector<std::string> lidar;     ///< LidarInjection::summary(); empty without `lidar`
   std::vector<std::string> cameras;   ///< CameraBoxes::summary(); empty without cameras
 };
-
-/// Properties of the recording in a bag and of its vehicles. References must outlive
-/// injectIntoBag().
-struct RecordingContext {
-  const Track& ego;      ///< recorded track (box centres, map frame, clock of the header stamps)
-  double center_offset;  ///< m, as in EgoVehicle
-  const VerificationOptions& verification;
-  const AttackedBagOptions& options;
-};
-
-/// Throws BagError with the topic if the bag at `path` already has an attack (a message on /attack,
-/// /tested_report, /attack_request, /attack_path, /attack_ego_path or /attack_markers), and if the
-/// bag cannot be read; else does nothing.
-void requireNoAttack(const std::string& path);
 
 /// Copies the bag at `in`, which must not contain an attack, to `out` and inserts `attack`:
 /// - /agents, /annotation_markers: the attacker replaces its recorded future (an added attacker is

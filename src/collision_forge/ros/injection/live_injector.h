@@ -11,8 +11,8 @@
 #include "collision_forge/attack/verify/contact_watch.h"
 #include "collision_forge/base/scene/attack.h"
 #include "collision_forge/planner_test/settings/config.h"
+#include "collision_forge/ros/injection/after_contact.h"
 #include "collision_forge/ros/injection/attacker_injector.h"
-#include "collision_forge/ros/injection/injection.h"
 
 namespace forge {
 

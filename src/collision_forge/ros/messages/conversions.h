@@ -23,7 +23,6 @@
 #include <std_msgs/Header.h>
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <variant>
 #include <vector>
@@ -34,6 +33,7 @@
 #include "collision_forge/base/scene/attack.h"
 #include "collision_forge/base/scene/scene.h"
 #include "collision_forge/base/scene/scene_history.h"
+#include "collision_forge/ros/messages/message_error.h"
 
 /// Converts between the core's types and messages, field by field and in the same order:
 /// fromMessage() returns the core's type, toMessage() the message. Poses and points are in the map
@@ -44,11 +44,6 @@
 /// comment on exceptions throw only as stampOf(). The message definitions (msg/, srv/) document the
 /// fields.
 namespace forge {
-
-/// Thrown for an invalid message; the text has field and value.
-struct MessageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// Throws MessageError if the frame of a message of `topic` (for the error text) is neither `map`
 /// nor empty.

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "collision_forge/ros/messages/conversions.h"
+#include "collision_forge/ros/messages/message_error.h"
 
 namespace forge {
 

@@ -19,7 +19,7 @@
 #include "collision_forge/base/scene/scene.h"
 #include "collision_forge/io/batch/printable.h"
 #include "collision_forge/planner_test/settings/config.h"
-#include "collision_forge/ros/injection/injection.h"
+#include "collision_forge/ros/injection/after_contact.h"
 
 namespace forge {
 

@@ -11,7 +11,7 @@
 
 #include "collision_forge/attack/verify/contact_watch.h"
 #include "collision_forge/base/scene/input_limits.h"
-#include "collision_forge/ros/injection/injection.h"
+#include "collision_forge/ros/injection/after_contact.h"
 #include "collision_forge/ros/markers/crash_words.h"
 #include "collision_forge/ros/markers/live_scene.h"
 #include "collision_forge/ros/markers/marker_parts.h"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "collision_forge/planner_test/settings/config.h"
-#include "collision_forge/ros/injection/injection.h"
+#include "collision_forge/ros/injection/after_contact.h"
 #include "collision_forge/ros/nodes/node_support.h"
 
 /// usage: launch_check NAME:=VALUE...
