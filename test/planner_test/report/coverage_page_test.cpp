@@ -64,6 +64,9 @@ TEST(Coverage, CountsRequestsAttacksAndTestsByCell) {
   coverage.add(testOf("a:1", true, true));
   coverage.add(testOf("a:2", false, false));
   coverage.add(testOf("b:1", true, true));
+  PlannerTestResult failed = testOf("a:1", false, false);
+  failed.rows.front().outcome.failure = PlannerFailure::kEmpty;
+  coverage.add(failed);
   const std::string page = coverage.page();
   EXPECT_THAT(page, AllOf(HasSubstr("set: 1 of 3 cells generated"), HasSubstr("a car &lt;cuts> in"),
                           HasSubstr("cannot be requested: doors do not open"),

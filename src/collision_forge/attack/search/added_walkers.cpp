@@ -65,7 +65,8 @@ class WalkerInsertion {
     if (!state || contact <= 0.0) return;
     const double nominal = input_.request.bands().nominal_heading;
     const DrivingSide driving_side = input_.lanes.map().driving_side;
-    for (const Placement& placement : placementsOf(input_.request.type, driving_side)) {
+    for (const Placement& placement :
+         placementsOf(input_.request.type, driving_side, input_.request.turning)) {
       if (input_.request.ego_side.value_or(placement.side) != placement.side) continue;
       for (const double sign : {1.0, -1.0}) {
         if (placement.sign != 0.0 && placement.sign != sign) continue;

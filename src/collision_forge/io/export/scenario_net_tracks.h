@@ -16,7 +16,7 @@ struct TrackTable {
 };
 
 /// Writes "tracks" into a scenario, with zeros, and `valid` false, in rows without a state. Box
-/// heights are those of heightOf().
+/// heights are heightOf().
 void writeTracks(PickleWriter& scenario, const TrackTable& table);
 
 /// Writes the metadata's "object_summary", for each track: type, object_id, track_length (number of

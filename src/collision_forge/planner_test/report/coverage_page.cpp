@@ -126,6 +126,7 @@ void Coverage::add(const PlannerTestResult& result) {
   for (const std::string& name : known->second) {
     for (const PlannerRow& row : result.rows) {
       PlannerCoverage& tests = cells_[name].planners[rowName(row)];
+      if (row.outcome.failure != PlannerFailure::kNone) continue;
       const bool is_hit = row.outcome.contact && row.outcome.contact->is_attacker;
       tests.hit += is_hit;
       tests.avoidable += is_hit && row.evasion && row.evasion->is_avoidable;

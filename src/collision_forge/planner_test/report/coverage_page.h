@@ -17,7 +17,7 @@ struct PlannerCoverage {
   std::size_t hit = 0;  ///< rollouts in which the attacker hit the planner's ego
   /// Part of `hit`: an evasive manoeuvre was found (PlannerRow::evasion).
   std::size_t avoidable = 0;
-  /// All other rollouts, including failures of the planner and contacts with other agents.
+  /// All other rollouts without a failure of the planner, including contacts with other agents.
   std::size_t passed = 0;
 };
 
@@ -45,11 +45,11 @@ class Coverage {
   /// none if this is empty), and its attack, without alternatives, in all other cells that it meets
   /// (isInstance()). `name`: the case name of the scenario in planner tests, FILE:LINE (file name
   /// without folder and extension, line from 1 on). `measured`: the conditions at the contact; if
-  /// empty, those of the report, which files have only for requests with conditions.
+  /// empty, the report's conditions count, which files have only for requests with conditions.
   void add(const Scenario& scenario, const std::string& name,
            const std::optional<ContactConditions>& measured = std::nullopt);
-  /// Counts every row of a test, in each cell in which the scenario with its case name was counted
-  /// before; ignores other tests and untested cases.
+  /// Counts every row of a test whose planner did not fail, in each cell in which the scenario with
+  /// its case name was counted before; ignores other tests and untested cases.
   void add(const PlannerTestResult& result);
 
   /// Returns true if no request was made from a catalogue and no attack meets a cell.
