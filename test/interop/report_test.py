@@ -265,7 +265,7 @@ class ReportTest(unittest.TestCase):
         self.assertTrue(drawn)
         self.assertEqual(linked, drawn)
         self.assertIn('Evasive manoeuvre of the ego', legends)
-        self.shoot('escape')
+        self.shoot('evasion')
 
     def test_tuning_and_draws_end_with_pages_that_show_the_drives(self):
         folder = Path(self.folder.name)

@@ -114,7 +114,7 @@ class PlannerTesterTest(road.RoadTest):
                 for name in ('duration', 'max_braking', 'hard_braking', 'off_road_share', 'progress', 'recorded_progress'):
                     self.assertAlmostEqual(getattr(outcome, name), row[name], 6, name)
                 self.assertEqual(outcome.ticks, row['plans'])
-                known = result['avoidability'] if policy == 'fixed' else row['escape']
+                known = result['avoidability'] if policy == 'fixed' else row['evasion']
                 if known is not None:
                     self.assertEqual(outcome.avoidable, known['avoidable'])
                     self.assertEqual(outcome.avoided_by, known['from_now'])

@@ -157,7 +157,7 @@ class TestPlannersTest(road.RoadTest):
             row = results[witness['name']]['planners'][0]
             self.assertTrue(row['contact']['attacker'] and row['fair'])
             self.assertNotEqual(row['contact']['cause'], 'rear', 'who runs into the ego from behind is at fault')
-            self.assertEqual(row['escape']['last']['start_t'], witness['start_t'])
+            self.assertEqual(row['evasion']['last']['start_t'], witness['start_t'])
             self.assertLess(witness['start_t'], row['contact']['t'])
             self.assertGreater(witness['ego'][-1]['t'], row['contact']['t'])
             speeds.append(row['contact']['impact_speed'])

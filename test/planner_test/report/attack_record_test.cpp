@@ -104,7 +104,7 @@ TEST(PlannerRecord, ContainsTheMotionIfThePageHasTheAttack) {
               AllOf(HasSubstr(R"("t":1.5)"), Not(HasSubstr("drive\":"))));
   ShownTest shown{true};
   EXPECT_THAT(plannerRecord(result, row, shown),
-              AllOf(HasSubstr(R"("drive":{"ego":{"t":[0,100)"), Not(HasSubstr("\"escape\":{"))));
+              AllOf(HasSubstr(R"("drive":{"ego":{"t":[0,100)"), Not(HasSubstr("\"evasion\":{"))));
   EXPECT_THAT(plannerRecord(result, row, shown), Not(HasSubstr("\"crash\":")));
   shown.crash = crash();
   EXPECT_THAT(plannerRecord(result, row, shown), HasSubstr(R"("crash":{"ego":{"t":[10000,100)"));
@@ -113,7 +113,7 @@ TEST(PlannerRecord, ContainsTheMotionIfThePageHasTheAttack) {
   EXPECT_THAT(plannerRecord(result, row, shown), HasSubstr(R"("other":{"t":[0,9000,1000,100)"));
   row.evasion_drive =
       Evasion{{EvasiveManoeuvre::kBraking, kNow + 1.0, row.outcome.driven, 0.0}, {}};
-  EXPECT_THAT(plannerRecord(result, row, shown), HasSubstr(R"("escape":{"t":[0,100)"));
+  EXPECT_THAT(plannerRecord(result, row, shown), HasSubstr(R"("evasion":{"t":[0,100)"));
 }
 
 }  // namespace

@@ -112,11 +112,11 @@ TEST(PlannerReport, UnfairCollisionsAreNotCounted) {
 
 TEST(PlannerReport, CountsAvoidableCollisions) {
   auto all = results();
-  EXPECT_EQ(rateOf(all, "escape").trials, 0);
+  EXPECT_EQ(rateOf(all, "evasion").trials, 0);
   all[0].rows[0].evasion = AvoidabilitySummary{true, {}, EvasiveManoeuvre::kBraking, 1.0, 0.0};
   all[1].rows[0].evasion = AvoidabilitySummary{};
-  EXPECT_EQ(rateOf(all, "escape").trials, 2);
-  EXPECT_DOUBLE_EQ(rateOf(all, "escape").value, 0.5);
+  EXPECT_EQ(rateOf(all, "evasion").trials, 2);
+  EXPECT_DOUBLE_EQ(rateOf(all, "evasion").value, 0.5);
 }
 
 }  // namespace

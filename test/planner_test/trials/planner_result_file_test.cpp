@@ -95,7 +95,7 @@ TEST(PlannerResultFile, AMotionWithListsOfDifferentLengthIsRejected) {
 
 TEST(PlannerResultFile, AnotherFormatIsRejectedWithTheField) {
   std::string line = plannerResultLine(tested());
-  line.replace(line.find("\"version\":7"), 11, "\"version\":2");
+  line.replace(line.find("\"version\":8"), 11, "\"version\":2");
   try {
     readPlannerResultLine("results.jsonl: line 4", line);
     ADD_FAILURE();

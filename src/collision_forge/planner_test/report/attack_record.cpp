@@ -145,7 +145,7 @@ void writeDriveInShort(JsonLineWriter& writer, const PlannerRow& row,
   writeTrajectory(writer, "ego", driven.driven, now);
   writeTrajectory(writer, "attacker", driven.attacker.points, now);
   if (crash) writeCrash(writer, *crash, now);
-  if (row.evasion_drive) writeTrajectory(writer, "escape", row.evasion_drive->ego.motion, now);
+  if (row.evasion_drive) writeTrajectory(writer, "evasion", row.evasion_drive->ego.motion, now);
   writePlansInShort(writer, driven.attacker_plans, now);
   writer.endObject();
 }

@@ -73,7 +73,7 @@ struct ShownTest {
 /// Returns the page's record of one planner in one case as one line of JSON without a line end:
 /// "avoidability" of the case, the fields of writePlannerRow(), "drive", and "pictures" ("name" and
 /// "link" of each). "drive" has the motions "ego", "attacker" and, if the row has an evasion drive,
-/// "escape", as writeTrajectory(); "crash" as in attackRecord(), if `shown.crash` is set; and
+/// "evasion", as writeTrajectory(); "crash" as in attackRecord(), if `shown.crash` is set; and
 /// "plans" as writePlans(). The key "drive", and `shown.crash` with it, is left out without
 /// `shown.has_attack` and if dropMotions() has removed the motions. `row`: an element of
 /// `result.rows`.

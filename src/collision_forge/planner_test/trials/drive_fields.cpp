@@ -114,12 +114,12 @@ void writeDrive(JsonLineWriter& writer, const PlannerRow& row, double now) {
              });
   writeAgents(writer, outcome.contact ? outcome.others : std::vector<Track>(), now);
   if (row.evasion_drive) {
-    writer.beginObject("escape");
+    writer.beginObject("evasion");
     writeMotion(writer, "ego", row.evasion_drive->ego.motion, now);
     writeMotion(writer, "attacker", row.evasion_drive->attacker.points, now);
     writer.endObject();
   } else {
-    writer.null("escape");
+    writer.null("evasion");
   }
   writer.endObject();
 }
@@ -137,9 +137,9 @@ void readDrive(JsonObject& object, PlannerRow& row, double now) {
     agent.id = entry.text("id");
     agent.states = toStates(readMotionFields(entry, now));
   }
-  auto evasion = drive->objectOrNull("escape");
+  auto evasion = drive->objectOrNull("evasion");
   if (evasion.has_value() != (row.evasion && row.evasion->is_avoidable)) {
-    drive->fail("escape", "contradicts the field escape of the row");
+    drive->fail("evasion", "contradicts the field evasion of the row");
   }
   if (evasion) {
     Evasion& read = row.evasion_drive.emplace();

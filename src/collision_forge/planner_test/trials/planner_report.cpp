@@ -134,7 +134,7 @@ std::vector<RolloutMeasure> rolloutMeasures() {
       {{"collision_fair", "Collisions with the attacker, unfair ones excluded", {}},
        kShare,
        fairCollision},
-      {{"escape", "Avoidable collisions, share of collisions with the attacker", {}},
+      {{"evasion", "Avoidable collisions, share of collisions with the attacker", {}},
        kShare,
        canEvade},
       {{"as_asked", "Collisions with the attacker of the requested type at the requested time", {}},

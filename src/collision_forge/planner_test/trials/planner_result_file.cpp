@@ -15,7 +15,7 @@ namespace forge {
 namespace {
 
 constexpr const char* kFormat = "collision_forge/planner_test";
-constexpr int kVersion = 7;
+constexpr int kVersion = 8;
 constexpr int kMaxRows = 10000;              // rows of a case
 constexpr std::size_t kContactColumns = 18;  // of a row of the CSV file
 
@@ -174,7 +174,7 @@ PlannerRow readRow(JsonObject& object, double now) {
     row.outcome.contact = readContact(*contact, now);
   }
   row.outcome.careful_drivers = readCarefulDrivers(object, now);
-  if (auto evasion = object.objectOrNull("escape")) row.evasion = readAvoidability(*evasion);
+  if (auto evasion = object.objectOrNull("evasion")) row.evasion = readAvoidability(*evasion);
   row.is_fair = object.flag("fair");
   row.outcome.duration = object.number("duration");
   row.outcome.max_braking = object.number("max_braking");
@@ -294,9 +294,9 @@ void writePlannerRow(JsonLineWriter& writer, const PlannerRow& row, double now) 
   }
   writeCarefulDrivers(writer, outcome.careful_drivers, now);
   if (row.evasion) {
-    writeAvoidability(writer, "escape", *row.evasion);
+    writeAvoidability(writer, "evasion", *row.evasion);
   } else {
-    writer.null("escape");
+    writer.null("evasion");
   }
   writer.flag("fair", row.is_fair);
   writer.number("duration", outcome.duration);

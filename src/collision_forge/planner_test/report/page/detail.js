@@ -50,8 +50,8 @@ export function worldOf({now, tta, scene, attack, test}) {
   if (drive) {
     world.roles.push({motion: withCrash(motionOf(drive.ego), crash && crash.ego), ...size, color: 'ego', isEgo: true,
       isTimed: true, isFollowed: true, isHeld: true, name: 'Ego as the planner drives it'});
-    if (drive.escape) {
-      world.roles.push({motion: motionOf(drive.escape), ...size, color: 'escape', isPale: true,
+    if (drive.evasion) {
+      world.roles.push({motion: motionOf(drive.evasion), ...size, color: 'evasion', isPale: true,
         name: 'Evasive manoeuvre of the ego'});
     }
     if (crash) world.end = motionOf(crash.ego).t.slice(-1)[0];
@@ -245,8 +245,8 @@ function testList(test) {
     contact && ['Speed of the ego', amount(contact.ego_speed, 1, 'm/s')],
     contact && ['At fault', `${yesOrNo(contact.at_fault)} (${contact.cause})`, held(!contact.at_fault)],
     ['Avoidable', avoidance(test.avoidability)],
-    test.escape && ['Evasive manoeuvre', avoidance(test.escape)],
-    test.escape && ['Fair', yesOrNo(test.fair)],
+    test.evasion && ['Evasive manoeuvre', avoidance(test.evasion)],
+    test.evasion && ['Fair', yesOrNo(test.fair)],
     ['Hardest braking', amount(test.max_braking, 1, 'm/s²')],
     ['Progress', `${amount(test.progress, 0, 'm')}, recorded ${amount(test.recorded_progress, 0, 'm')}`],
     ['nuPlan score', amount(test.nuplan.score, 2)],

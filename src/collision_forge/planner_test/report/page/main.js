@@ -10,8 +10,8 @@ const find = (id) => document.getElementById(id);
 
 // Map colours of the dark theme; config/drawing.yaml has the light ones.
 const DARK = {drivable: '#30353c', walkway: '#3d3627', lane: '#6a727c', connector: '#4a525b', agent: '#8795a5',
-  ground: '#1b1f24', text: '#e6e9ed', mark: '#11141899', escape: '#4cc38a'};
-const LIGHT = {ground: '#ffffff', text: '#21262e', mark: '#ffffffcc', escape: '#1d8a56'};
+  ground: '#1b1f24', text: '#e6e9ed', mark: '#11141899', evasion: '#4cc38a'};
+const LIGHT = {ground: '#ffffff', text: '#21262e', mark: '#ffffffcc', evasion: '#1d8a56'};
 
 const css = (color) => `rgb(${color.map((share) => Math.round(255 * share)).join(' ')})`;
 const lighter = (color) => color.map((share) => share + 0.35 * (1 - share));
