@@ -89,6 +89,13 @@ TEST(BoxEdges, AreCutOffAtThePictureAndInFrontOfTheCamera) {
   }
 }
 
+TEST(CameraBoxes, CamerasOfOneNamespaceHaveTopicsOfTheirOwn) {
+  EXPECT_EQ(CameraBoxes::boxTopic("/camera_info"), "/attack_box");
+  EXPECT_EQ(CameraBoxes::boxTopic("/car/cam_front/camera_info"), "/car/cam_front/attack_box");
+  EXPECT_EQ(CameraBoxes::boxTopic("/stereo/left_info"), "/stereo/left_info_attack_box");
+  EXPECT_EQ(CameraBoxes::boxTopic("/stereo/right_info"), "/stereo/right_info_attack_box");
+}
+
 TEST(CameraBoxes, MarksAgentsAndDeletesWhoLeftThePicture) {
   const std::string path = std::filesystem::temp_directory_path() /
                            ("camera_boxes_" + std::to_string(getpid()) + ".bag");

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <limits>
 #include <string>
 
 #include "collision_forge/io/lidar/simulated_sweep.h"
@@ -127,6 +128,35 @@ TEST_F(LidarInjectionTest, ItsRecordedPlaceIsEmptiedAndFilled) {
   ASSERT_TRUE(injection.edit(kTopic, cloud));
   EXPECT_EQ(pointsAt(cloud, 12.0, 0.0), 0u);
   EXPECT_THAT(injection.summary().front(), testing::HasSubstr("of its recorded place taken out"));
+}
+
+TEST_F(LidarInjectionTest, VehiclesWithoutUsableBoxTeachNothingAndStopNothing) {
+  const auto raysFrom = [this] {
+    const std::string line = LidarInjection(bag_, setup_).summary().back();
+    return line.substr(line.find(':'));
+  };
+  const std::string from_the_car = raysFrom();
+  ASSERT_THAT(from_the_car, testing::HasSubstr("learnt from"));
+  const auto with = [](const auto& change) {
+    collision_forge::Agent agent = carAt(12.0, 0.0);
+    agent.id = "unusable";
+    change(agent);
+    return agent;
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<collision_forge::Agent> unusable = {
+      with([](auto& agent) { agent.size.z = 0.0; }), with([](auto& agent) { agent.size.x = -4.5; }),
+      with([](auto& agent) { agent.pose.orientation.w = 0.0; }),
+      with([&](auto& agent) { agent.pose.position.x = nan; }),
+      with([&](auto& agent) { agent.velocity.x = nan; })};
+  const std::vector<collision_forge::AgentArray> recorded = agents_;
+  for (const collision_forge::Agent& agent : unusable) {
+    agents_ = recorded;
+    for (auto& frame : agents_) frame.agents.push_back(agent);
+    EXPECT_EQ(raysFrom(), from_the_car) << agent;
+    for (auto& frame : agents_) frame.agents = {agent};
+    EXPECT_THAT(raysFrom(), testing::HasSubstr("no recorded vehicle to learn from")) << agent;
+  }
 }
 
 TEST_F(LidarInjectionTest, CloudsThatCannotBeChangedAreCountedByReason) {

@@ -7,6 +7,7 @@
 #include <sensor_msgs/Imu.h>
 #include <sensor_msgs/NavSatFix.h>
 #include <sensor_msgs/PointCloud2.h>
+#include <sys/stat.h>
 #include <tf2_msgs/TFMessage.h>
 #include <unistd.h>
 
@@ -98,6 +99,19 @@ TEST_F(SensorWriterTest, WritesWhatIsThereAndCountsTheRest) {
   }
   EXPECT_EQ(frames.count("lidar_top") + frames.count("cam_front"), 2u);
   EXPECT_EQ(rosbag::View(bag, rosbag::TopicQuery("/cam_front/image_rect_compressed")).size(), 1u);
+}
+
+TEST_F(SensorWriterTest, FilesThatAreNotRegularAreUnreadable) {
+  fs::create_directories(folder_ / "folder");
+  ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  scene_.files = {{1000000, 0, (folder_ / "folder").string(), 0, 0},
+                  {1010000, 1, (folder_ / "pipe").string(), 1600, 900},
+                  {1020000, 1, (folder_ / "missing.jpg").string(), 1600, 900},
+                  {1030000, 1, fileOf("a.jpg", "picture"), 1600, 900}};
+  const SensorCounts counts = writeBag((folder_ / "out.bag").string(), recording_, {}, &scene_);
+  EXPECT_EQ(counts.unreadable, 2u);
+  EXPECT_EQ(counts.missing, 1u);
+  EXPECT_EQ(counts.written, 1u);
 }
 
 TEST_F(SensorWriterTest, TheCanBusIsWrittenWithinTheTimeOfTheEgoPoses) {

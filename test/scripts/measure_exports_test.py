@@ -2,8 +2,11 @@
 """What scripts/measure_exports computes from OpenDRIVE files."""
 import importlib.machinery
 import math
+import subprocess
+import sys
 import unittest
 from pathlib import Path
+from unittest.mock import Mock
 from xml.etree import ElementTree
 
 SCRIPT = Path(__file__).resolve().parents[2] / 'scripts' / 'measure_exports'
@@ -51,6 +54,28 @@ class MeasureExportsTest(unittest.TestCase):
         self.assertAlmostEqual(lines.distance_to(3.3, 0.4), 0.4)
         self.assertAlmostEqual(lines.distance_to(10.3, 0.4), 0.5)
         self.assertEqual(lines.distance_to(3.0, 9.0), math.inf)
+
+    def test_figures_of_no_values_are_dashes(self):
+        self.assertEqual(measure_exports.figure(max, [], '.2f'), '-')
+        self.assertEqual(measure_exports.figure(max, [0.0, 0.125], '.3f'), '0.125')
+
+    def test_a_contact_at_the_start_is_a_contact(self):
+        play = Mock(contact=Mock(return_value=0.0))
+        self.assertEqual(measure_exports.lateness(play, 0.5), -0.5)
+        play.contact.return_value = None
+        self.assertTrue(math.isnan(measure_exports.lateness(play, 0.5)))
+
+    def test_only_a_finished_check_counts_errors(self):
+        def errors(code):
+            check = subprocess.run([sys.executable, '-c', code], capture_output=True, check=False, text=True)
+            return measure_exports.files_with_errors(check)
+
+        self.assertEqual(errors("print('2 files checked')"), set())
+        found = "print('a.xodr: one: wrong\\na.xodr: two: wrong\\nb.xosc: one: wrong')\n"
+        self.assertEqual(errors(found + "print('2 files checked')"), {'a.xodr', 'b.xosc'})
+        for code in ("raise ValueError('broken rules')", found + "raise ValueError('broken rules')"):
+            with self.assertRaisesRegex(SystemExit, 'broke off:(.|\\n)*broken rules'):
+                errors(code)
 
 
 if __name__ == '__main__':

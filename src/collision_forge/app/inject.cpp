@@ -364,7 +364,7 @@ void addInject(CommandLine& line) {
       "continues as recorded");
   app.add_option("--lidar", arguments->lidar,
                  "also show the attacker in the lidar clouds of these topics; auto: in all clouds "
-                 "(docs/lidar.md)");
+                 "except radar clouds (docs/lidar.md)");
   app.add_option("--seconds-after-stand", arguments->seconds_after_stand,
                  "time, s, that bag and animation continue after both vehicles have stopped; "
                  "default: seconds_after_stand of attacked_bag.yaml")

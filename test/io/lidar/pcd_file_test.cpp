@@ -56,6 +56,26 @@ TEST(PcdFile, AFileWithoutPointsIsAnEmptyCloud) {
   EXPECT_EQ(read(text).pointCount(), 0u);
 }
 
+TEST(PcdFile, WithoutCountEachFieldHasOneElement) {
+  std::string text = radarFile();
+  const std::string line = "COUNT 1 1 1 1 1 1\n";
+  text.erase(text.find(line), line.size());
+  const PointCloud cloud = read(text);
+  EXPECT_EQ(cloud.point_step, 19u);
+  ASSERT_EQ(cloud.fields.size(), 6u);
+  for (const CloudField& field : cloud.fields) EXPECT_EQ(field.count, 1u) << field.name;
+  EXPECT_EQ(cloud.data, read(radarFile()).data);
+}
+
+TEST(PcdFile, AHeaderMayHave64KiB) {
+  const std::size_t most = 65536;
+  const std::string text = radarFile();
+  const std::size_t header = text.find("binary\n") + 7;
+  const auto longerBy = [&](std::size_t bytes) { return "#" + std::string(bytes - 2, '-') + "\n"; };
+  EXPECT_EQ(read(longerBy(most - header) + text).pointCount(), 2u);
+  EXPECT_THROW(read(longerBy(most - header + 1) + text), CloudError);
+}
+
 TEST(PcdFile, FilesThatCannotBeReadAreNamedByTheirHeader) {
   const auto changed = [](const std::string& from, const std::string& to) {
     std::string text = radarFile();
@@ -64,6 +84,9 @@ TEST(PcdFile, FilesThatCannotBeReadAreNamedByTheirHeader) {
   const std::pair<std::string, std::string> cases[] = {
       {"", "no line DATA"},
       {"VERSION 0.7\n", "no line DATA"},
+      {std::string(70000, '\n') + radarFile(), "no line DATA in its first 65536 bytes"},
+      {changed("WIDTH", "BREADTH"), "'BREADTH' is no line of a .pcd header"},
+      {changed("WIDTH", std::string(1000, 'W')), "'" + std::string(20, 'W') + "' is no line"},
       {"DATA binary\n", "FIELDS is missing"},
       {radarFile("ascii"), "DATA ascii"},
       {changed("SIZE 4 4 4 1 2 4", "SIZE 4 4 4 1 2"), "SIZE has 5 values instead of 6"},
@@ -71,6 +94,7 @@ TEST(PcdFile, FilesThatCannotBeReadAreNamedByTheirHeader) {
       {changed("SIZE 4", "SIZE 3"), "TYPE F of SIZE 3"},
       {changed("COUNT 1 1", "COUNT 1 2000000000"), "COUNT 2000000000 exceeds"},
       {changed("COUNT 1", "COUNT -1"), "COUNT '-1'"},
+      {changed("COUNT 1 1 1 1", "COUNT 1 1 1 0"), "COUNT of the field dyn_prop is 0"},
       {changed("POINTS 2", "POINTS 3"), "POINTS 3 needs 57 bytes, the .pcd file has 38"},
       {changed("POINTS 2", "POINTS many"), "POINTS 'many'"}};
   for (const auto& [text, words] : cases) {

@@ -49,7 +49,9 @@ struct CloudEdit {
   /// m, standard deviation of the ranges of returns from `bodies` (not from the background):
   /// LidarOptions::range_noise; noise is normal, clamped to 3 deviations
   double range_noise = 0.0;
-  std::uint64_t seed = 0;  ///< of the noise, of lost returns and of the vehicles' brightness
+  /// Seed of the noise and of lost returns; the brightness of the vehicles is
+  /// PosedBody::brightness.
+  std::uint64_t seed = 0;
 };
 
 /// The number of points that an edit changed.

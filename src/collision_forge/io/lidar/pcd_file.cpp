@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -12,22 +13,42 @@ namespace {
 
 using Words = std::vector<std::string>;
 
+constexpr std::size_t kLongestHeader = 65536;  // bytes, own choice
+
 /// The lines of a header by their first word, and the place of the data behind it.
 struct PcdHeader {
   std::map<std::string, Words> lines;
   std::size_t data_begin = 0;
 };
 
+/// Returns true for the first word of a line of version 0.7.
+bool isKey(const std::string& word) {
+  static const std::set<std::string> kKeys = {"VERSION", "FIELDS", "SIZE",      "TYPE",   "COUNT",
+                                              "WIDTH",   "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
+  return kKeys.count(word) > 0;
+}
+
 PcdHeader headerOf(const std::vector<std::uint8_t>& bytes) {
   PcdHeader header;
+  const auto limit =
+      bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), kLongestHeader));
   while (header.lines.count("DATA") == 0) {
     const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(header.data_begin);
-    const auto end = std::find(begin, bytes.end(), '\n');
-    if (end == bytes.end()) throw CloudError("the header of the .pcd file has no line DATA");
+    const auto end = std::find(begin, limit, '\n');
+    if (end == limit) {
+      throw CloudError("the header of the .pcd file has no line DATA" +
+                       (limit == bytes.end()
+                            ? std::string()
+                            : " in its first " + std::to_string(kLongestHeader) + " bytes"));
+    }
     header.data_begin = static_cast<std::size_t>(end - bytes.begin()) + 1;
     std::istringstream line(std::string(begin, end));
     std::string key;
     if (!(line >> key) || key.front() == '#') continue;
+    if (!isKey(key)) {
+      constexpr std::size_t kShown = 20;  // characters, own choice
+      throw CloudError("'" + key.substr(0, kShown) + "' is no line of a .pcd header");
+    }
     Words& words = header.lines[key];
     for (std::string word; line >> word;) words.push_back(word);
   }
@@ -75,12 +96,14 @@ PointCloud readPcd(const std::vector<std::uint8_t>& bytes) {
   if (count == 0) throw CloudError("FIELDS is missing in the .pcd header");
   const Words& sizes = lineOf(header, "SIZE", count);
   const Words& types = lineOf(header, "TYPE", count);
-  const Words& counts = lineOf(header, "COUNT", count);
+  const Words counts =
+      header.lines.count("COUNT") == 0 ? Words(count, "1") : lineOf(header, "COUNT", count);
   PointCloud cloud;
   std::size_t step = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t size = numberOf("SIZE", sizes[i]);
     const std::uint32_t elements = numberOf("COUNT", counts[i]);
+    if (elements == 0) throw CloudError("COUNT of the field " + fields->second[i] + " is 0");
     cloud.fields.push_back({fields->second[i], static_cast<std::uint32_t>(step),
                             datatypeOf(types[i], size), elements});
     step += std::size_t{size} * elements;

@@ -12,20 +12,21 @@
 namespace forge {
 
 /// Thrown for files that violate the nuScenes format. The message names the file and, if known, the
-/// token of the row, the field and the value.
+/// token of the row (its position in the file if it has none), the field and the value.
 struct NuScenesError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// One row of a table, with the fields that readTable() was given; accessors take a field's index
-/// in that list. Field 0 must be the token. Accessors throw NuScenesError if the field is missing
-/// or has another type. Views are valid until the next row is read. Only readTable() fills rows.
+/// in that list. Field 0 is the token in tables that have one; a string there names the row in
+/// messages, otherwise its position does. Accessors throw NuScenesError if the field is missing or
+/// has another type. Views are valid until the next row is read. Only readTable() fills rows.
 class JsonRow {
  public:
   /// `path`: file of the table, for messages; `fields`: names of the fields to read.
   JsonRow(std::string path, std::vector<std::string> fields);
 
-  /// Returns field 0.
+  /// Returns field 0, for tables whose rows have a token.
   std::string_view token() const { return text(0); }
   /// Returns a string, UTF-8.
   std::string_view text(std::size_t field) const;
@@ -70,10 +71,11 @@ class JsonRow {
 
 /// Reads the JSON array of objects in the file `path` row by row in constant memory and calls
 /// `on_row` for each object, in the file's order; the row is valid during the call only. `fields`:
-/// names of the fields to read, first "token". Skips other fields; accepts any order, and NaN and
-/// Infinity as numbers. Calls `on_progress`, if set, with the number of bytes read so far, every
-/// few megabytes and at the end. Throws NuScenesError for a file that is missing, truncated (with
-/// the byte offset), nested more than 64 levels deep or malformed; passes on what `on_row` throws.
+/// names of the fields to read, at least one; first "token" for tables that have it. Skips other
+/// fields; accepts any order, and NaN and Infinity as numbers. Calls `on_progress`, if set, with
+/// the number of bytes read so far, every few megabytes and at the end. Throws NuScenesError for a
+/// file that is missing, truncated (with the byte offset), nested more than 64 levels deep or
+/// malformed; passes on what `on_row` throws.
 void readTable(const std::string& path, const std::vector<std::string>& fields,
                const std::function<void(const JsonRow&)>& on_row,
                const std::function<void(std::uint64_t)>& on_progress = {});

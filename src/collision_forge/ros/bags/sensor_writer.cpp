@@ -9,9 +9,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <system_error>
 
 #include "collision_forge/io/lidar/pcd_file.h"
 #include "collision_forge/io/lidar/simulated_sweep.h"
@@ -43,14 +45,25 @@ geometry_msgs::Vector3 toVector(const Eigen::Vector3d& value) {
   return message;
 }
 
-/// Returns the bytes of a file; false if it does not exist.
-bool readBytes(const std::string& path, std::vector<std::uint8_t>& bytes) {
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file) return false;
-  bytes.resize(static_cast<std::size_t>(file.tellg()));
-  file.seekg(0);
-  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  return true;
+/// Reads all bytes of a file. Returns false, and counts the file as missing if it does not exist,
+/// or as unreadable if it is no regular file or cannot be read to its end.
+bool readBytes(const std::string& path, std::vector<std::uint8_t>& bytes, SensorCounts& counts) {
+  std::error_code error;
+  const auto type = std::filesystem::status(path, error).type();
+  if (type == std::filesystem::file_type::not_found) {
+    ++counts.missing;
+    return false;
+  }
+  std::ifstream file;
+  if (type == std::filesystem::file_type::regular) file.open(path, std::ios::binary);
+  const auto size = file.is_open() ? std::filesystem::file_size(path, error) : 0;
+  if (file.is_open() && !error) {
+    bytes.resize(size);
+    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+    if (file) return true;
+  }
+  ++counts.unreadable;
+  return false;
 }
 
 /// Returns the cloud of a lidar sweep (.pcd.bin). Throws CloudError.
@@ -186,10 +199,7 @@ void SensorWriter::writeCanBusUpTo(std::int64_t timestamp_us) {
 
 void SensorWriter::writeCloud(const NuScenesSensorFile& file) {
   std::vector<std::uint8_t> bytes;
-  if (!readBytes(file.path, bytes)) {
-    ++counts_.missing;
-    return;
-  }
+  if (!readBytes(file.path, bytes, counts_)) return;
   const NuScenesSensor& sensor = sensors_.sensors[file.sensor];
   sensor_msgs::PointCloud2 message;
   message.header.stamp = stampOfFile(file);
@@ -222,10 +232,7 @@ void SensorWriter::writeSimulated(const NuScenesSensorFile& file) {
 void SensorWriter::writePicture(const NuScenesSensorFile& file) {
   const NuScenesSensor& camera = sensors_.sensors[file.sensor];
   sensor_msgs::CompressedImage image;
-  if (!readBytes(file.path, image.data)) {
-    ++counts_.missing;
-    return;
-  }
+  if (!readBytes(file.path, image.data, counts_)) return;
   image.header.stamp = stampOfFile(file);
   image.header.frame_id = frameOf(camera);
   image.format = "jpeg";

@@ -16,8 +16,10 @@ struct SensorCounts {
   /// Sweeps, radar files and pictures in the bag, also simulated ones, and the files of the CAN bus
   /// that were read.
   std::size_t written = 0;
-  std::size_t missing = 0;      ///< sensor files that do not exist
-  std::size_t unreadable = 0;   ///< files that do not follow their format, also of the CAN bus
+  std::size_t missing = 0;  ///< sensor files that do not exist
+  /// Files that are not regular, cannot be read to their end or do not follow their format, also
+  /// of the CAN bus.
+  std::size_t unreadable = 0;
   std::size_t missing_can = 0;  ///< files of the CAN bus that do not exist
 };
 
@@ -26,11 +28,12 @@ struct SensorCounts {
 /// pictures as sensor_msgs/CompressedImage on /cam_front/image_rect_compressed with
 /// sensor_msgs/CameraInfo on /cam_front/camera_info. The CAN bus gives sensor_msgs/Imu on /imu, and
 /// the ego's position as sensor_msgs/NavSatFix on /gps where geoPointOn() knows the map, both in
-/// the frame base_link and within the time of the ego poses. Topics and frames are named as by
-/// other converters of nuScenes. Stamp and record time are the timestamp of the file, or of the
-/// message of the CAN bus. Files that are missing or unreadable are counted and left out. A file
-/// with an empty path is a sweep that is simulated (simulateSweep()) at the first ego pose at or
-/// after its timestamp.
+/// the frame base_link and within the time of the ego poses. The axes of the inertial measurement
+/// unit are taken as the axes of base_link, since nuScenes has no mounting of it
+/// (calibrated_sensor.json). Topics and frames are named as by other converters of nuScenes. Stamp
+/// and record time are the timestamp of the file, or of the message of the CAN bus. Files that are
+/// missing or unreadable are counted and left out. A file with an empty path is a sweep that is
+/// simulated (simulateSweep()) at the first ego pose at or after its timestamp.
 class SensorWriter {
  public:
   /// Reads the files of the CAN bus, unless NuScenesSensorScene::dataroot is empty. All three must

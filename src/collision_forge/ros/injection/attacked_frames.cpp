@@ -30,6 +30,12 @@ std::vector<double> sharesBetween(double gap, double frame_rate, double contact_
   return shares;
 }
 
+/// Returns true if a vehicle of the attack drives by its motion at `stamp`: a recorded one after
+/// t0, an added one from the begin of its past on.
+bool isMoving(const collision_forge::AttackerTrajectory& motion, const ros::Time& stamp) {
+  return motion.past.empty() ? stamp > motion.header.stamp : stamp >= motion.past.front().stamp;
+}
+
 }  // namespace
 
 AttackedFrames::AttackedFrames(const rosbag::Bag& source, const BagAttack& attack,
@@ -63,13 +69,10 @@ AttackedFrames::AttackedFrames(const rosbag::Bag& source, const BagAttack& attac
 }
 
 bool AttackedFrames::isChangedAt(const ros::Time& stamp) const {
-  const auto isChangedBy = [&](const collision_forge::AttackerTrajectory& vehicle) {
-    return !vehicle.past.empty() && stamp >= vehicle.past.front().stamp;
-  };
   const auto& supports = attack_.attack.supports;
-  return stamp > attack_.attack.trajectory.header.stamp || isChangedBy(attack_.attack.trajectory) ||
+  return isMoving(attack_.attack.trajectory, stamp) ||
          std::any_of(supports.begin(), supports.end(),
-                     [&](const auto& support) { return isChangedBy(support.motion); });
+                     [&](const auto& support) { return isMoving(support.motion, stamp); });
 }
 
 std::vector<collision_forge::Agent> AttackedFrames::placedAt(const ros::Time& time) {
@@ -81,12 +84,14 @@ std::vector<collision_forge::Agent> AttackedFrames::placedAt(const ros::Time& ti
 std::vector<collision_forge::Agent> AttackedFrames::vacatedAt(const ros::Time& time) const {
   if (!isChangedAt(time)) return {};
   std::vector<collision_forge::Agent> agents = agentsAt(recorded_, time);
-  const auto stays = [this](const collision_forge::Agent& agent) {
+  const auto stays = [&](const collision_forge::Agent& agent) {
+    const auto vacates = [&](const collision_forge::AttackerTrajectory& motion) {
+      return motion.attacker_id == agent.id && isMoving(motion, time);
+    };
     const auto& supports = attack_.attack.supports;
-    return agent.id != attack_.attack.trajectory.attacker_id &&
-           std::none_of(supports.begin(), supports.end(), [&](const auto& support) {
-             return support.motion.attacker_id == agent.id;
-           });
+    return !vacates(attack_.attack.trajectory) &&
+           std::none_of(supports.begin(), supports.end(),
+                        [&](const auto& support) { return vacates(support.motion); });
   };
   agents.erase(std::remove_if(agents.begin(), agents.end(), stays), agents.end());
   return agents;

@@ -52,8 +52,8 @@ class AttackedFrames {
   bool isChangedAt(const ros::Time& stamp) const;
   /// Returns the attacker and its supports, while they drive elsewhere than recorded.
   std::vector<collision_forge::Agent> placedAt(const ros::Time& time);
-  /// Returns the attacker and its supports as recorded, while they drive elsewhere. Returns none if
-  /// recorded() is empty.
+  /// Returns the attacker and its supports as recorded, each while it drives elsewhere: after t0.
+  /// Returns none if recorded() is empty.
   std::vector<collision_forge::Agent> vacatedAt(const ros::Time& time) const;
 
  private:

@@ -89,7 +89,9 @@ CameraBoxes::CameraBoxes(const rosbag::Bag& source, std::string attacker)
 }
 
 std::string CameraBoxes::boxTopic(const std::string& info_topic) {
-  return info_topic.substr(0, info_topic.rfind('/') + 1) + "attack_box";
+  const std::size_t begin = info_topic.rfind('/') + 1;
+  const std::string name = info_topic.substr(begin);
+  return info_topic.substr(0, begin) + (name == "camera_info" ? "" : name + "_") + "attack_box";
 }
 
 std::vector<visualization_msgs::ImageMarker> CameraBoxes::mark(

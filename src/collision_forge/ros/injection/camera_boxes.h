@@ -28,7 +28,9 @@ class CameraBoxes {
   /// Returns true for the topics of cameras.
   bool has(const std::string& topic) const { return counts_.count(topic) > 0; }
 
-  /// Returns the topic of the boxes of a camera: `attack_box` beside `camera_info`.
+  /// Returns the topic of the boxes of a camera: NAMESPACE/attack_box for NAMESPACE/camera_info,
+  /// and NAMESPACE/NAME_attack_box for NAMESPACE/NAME, so that cameras of one namespace have their
+  /// own.
   static std::string boxTopic(const std::string& info_topic);
 
   /// Returns one marker per agent (in the map frame) that is in the picture, at the stamp of

@@ -28,8 +28,8 @@ struct InjectionNotes {
 ///   the contact.
 /// - Clouds of `lidar`: show the attacker and not its recorded place (LidarInjection). With a
 ///   contact, sensors_match_until has its stamp: the ego's sensors do not feel the crash.
-/// - attack_box beside each camera_info: box of the attacker on the pictures (CameraBoxes), until
-///   the contact if `after_contact` is kStop. Pictures are copied.
+/// - CameraBoxes::boxTopic() of each camera: box of the attacker on the pictures (CameraBoxes),
+///   until the contact if `after_contact` is kStop. Pictures are copied.
 /// All other messages are copied byte by byte with their connections. Non-finite agents, transforms
 /// and odometry are dropped (ros/injection/finite_parts.h). `on_progress` receives the completed
 /// share 0..1 before each message of `in` and 1 at the end, in the calling thread. `out` gets its

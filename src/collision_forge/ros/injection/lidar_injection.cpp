@@ -41,6 +41,16 @@ std::string counted(std::size_t count, std::size_t of, const char* what) {
   return std::to_string(count) + " of " + std::to_string(of) + " " + what;
 }
 
+/// Returns true for an agent with a box that shows where its returns are: the size is positive, the
+/// pose and the velocity are finite, and the quaternion is not zero.
+bool hasKnownBox(const collision_forge::Agent& agent) {
+  const auto& [x, y, z, w] = agent.pose.orientation;
+  const Eigen::Vector3d size(agent.size.x, agent.size.y, agent.size.z);
+  return size.allFinite() && size.minCoeff() > 0.0 && Eigen::Vector4d(x, y, z, w).norm() > 0.0 &&
+         bottomOf(agent).matrix().allFinite() &&
+         Eigen::Vector2d(agent.velocity.x, agent.velocity.y).allFinite();
+}
+
 /// Returns the earliest time of a ray, s after the stamp, at most 0.
 double beginOf(const SweepRays& sweep) {
   double begin = 0.0;
@@ -112,6 +122,7 @@ void LidarInjection::learnFrom(sensor_msgs::PointCloud2& message) {
       agentsAt(*setup_.recorded, message.header.stamp);
   if (setup_.vacated) addToBackground(cloud, layout, sweep, sensor->end, agents);
   for (const collision_forge::Agent& agent : agents) {
+    if (!hasKnownBox(agent)) continue;
     const Eigen::Vector3d position = bottomOf(agent).translation();
     if ((position - sensor->end.translation()).norm() > kLearnReach) continue;
     bodies.push_back(bodyInCloud(movingAgent(agent, beginOf(sweep)), *sensor, sweep));

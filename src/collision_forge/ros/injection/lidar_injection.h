@@ -52,9 +52,10 @@ class LidarInjection {
 
   /// Reads all transforms of the bag, and learns from some of its clouds (40 to 79 per topic,
   /// evenly spaced, or all if there are fewer) how vehicles return rays (SurfaceReturns) and, with
-  /// Setup::vacated, what is behind them (BackgroundMap). `source` is used only here, `setup` is
-  /// kept. Throws BagError for a topic without clouds, and, if kAllClouds was asked for, for a bag
-  /// without clouds of a lidar.
+  /// Setup::vacated, what is behind them (BackgroundMap). Learns no returns from recorded vehicles
+  /// without positive size, finite pose and velocity, and an orientation that is not zero. `source`
+  /// is used only here, `setup` is kept. Throws BagError for a topic without clouds, and, if
+  /// kAllClouds was asked for, for a bag without clouds of a lidar.
   LidarInjection(const rosbag::Bag& source, Setup setup);
 
   /// Returns true for the topics whose clouds are changed.
