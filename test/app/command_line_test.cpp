@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <regex>
 #include <stdexcept>
 
 #include "collision_forge/app/options.h"
@@ -205,21 +206,28 @@ TEST(CommandLine, AnUnknownMethodIsRejectedAndTheKnownOnesAreListed) {
   EXPECT_THAT(clips.err, HasSubstr("--method: method \"magic\" is none of recorded,"));
 }
 
+/// Returns the help of a command with defaults as CLI11 before 2.4 shows them: "=replay", not
+/// " [replay]".
+std::string helpOf(const std::string& command) {
+  static const std::regex newer_default(R"((\S) \[([^\[\]\s]+)\](?=\s))");
+  return std::regex_replace(read(command + " --help").out, newer_default, "$1=$2");
+}
+
 TEST(CommandLine, HelpShowsDefaults) {
-  EXPECT_THAT(read("generate --help").out, AllOf(HasSubstr("{history,replay,adaptive}=replay"),
-                                                 HasSubstr("{jsonl,csv-collide}=jsonl")));
-  EXPECT_THAT(read("test --help").out, HasSubstr("{replay,idm,model:FILE.pt}=replay"));
-  EXPECT_THAT(read("study test --help").out,
+  EXPECT_THAT(helpOf("generate"), AllOf(HasSubstr("{history,replay,adaptive}=replay"),
+                                        HasSubstr("{jsonl,csv-collide}=jsonl")));
+  EXPECT_THAT(helpOf("test"), HasSubstr("{replay,idm,model:FILE.pt}=replay"));
+  EXPECT_THAT(helpOf("study test"),
               AllOf(HasSubstr("{recorded,history,replay}=recorded"), HasSubstr("=val")));
-  EXPECT_THAT(read("requests --help").out, HasSubstr("{any,existing,new,each}=any"));
+  EXPECT_THAT(helpOf("requests"), HasSubstr("{any,existing,new,each}=any"));
 }
 
 TEST(CommandLine, DefaultModeIsReplayForMakingAndHistoryForMeasuring) {
   for (const std::string command : {"inject", "possible", "generate"}) {
-    EXPECT_THAT(read(command + " --help").out, HasSubstr("}=replay")) << command;
+    EXPECT_THAT(helpOf(command), HasSubstr("}=replay")) << command;
   }
   for (const std::string command : {"study evaluate", "study measure latency"}) {
-    EXPECT_THAT(read(command + " --help").out, HasSubstr("}=history")) << command;
+    EXPECT_THAT(helpOf(command), HasSubstr("}=history")) << command;
   }
 }
 
