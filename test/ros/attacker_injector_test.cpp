@@ -106,6 +106,47 @@ TEST(AttackerInjector, AnAddedAttackerIsANewAgentFromItsFirstStateOn) {
   }
 }
 
+TEST(AttackerInjector, AnAddedAttackerHasTheHeightOfItsClassOnTheGroundOfItsNeighbour) {
+  AttackerInjector injector(addedTrajectory(), limits());
+  auto recorded = frame(10.0, 1.6);
+  for (auto& agent : recorded.agents) {
+    agent.agent_class = collision_forge::Agent::TRUCK;
+    agent.pose.position.z += 3.0;
+  }
+  const collision_forge::Agent added = injector.inject(recorded).agents.at(2);
+  const double height = typicalHeight(AgentClass::kTruck, {4.5, 2.0});
+  EXPECT_EQ(added.size.z, height);
+  EXPECT_NEAR(added.pose.position.z, 3.0 + 0.5 * height, 1e-9);
+}
+
+TEST(AttackerInjector, ARecordedAttackerHasTheClassOfItsTrajectory) {
+  auto running = trajectory();
+  running.agent_class = collision_forge::Agent::RUNNER;
+  AttackerInjector injector(running, limits());
+  auto recorded = frame(10.0, 1.8);
+  recorded.agents[1].agent_class = collision_forge::Agent::PEDESTRIAN;
+  injector.remember(recorded);
+  recorded.header.stamp = ros::Time(10.5);
+  const collision_forge::Agent attacker = injector.inject(recorded).agents.at(1);
+  EXPECT_EQ(attacker.agent_class, collision_forge::Agent::RUNNER);
+  EXPECT_EQ(attacker.size.z, 1.8);
+}
+
+TEST(AttackerInjector, ASupportThatDrivesAtItsLastPointLeavesThereAndOneThatStandsStays) {
+  for (const double last_speed : {10.0, 0.0}) {
+    auto motion = trajectory();
+    motion.points.back().speed = last_speed;
+    AttackerInjector injector(motion, limits(), AfterEnd::kLeave);
+    EXPECT_EQ(injector.inject(frame(11.0, 1.6)).agents.size(), 2u) << "at the last point";
+    const auto after = injector.inject(frame(11.5, 1.6)).agents;
+    ASSERT_EQ(after.size(), last_speed == 0.0 ? 2u : 1u);
+    EXPECT_EQ(after[0], frame(11.5, 1.6).agents[0]);
+    if (last_speed == 0.0) {
+      EXPECT_NEAR(after[1].pose.position.x, 10.0, 1e-9);
+    }
+  }
+}
+
 TEST(AttackerInjector, ThePostCrashMotionReplacesTheTrajectoryAtTheContact) {
   AttackerInjector injector(trajectory(), limits());
   const SeverityOptions severity =

@@ -68,6 +68,16 @@ TEST(BoxEdges, AreWhereAPinholeSeesTheCorners) {
   EXPECT_NEAR(box.max().y(), 450.0 + kFocal * 0.75 / 10.0, 1e-6);
 }
 
+TEST(BoxEdges, OfUnknownHeightHaveTheTypicalOne) {
+  collision_forge::Agent car = carAt("car", 12.0, 3.0);
+  const Eigen::AlignedBox2d known = boundsOf(boxEdges(car, opticalFrame(), infoAt(0.0)));
+  car.pose.position.z -= 0.5 * car.size.z;
+  car.size.z = 0.0;
+  const Eigen::AlignedBox2d box = boundsOf(boxEdges(car, opticalFrame(), infoAt(0.0)));
+  EXPECT_NEAR(box.min().y(), known.min().y(), 1e-6) << "a typical car has 1.5 m";
+  EXPECT_NEAR(box.max().y(), known.max().y(), 1e-6);
+}
+
 TEST(BoxEdges, FollowTheProjectionMatrixOfRectifiedPictures) {
   sensor_msgs::CameraInfo info = infoAt(0.0);
   info.P = {500.0, 0.0, 700.0, 0.0, 0.0, 500.0, 400.0, 0.0, 0.0, 0.0, 1.0, 0.0};

@@ -141,6 +141,25 @@ TEST_F(LiveInjectorTest, SupportVehiclesStandWhereTheAttackHasThem) {
   EXPECT_THROW(agentAt(11.5, "parked-1"), std::out_of_range);
 }
 
+TEST_F(LiveInjectorTest, ASupportVehicleThatDrivesLeavesAtItsLastPoint) {
+  play(9.0, 10.0);
+  collision_forge::Attack with_support = attack();
+  auto& support = with_support.supports.emplace_back();
+  support.role = "leader";
+  support.motion = attack("leader-1").trajectory;
+  support.motion.added = true;
+  support.motion.past.resize(1);
+  support.motion.past.front().stamp = ros::Time(9.0);
+  support.motion.points.resize(6);
+  const double last = support.motion.points.back().stamp.toSec();
+  injector_.setAttack(with_support);
+  published_.clear();
+  play(10.5, last + 0.5);
+  EXPECT_NO_THROW(agentAt(last, "leader-1"));
+  EXPECT_NO_THROW(agentAt(last + 0.1, "a"));
+  EXPECT_THROW(agentAt(last + 0.1, "leader-1"), std::out_of_range);
+}
+
 TEST_F(LiveInjectorTest, StampsDoNotDependOnTheOrderOfEgoAndAgents) {
   for (const bool is_ego_first : {true, false}) {
     injector_ = injectorThat(AfterContact::kStop);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "attack/search/added_scene.h"
+#include "collision_forge/attack/search/catalogue.h"
 #include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/attack/search/judge.h"
 #include "collision_forge/attack/verify/verification.h"
@@ -171,6 +172,32 @@ TEST(Queue, IsNotAddedBeforeARecordedOne) {
   const Attack second = answerIn(scene);
   ASSERT_EQ(second.status.code, StatusCode::kOk) << second.status.message;
   EXPECT_TRUE(second.supports.empty());
+  EXPECT_TRUE(isInstance(scene.request, scene.request, second, second.report.conditions));
+  CollisionRequest without_queue = scene.request;
+  without_queue.queue = false;
+  EXPECT_FALSE(isInstance(scene.request, without_queue, second, second.report.conditions));
+}
+
+TEST(Queue, DoesNotExcuseAnAttackerThatComesIntoViewTooEarly) {
+  for (const bool is_recorded : {false, true}) {
+    AddedScene scene = twoLanesAhead();
+    scene.request.queue = true;
+    const Attack first = answerIn(scene);
+    ASSERT_EQ(first.status.code, StatusCode::kOk) << first.status.message;
+    ASSERT_GT(first.report.conditions.visible_for, 1.0) << "nothing hides it";
+    if (is_recorded) {
+      scene.add("standing", first.supports.back().motion.points.front().pose, 0.0);
+      scene.request.choice = AttackerChoice::kNew;
+    }
+    scene.request.visible_for = Range{0.1, 0.5};
+    const Status status = answerIn(scene).status;
+    scene.request.queue = false;
+    scene.request.manoeuvre = Manoeuvre::kLeadStopped;
+    const Status expected = answerIn(scene).status;
+    EXPECT_NE(expected.code, StatusCode::kOk);
+    EXPECT_EQ(status.code, expected.code) << is_recorded;
+    EXPECT_EQ(status.message, expected.message) << is_recorded;
+  }
 }
 
 TEST(Queue, NeedsRoadAheadOfTheAttacker) {
@@ -181,7 +208,12 @@ TEST(Queue, NeedsRoadAheadOfTheAttacker) {
   const double front = first.report.attacker_at_contact.x + 0.5 * first.trajectory.size.length;
   scene.map->drivable_area = {rectangle(-200.0, -4.5, front + 1.0, 8.0)};
   const Attack second = answerIn(scene);
-  EXPECT_NE(second.status.code, StatusCode::kOk);
+  EXPECT_EQ(second.status.code, StatusCode::kRoadDoesNotAllow);
+  EXPECT_NE(
+      second.status.message.find("no queue can be added: every place ahead of the attacker is "
+                                 "off the road"),
+      std::string::npos)
+      << second.status.message;
 }
 
 }  // namespace

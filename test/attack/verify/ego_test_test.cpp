@@ -67,6 +67,21 @@ TEST(EgoTest, ReportsTheContactOnceOtherAgentsAreKnownUpToIt) {
   EXPECT_NEAR(report->contact_time, kNow + contact, 1e-3);
 }
 
+TEST(EgoTest, SeesTheAttackerOverALowAgent) {
+  const auto visibleFor = [](std::optional<double> height) {
+    EgoTest test = testOf(2.5);
+    for (int i = 0; i <= 30; ++i) {
+      const double time = kNow + 0.1 * i;
+      test.addEgo(standing(time, 30.0));
+      const AgentState between{time, {18.0, i <= 10 ? 0.0 : 20.0, 0.0}, Vector2::Zero()};
+      test.addAgents({Track{"between", AgentClass::kCar, kCarSize, {between}, height}});
+    }
+    return test.outcome(emptyMap(), shippedOptions().verification).value().conditions.visible_for;
+  };
+  EXPECT_LT(visibleFor(std::nullopt), 1.7) << "as high as the attacker, away 1.1 s after t0";
+  EXPECT_GT(visibleFor(0.5), 2.0);
+}
+
 TEST(EgoTest, HasNoOutcomeForAnEgoThatStartsTooLate) {
   for (const double seen_from : {0.0, 0.1, 2.0}) {
     EgoTest test = testOf(1.0);

@@ -179,11 +179,12 @@ TEST(SceneHistory, EqualsTheSnapshotOfTheSameFramesInAScene) {
 
 TEST(AgentsAt, ReturnsAgentsWithTheirStateAtTheTime) {
   const Track here{
-      "here", {}, {4.0, 2.0}, {{1.0, {1.0, 0.0, 0.0}, {}}, {2.0, {2.0, 0.0, 0.0}, {}}}};
+      "here", {}, {4.0, 2.0}, {{1.0, {1.0, 0.0, 0.0}, {}}, {2.0, {2.0, 0.0, 0.0}, {}}}, 1.3};
   const Track gone{"gone", {}, {4.0, 2.0}, {{1.0, {9.0, 0.0, 0.0}, {}}}};
   const std::vector<Track> agents = agentsAt({here, gone}, 2.0 + 5e-7);
   ASSERT_EQ(agents.size(), 1u);
   EXPECT_EQ(agents[0].id, "here");
+  EXPECT_EQ(agents[0].height, 1.3);
   ASSERT_EQ(agents[0].states.size(), 1u);
   EXPECT_EQ(agents[0].states[0].pose.x, 2.0);
 }

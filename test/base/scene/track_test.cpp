@@ -42,14 +42,28 @@ TEST(IsVehicle, HoldsForAllButPeopleAnimalsAndThings) {
 }
 
 TEST(TypicalHeight, OrdersTheClassesByHeight) {
-  const auto height = [](AgentClass agent_class, double length) {
-    return typicalHeight(agent_class, {length, 2.0});
+  const std::vector<std::pair<AgentClass, double>> by_height = {
+      {AgentClass::kAnimal, 0.6},
+      {AgentClass::kStaticObject, 1.0},
+      {AgentClass::kChild, 0.5},
+      {AgentClass::kCar, 4.5},
+      {AgentClass::kMotorcycle, 2.1},
+      {AgentClass::kPedestrian, 0.7},
+      {AgentClass::kBicycle, 1.8},
+      {AgentClass::kScooter, 1.3},
+      {AgentClass::kTruck, 5.7},
+      {AgentClass::kTruck, 8.0},
+      {AgentClass::kConstructionVehicle, 6.4},
+      {AgentClass::kBus, 11.0},
+      {AgentClass::kTrailer, 12.0}};
+  const auto height = [](const std::pair<AgentClass, double>& one) {
+    return typicalHeight(one.first, {one.second, 1.0});
   };
-  EXPECT_LT(height(AgentClass::kChild, 0.5), height(AgentClass::kCar, 4.5));
-  EXPECT_LT(height(AgentClass::kCar, 4.5), height(AgentClass::kPedestrian, 0.7));
-  EXPECT_EQ(height(AgentClass::kPedestrian, 0.7), height(AgentClass::kRunner, 0.7));
-  EXPECT_LT(height(AgentClass::kPedestrian, 0.7), height(AgentClass::kTruck, 5.7)) << "a van";
-  EXPECT_LT(height(AgentClass::kTruck, 5.7), height(AgentClass::kTruck, 8.0));
+  for (std::size_t i = 1; i < by_height.size(); ++i) {
+    EXPECT_LT(height(by_height[i - 1]), height(by_height[i])) << toString(by_height[i].first);
+  }
+  EXPECT_EQ(height({AgentClass::kRunner, 0.7}), height({AgentClass::kPedestrian, 0.7}));
+  EXPECT_EQ(height({AgentClass::kEmergencyVehicle, 6.5}), height({AgentClass::kTruck, 5.7}));
 }
 
 TEST(StateAt, InterpolatesPoseAndVelocity) {

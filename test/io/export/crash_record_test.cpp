@@ -46,6 +46,21 @@ TEST(CrashRecord, AttackerIsAsRecordedThenFollowsItsTrajectory) {
   EXPECT_NEAR(stateAt(record.attacker, 4.0)->velocity.x(), 2.0, 1e-6);
 }
 
+TEST(CrashRecord, AgentsAndTheAttackerKeepTheirRecordedHeights) {
+  IndexedScene indexed = straightScene();
+  for (Track& agent : indexed.scene.agents) agent.height = agent.id == "a" ? 1.9 : 1.2;
+  const LaneArcs no_arcs;
+  const Config& config = shippedConfig();
+  const RecordContext context{indexed, no_arcs, config.exports, config.attack.verification};
+  Scenario scenario = slowCar();
+  const CrashRecord record = crashRecord(scenario, 17, 2.0, context);
+  EXPECT_EQ(record.attacker.height, 1.9);
+  EXPECT_EQ(otherOf(record, "walker").height, 1.2);
+  scenario.answer.trajectory.attacker_id = "added_1";
+  scenario.answer.trajectory.past = {{kNow, {32.0, 0.0, 0.0}, {2.0, 0.0}}};
+  EXPECT_EQ(crashRecord(scenario, 17, 2.0, context).attacker.height, std::nullopt);
+}
+
 TEST(CrashRecord, AfterContactBothMoveByTheImpact) {
   const CrashRecord record = slowCarRecord();
   const double gap = stateAt(record.attacker, 5.6)->pose.x - stateAt(record.ego, 5.6)->pose.x;

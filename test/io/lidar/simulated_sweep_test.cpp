@@ -45,6 +45,16 @@ TEST(SimulatedSweep, ShowsTheAnnotatedObjectsAtTheirPlace) {
   EXPECT_GT(pointsOnCar(second, 11.0, 17.0), 20u);
 }
 
+TEST(SimulatedSweep, AnObjectOfUnknownHeightHasATypicalOne) {
+  NuScenesRecording scene = recording();  // cars of a typical height
+  const NuScenesSensor lidar = simulatedSensors(scene).sensors[0];
+  const PointCloud known = simulateSweep(scene, lidar, 0);
+  for (NuScenesFrame& frame : scene.frames) {
+    frame.annotations[0].size.z() = frame.annotations[0].translation.z() = 0.0;
+  }
+  EXPECT_EQ(simulateSweep(scene, lidar, 0).data, known.data);
+}
+
 TEST(SimulatedSweep, RepeatsItsBytes) {
   const NuScenesRecording scene = recording();
   const NuScenesSensor lidar = simulatedSensors(scene).sensors[0];

@@ -126,6 +126,26 @@ TEST(SurfaceReturns, AClassLearnsFromItsOwnKindFirst) {
   EXPECT_EQ(intensityOf(AgentClass::kTruck, cars), 10.0) << "cars and large vehicles together";
 }
 
+TEST(SurfaceReturns, RidersAndPeopleOnFootLearnFromTheirOwnKind) {
+  std::vector<PosedBody> bodies;
+  for (const double y : {1.5, 2.5, 3.5, 4.5}) {
+    bodies.push_back(bodyAt(AgentClass::kBicycle, {1.8, 0.7, 1.85}, -y));
+    bodies.push_back(bodyAt(AgentClass::kPedestrian, {0.7, 0.7, 1.77}, y));
+  }
+  const SurfaceReturns surfaces =
+      learntFrom(bodies, [](double y, std::size_t) { return y < 0.0 ? 10.0 : 100.0; });
+  const auto intensityOf = [&](AgentClass agent_class) {
+    const LidarBody body = lidarBodyOf(agent_class, {0.9, 0.7, 1.7});
+    return surfaces.intensityOf(body, {8.0, 1.0, SurfaceKind::kCloth}, 0.5, 0.5);
+  };
+  for (const AgentClass rider : {AgentClass::kMotorcycle, AgentClass::kScooter}) {
+    EXPECT_EQ(intensityOf(rider), 10.0) << toString(rider);
+  }
+  for (const AgentClass on_foot : {AgentClass::kChild, AgentClass::kRunner}) {
+    EXPECT_EQ(intensityOf(on_foot), 100.0) << toString(on_foot);
+  }
+}
+
 TEST(SurfaceReturns, TheSpreadOfIntensitiesWithinAVehicleIsLearnt) {
   EXPECT_NEAR(spreadOfCars({2.0, 2.0, 2.0}, 1.0), 1.0, 0.05) << "all vehicles are alike";
   EXPECT_NEAR(spreadOfCars({1.0, 2.0, 3.0}, 0.0), 0.05, 1e-9) << "the least";

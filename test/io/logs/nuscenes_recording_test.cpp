@@ -52,6 +52,18 @@ TEST(NuScenesRecording, velocitiesBesideGaps) {
       << "more than 3 s: the nearer side";
 }
 
+TEST(NuScenesRecording, onlyAFinitePositiveHeightIsKnown) {
+  NuScenesRecording recording = track({{0.0, 0.0}});
+  const auto heightOfZ = [&](double z) {
+    recording.frames.at(0).annotations.at(0).size.z() = z;
+    return toScene(recording, {{4.084, 1.73}, 1.5}, nullptr).agents.at(0).height;
+  };
+  EXPECT_EQ(heightOfZ(1.5), 1.5);
+  for (const double unknown : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+    EXPECT_EQ(heightOfZ(unknown), std::nullopt) << unknown;
+  }
+}
+
 TEST(NuScenesRecording, sceneOfTheTinyTables) {
   const TemporaryFolder folder;
   writeTables(folder, tinyTables());

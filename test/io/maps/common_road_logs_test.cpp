@@ -61,6 +61,12 @@ TEST(CommonRoadScenario, TheEgoIsTheVehicleAtTheStartOfThePlanningProblem) {
   EXPECT_NEAR(ego.states[20].pose.x, 40.0, 1e-9);
 }
 
+TEST(CommonRoadScenario, TheHeightsOfAgentsAreUnknown) {
+  const ReadScene read = readSmall(town().text());
+  ASSERT_FALSE(read.scene.agents.empty());
+  for (const Track& agent : read.scene.agents) EXPECT_EQ(agent.height, std::nullopt) << agent.id;
+}
+
 TEST(CommonRoadScenario, WithoutSuchAVehicleTheEgoIsTheOneInSightForLongest) {
   const ReadScene read = readSmall(town().problem({500.0, 0.0, 0.0}, 0).text());
   EXPECT_EQ(read.agent("13"), nullptr);

@@ -170,7 +170,8 @@ bool isInstance(const CollisionRequest& cell, const CollisionRequest& request, c
   const bool has_queue = std::any_of(
       attack.supports.begin(), attack.supports.end(),
       [](const SupportVehicle& support) { return support.role == SupportRole::kQueue; });
-  if (cell.queue && !has_queue) return false;
+  // An attack of a request with a queue has one, which may be recorded: then without a support.
+  if (cell.queue && !has_queue && !request.queue) return false;
   if (!asksForConditions(cell)) return true;
   if (!conditions || !fits(cell.from_side, conditions->from_side)) return false;
   if (cell.hidden_by && conditions->hidden_by != cell.hidden_by) return false;

@@ -38,8 +38,9 @@ struct CatalogueEntry {
 /// Returns true if `attack`, which was found for `request`, also meets `cell`: type and turning (of
 /// `request`), class, manoeuvre, side of the ego and, as measured in `conditions` at the contact of
 /// `attack`, the conditions of `cell`: `from_side`, `hidden_by` and kRangeControls. Without
-/// `conditions`, a cell that has conditions is not met. A cell with a queue is met only by an
-/// attack with a support vehicle of role kQueue. Ignores `impact_speed` and `overlap` of `cell`.
+/// `conditions`, a cell that has conditions is not met. A cell with a queue is met only if
+/// `request` has one too or `attack` has a support vehicle of role kQueue. Ignores `impact_speed`
+/// and `overlap` of `cell`.
 bool isInstance(const CollisionRequest& cell, const CollisionRequest& request, const Attack& attack,
                 const std::optional<ContactConditions>& conditions);
 

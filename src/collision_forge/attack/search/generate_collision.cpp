@@ -31,7 +31,8 @@ Moment withRunners(Moment moment) {
   constexpr double kRunning = 2.0;
   std::set<std::string> runners;
   for (const Track& agent : moment.snapshot.agents) {
-    const bool runs = agent.agent_class == AgentClass::kPedestrian && !agent.states.empty() &&
+    const bool runs = agent.agent_class == AgentClass::kPedestrian &&
+                      endsAt(agent, moment.snapshot.now) &&
                       agent.states.back().velocity.norm() >= kRunning;
     if (runs) runners.insert(agent.id);
   }

@@ -18,7 +18,7 @@ namespace {
 
 // The order matters: longer and more specific phrases precede their parts.
 const std::vector<PhraseRule> kFixedRules = {
-    {"(?:from )?behind (?:(?:a|an|the|two|some) )?(?:parked|standing|stationary) "
+    {"(?:from )?behind (?:(?:a|an|the|two|some) )?(?:parked|standing|stationary|stopped) "
      "(?:cars?|vans?|vehicles?)",
      "hidden_by=parked_vehicle"},
     {"(?:at )?(?:the )?(?:end|tail) of (?:a |the )?(?:traffic )?queue|(?:two|2) "
@@ -27,7 +27,8 @@ const std::vector<PhraseRule> kFixedRules = {
     {"(?:pedestrian|adult|person)(?= runs? (?:across|out|(?:in|on)to the " ROAD "))",
      "attacker_class=runner"},
     // Would be read as road users, vehicles behind or ahead, or signs.
-    {"(?:from )?behind (?:(?:a|an|the|two|some) )?(?:(?:large|small|parked|standing|stationary) "
+    {"(?:from )?behind (?:(?:a|an|the|two|some) )?"
+     "(?:(?:large|small|parked|standing|stationary|stopped) "
      ")*(?:cars?|vans?|trucks?|bus|vehicles?|obstacles?|obstruction)",
      "ignored"},
     {"car to(?= (?:car|pedestrian|cyclist|bicycl|motor))", ""},

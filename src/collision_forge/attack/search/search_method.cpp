@@ -51,8 +51,8 @@ CollisionRequest openRequest(CollisionRequest request) {
   if ((request.hidden_by == Hider::kLeader || request.queue) && !request.manoeuvre) {
     request.manoeuvre = Manoeuvre::kLeadStopped;
   }
+  if (request.hidden_by) request.visible_for.reset();
   request.hidden_by.reset();
-  request.visible_for.reset();
   return request;
 }
 
@@ -184,18 +184,19 @@ Attack SearchMethod::queued(const Found& found, const Moment& moment,
   if (answer.report.manoeuvre != Manoeuvre::kLeadStopped) {
     return refuse("the attacker does not stand in the ego's lane");
   }
-  if (isQueued(input)) return answer;
-  if (!moment.past) {
-    return refuse("no queue can be added live: the ego has seen where it would have been");
+  if (!isQueued(input)) {
+    if (!moment.past) {
+      return refuse("no queue can be added live: the ego has seen where it would have been");
+    }
+    Status refused;
+    auto vehicle = findQueuedVehicle(input, options_, refused);
+    if (!vehicle) {
+      refused.message = "no queue can be added: " + refused.message;
+      return rejection(refused);
+    }
+    addSupports({*vehicle}, *future);
+    answer.supports.push_back(std::move(*vehicle));
   }
-  Status refused;
-  auto vehicle = findQueuedVehicle(input, options_, refused);
-  if (!vehicle) {
-    refused.message = "no queue can be added: " + refused.message;
-    return rejection(refused);
-  }
-  addSupports({*vehicle}, *future);
-  answer.supports.push_back(std::move(*vehicle));
   const double confidence = answer.report.confidence;
   answer.report =
       verify(answer.trajectory, {moment.snapshot, *future, request, *moment.lanes}, options);

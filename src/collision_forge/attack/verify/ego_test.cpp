@@ -51,8 +51,10 @@ void EgoTest::addEgo(const AgentState& state) { append(ego_, state); }
 void EgoTest::addAgents(const std::vector<Track>& agents) {
   for (const Track& agent : agents) {
     if (!isUsable(agent)) continue;
-    Track& track = agents_.try_emplace(agent.id, Track{agent.id, agent.agent_class, agent.size, {}})
-                       .first->second;
+    Track& track =
+        agents_
+            .try_emplace(agent.id, Track{agent.id, agent.agent_class, agent.size, {}, agent.height})
+            .first->second;
     for (const AgentState& state : agent.states) {
       append(track, state);
       agents_until_ = std::max(agents_until_, state.time);

@@ -23,7 +23,7 @@ std::vector<Track> agentsAt(const std::vector<Track>& tracks, double time) {
         track.states.begin(), track.states.end(),
         [=](const AgentState& seen) { return std::abs(seen.time - time) < kTimeEpsilon; });
     if (state == track.states.end()) continue;
-    agents.push_back({track.id, track.agent_class, track.size, {*state}});
+    agents.push_back({track.id, track.agent_class, track.size, {*state}, track.height});
   }
   return agents;
 }

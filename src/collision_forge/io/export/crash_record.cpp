@@ -73,6 +73,8 @@ class RecordBuilder {
     begin_ = now - static_cast<double>(now_step_) * step_;
     drive_ = {trajectory_.attacker_id, trajectory_.agent_class, trajectory_.size,
               toStates(trajectory_.points)};
+    const Track* recorded = findTrack(scene_.agents, trajectory_.attacker_id);
+    if (recorded && !trajectory_.isAdded()) drive_.height = recorded->height;
     findEnd();
   }
 

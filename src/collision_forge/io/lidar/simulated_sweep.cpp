@@ -112,10 +112,12 @@ PointCloud simulateSweep(const NuScenesRecording& recording, const NuScenesSenso
     const double time = static_cast<double>(ego.timestamp_us - frame.timestamp_us) * 1e-6;
     const Eigen::Vector3d bottom = object.translation + time * object.velocity -
                                    Eigen::Vector3d(0.0, 0.0, object.size.z() / 2.0);
-    const auto agent_class = agentClassOfCategory(object.category);
+    const AgentClass agent_class =
+        agentClassOfCategory(object.category).value_or(AgentClass::kStaticObject);
+    Eigen::Vector3d size = object.size;
+    if (size.z() == 0.0) size.z() = typicalHeight(agent_class, {size.x(), size.y()});  // unknown
     PosedBody body;
-    body.body = lidarBodyOf(agent_class.value_or(AgentClass::kStaticObject), object.size,
-                            bottom.x() + bottom.y());
+    body.body = lidarBodyOf(agent_class, size, bottom.x() + bottom.y());
     body.end = to_sensor * Eigen::Translation3d(bottom) * object.rotation.normalized();
     body.begin = body.end;
     body.brightness = brightnessOf(object.instance, 0);

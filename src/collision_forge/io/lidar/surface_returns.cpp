@@ -38,7 +38,8 @@ Material materialOf(SurfaceKind surface) {
 }
 
 /// Returns the indices of the groups that a body belongs to: its own kind first, then cars and
-/// large vehicles together, or two-wheelers and pedestrians together.
+/// large vehicles together, or two-wheelers and people on foot together. Animals and objects count
+/// as large vehicles.
 std::array<std::size_t, 2> groupsOf(const LidarBody& body) {
   constexpr std::size_t kCars = 0, kLarge = 1, kTwoWheelers = 2, kPeople = 3;
   constexpr std::size_t kFourWheelers = 4, kSmall = 5;
@@ -47,12 +48,22 @@ std::array<std::size_t, 2> groupsOf(const LidarBody& body) {
       return {kCars, kFourWheelers};
     case AgentClass::kMotorcycle:
     case AgentClass::kBicycle:
+    case AgentClass::kScooter:
       return {kTwoWheelers, kSmall};
     case AgentClass::kPedestrian:
+    case AgentClass::kChild:
+    case AgentClass::kRunner:
       return {kPeople, kSmall};
-    default:
-      return {kLarge, kFourWheelers};
+    case AgentClass::kTruck:
+    case AgentClass::kBus:
+    case AgentClass::kTrailer:
+    case AgentClass::kConstructionVehicle:
+    case AgentClass::kEmergencyVehicle:
+    case AgentClass::kAnimal:
+    case AgentClass::kStaticObject:
+      break;
   }
+  return {kLarge, kFourWheelers};
 }
 
 std::size_t rangeIndex(double range) {

@@ -163,12 +163,14 @@ Scene toScene(const NuScenesRecording& recording, const EgoVehicle& ego,
       const auto [entry, is_new] =
           agent_of_instance.try_emplace(annotation.instance, scene.agents.size());
       if (is_new) {
+        const double height = annotation.size.z();
+        const bool has_height = std::isfinite(height) && height > 0.0;
         scene.agents.push_back(
             {annotation.instance,
              agentClassOfCategory(annotation.category).value_or(AgentClass::kStaticObject),
              {annotation.size.x(), annotation.size.y()},
              {},
-             annotation.size.z()});
+             has_height ? std::make_optional(height) : std::nullopt});
       }
       scene.agents[entry->second].states.push_back(agentState(annotation, time));
     }

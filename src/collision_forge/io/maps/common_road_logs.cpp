@@ -22,7 +22,6 @@ namespace fs = std::filesystem;
 
 constexpr double kStart = 1.0;         // s, time of step 0
 constexpr double kMicroseconds = 1e6;  // per second
-constexpr double kHeight = 1.5;        // m of every box: the format has no heights
 constexpr double kSamePlace = 1.0;     // m between an ego and the start of its planning problem
 
 std::int64_t microseconds(double seconds) { return std::llround(seconds * kMicroseconds); }
@@ -132,8 +131,8 @@ class RecordingBuilder {
     NuScenesAnnotation annotation;
     annotation.instance = track.id;
     annotation.category = categoryOf(track.agent_class);
-    annotation.translation = {state.pose.x, state.pose.y, 0.5 * kHeight};
-    annotation.size = {track.size.length, track.size.width, kHeight};
+    annotation.translation = {state.pose.x, state.pose.y, 0.0};
+    annotation.size = {track.size.length, track.size.width, 0.0};  // the format has no heights
     annotation.rotation = turned(state.pose.yaw);
     annotation.velocity = {state.velocity.x(), state.velocity.y(), 0.0};
     frame.annotations.push_back(std::move(annotation));

@@ -126,8 +126,10 @@ class Search {
     const auto look = [&] {
       for (const Track& agent : traffic.agents()) {
         if (ignored_.count(agent.id) > 0) continue;
-        Track& track = met.try_emplace(agent.id, Track{agent.id, agent.agent_class, agent.size, {}})
-                           .first->second;
+        Track& track =
+            met.try_emplace(agent.id,
+                            Track{agent.id, agent.agent_class, agent.size, {}, agent.height})
+                .first->second;
         track.states.push_back(agent.states.back());
       }
     };

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "collision_forge/base/scene/track.h"
+
 namespace forge {
 
 Eigen::Isometry3d bottomOf(const collision_forge::Agent& agent) {
@@ -10,6 +12,13 @@ Eigen::Isometry3d bottomOf(const collision_forge::Agent& agent) {
   return Eigen::Translation3d(position.x, position.y, position.z) *
          Eigen::Quaterniond(w, x, y, z).normalized() *
          Eigen::Translation3d(0.0, 0.0, -agent.size.z / 2.0);
+}
+
+Eigen::Vector3d sizeOf(const collision_forge::Agent& agent) {
+  const auto& [length, width, height] = agent.size;
+  if (height != 0.0) return {length, width, height};
+  return {length, width,
+          typicalHeight(static_cast<AgentClass>(agent.agent_class), {length, width})};
 }
 
 AgentInSweep movingAgent(const collision_forge::Agent& agent, double begin_time) {
@@ -21,7 +30,7 @@ AgentInSweep movingAgent(const collision_forge::Agent& agent, double begin_time)
 
 PosedBody bodyInCloud(const AgentInSweep& agent, const SensorInSweep& sensor,
                       const SweepRays& sweep, std::uint64_t seed) {
-  const Eigen::Vector3d size(agent.end.size.x, agent.end.size.y, agent.end.size.z);
+  const Eigen::Vector3d size = sizeOf(agent.end);
   PosedBody body;
   body.brightness = brightnessOf(agent.end.id, seed);
   body.begin = sensor.begin.inverse() * bottomOf(agent.begin);

@@ -30,12 +30,16 @@ struct SensorInSweep {
 /// box; in the frame of the agent's pose.
 Eigen::Isometry3d bottomOf(const collision_forge::Agent& agent);
 
+/// Returns length, width and height of the agent's box, m; for a height of 0 (unknown) the typical
+/// one of its class, typicalHeight().
+Eigen::Vector3d sizeOf(const collision_forge::Agent& agent);
+
 /// Returns the body of an agent in the cloud's frame, at the begin and the end of the sweep;
-/// `sweep`: the rays of the cloud (raysOf()). Its shape is lidarBodyOf() of its class and size, its
-/// brightness is brightnessOf() of its id and `seed`. The body stands on the ground of the sweep
-/// below it (groundBelow()), or on the bottom of the agent's box if the sweep has no ground there.
-/// Throws std::invalid_argument, naming the agent, unless all numbers are finite and the sizes
-/// positive.
+/// `sweep`: the rays of the cloud (raysOf()). Its shape is lidarBodyOf() of its class and sizeOf(),
+/// its brightness is brightnessOf() of its id and `seed`. The body stands on the ground of the
+/// sweep below it (groundBelow()), or on the bottom of the agent's box if the sweep has no ground
+/// there. Throws std::invalid_argument, naming the agent, unless all numbers are finite, length and
+/// width positive, and the height not negative.
 PosedBody bodyInCloud(const AgentInSweep& agent, const SensorInSweep& sensor,
                       const SweepRays& sweep, std::uint64_t seed = 0);
 

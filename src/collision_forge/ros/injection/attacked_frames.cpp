@@ -44,7 +44,7 @@ AttackedFrames::AttackedFrames(const rosbag::Bag& source, const BagAttack& attac
     : attack_(attack) {
   const DriveLimitOptions& limits = recording.verification.drivable;
   for (const collision_forge::SupportVehicle& support : attack.attack.supports) {
-    injectors_.emplace_back(support.motion, limits);
+    injectors_.emplace_back(support.motion, limits, AfterEnd::kLeave);
   }
   injectors_.emplace_back(attack.attack.trajectory, limits).setCrash(crash);
   collision_forge::AgentArray::Ptr before;

@@ -21,8 +21,8 @@ std::optional<AgentState> pastAt(const collision_forge::AttackerTrajectory& traj
 }  // namespace
 
 AttackerInjector::AttackerInjector(collision_forge::AttackerTrajectory trajectory,
-                                   const DriveLimitOptions& options)
-    : trajectory_(std::move(trajectory)), options_(options) {
+                                   const DriveLimitOptions& options, AfterEnd after_end)
+    : trajectory_(std::move(trajectory)), options_(options), after_end_(after_end) {
   attacker_.id = trajectory_.attacker_id;
   attacker_.agent_class = trajectory_.agent_class;
   attacker_.size = trajectory_.size;
@@ -42,34 +42,37 @@ void AttackerInjector::remember(const collision_forge::AgentArray& recorded) {
   for (const collision_forge::Agent& agent : recorded.agents) {
     if (agent.id != attacker_.id) continue;
     attacker_ = agent;
+    attacker_.agent_class = trajectory_.agent_class;
     is_remembered_ = true;
   }
   if (!trajectory_.past.empty() && !is_remembered_) rememberLike(recorded);
 }
 
-/// Takes height and ground of an added attacker from the nearest agent of its class, or the ground
-/// from the nearest vehicle and a typical height.
+/// Takes the ground of an added attacker from the nearest motor vehicle or agent of its class.
 void AttackerInjector::rememberLike(const collision_forge::AgentArray& recorded) {
-  const auto unlike = [this](const collision_forge::Agent& agent) {
-    const Pose2 now = forge::fromMessage(trajectory_.past.back().pose);
-    const double distance = (forge::fromMessage(agent.pose).position() - now.position()).norm();
-    return std::pair(agent.agent_class != attacker_.agent_class, distance);
+  const Pose2 now = forge::fromMessage(trajectory_.past.back().pose);
+  const auto distanceOf = [&](const collision_forge::Agent& agent) {
+    return (forge::fromMessage(agent.pose).position() - now.position()).norm();
   };
-  const collision_forge::Agent* most_like = nullptr;
+  const collision_forge::Agent* nearest = nullptr;
   for (const collision_forge::Agent& agent : recorded.agents) {
     const bool is_vehicle = agent.agent_class <= collision_forge::Agent::SCOOTER &&
                             (agent.agent_class == attacker_.agent_class ||
                              isMotorVehicle(static_cast<AgentClass>(agent.agent_class)));
-    if (is_vehicle && (!most_like || unlike(agent) < unlike(*most_like))) most_like = &agent;
+    if (is_vehicle && (!nearest || distanceOf(agent) < distanceOf(*nearest))) nearest = &agent;
   }
-  if (!most_like) return;
-  const bool is_alike = most_like->agent_class == attacker_.agent_class;
+  if (!nearest) return;
   const BoxSize size{attacker_.size.x, attacker_.size.y};
-  attacker_.size.z = is_alike ? most_like->size.z
-                              : typicalHeight(static_cast<AgentClass>(attacker_.agent_class), size);
-  const double ground = most_like->pose.position.z - 0.5 * most_like->size.z;
+  attacker_.size.z = typicalHeight(static_cast<AgentClass>(attacker_.agent_class), size);
+  const double ground = nearest->pose.position.z - 0.5 * nearest->size.z;
   attacker_.pose.position.z = ground + 0.5 * attacker_.size.z;
   is_remembered_ = true;
+}
+
+bool AttackerInjector::hasLeft(const ros::Time& stamp) const {
+  if (after_end_ != AfterEnd::kLeave) return false;
+  const auto& last = trajectory_.points.back();
+  return stamp > last.stamp && last.speed != 0.0;
 }
 
 /// Replaces the recorded attacker, or adds it if the frame lacks it.
@@ -106,6 +109,12 @@ collision_forge::AgentArray AttackerInjector::inject(collision_forge::AgentArray
     remember(agents);
     const auto before = pastAt(trajectory_, time);
     if (before) put(*before, agents);
+    return agents;
+  }
+  if (hasLeft(agents.header.stamp)) {
+    auto& all = agents.agents;
+    const auto has_its_id = [this](const auto& agent) { return agent.id == attacker_.id; };
+    all.erase(std::remove_if(all.begin(), all.end(), has_its_id), all.end());
     return agents;
   }
   if (!is_remembered_) remember(agents);

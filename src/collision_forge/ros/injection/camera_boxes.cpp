@@ -49,10 +49,11 @@ std::vector<PictureLine> boxEdges(const collision_forge::Agent& agent,
                                   const Eigen::Isometry3d& camera,
                                   const sensor_msgs::CameraInfo& info) {
   const Eigen::Isometry3d to_camera = camera.inverse() * bottomOf(agent);
+  const Eigen::Vector3d size = sizeOf(agent);
   const auto corner = [&](unsigned index) -> Eigen::Vector3d {
-    return to_camera * Eigen::Vector3d(agent.size.x * ((index & 1U) ? 0.5 : -0.5),
-                                       agent.size.y * ((index & 2U) ? 0.5 : -0.5),
-                                       (index & 4U) ? agent.size.z : 0.0);
+    return to_camera * Eigen::Vector3d(size.x() * ((index & 1U) ? 0.5 : -0.5),
+                                       size.y() * ((index & 2U) ? 0.5 : -0.5),
+                                       (index & 4U) ? size.z() : 0.0);
   };
   const Projection projection = projectionOf(info);
   const auto pixelOf = [&](const Eigen::Vector3d& point) -> Eigen::Vector2d {

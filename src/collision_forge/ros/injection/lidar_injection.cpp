@@ -136,9 +136,8 @@ void LidarInjection::addToBackground(const PointCloud& cloud, const CloudLayout&
   if (agents.empty()) return;  // nobody knows what moves
   std::vector<VacatedBox> movers;
   for (const collision_forge::Agent& agent : agents) {
-    movers.push_back({bottomOf(agent),
-                      {agent.size.x, agent.size.y, agent.size.z},
-                      {agent.velocity.x, agent.velocity.y, agent.velocity.z}});
+    movers.push_back(
+        {bottomOf(agent), sizeOf(agent), {agent.velocity.x, agent.velocity.y, agent.velocity.z}});
   }
   background_.add(cloud, layout, sweep, sensor, movers);
 }

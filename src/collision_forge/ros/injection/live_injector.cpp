@@ -43,7 +43,9 @@ void LiveInjector::setAttack(const collision_forge::Attack& attack) {
   if (injector_ && injector_->change(attack.trajectory)) return watch_.change(trajectory);
   injector_.emplace(attack.trajectory, drivable_);
   supports_.clear();
-  for (const auto& support : attack.supports) supports_.emplace_back(support.motion, drivable_);
+  for (const auto& support : attack.supports) {
+    supports_.emplace_back(support.motion, drivable_, AfterEnd::kLeave);
+  }
   if (last_) {
     injector_->remember(*last_);
     for (AttackerInjector& support : supports_) support.remember(*last_);
