@@ -11,7 +11,7 @@
 
 namespace forge {
 
-/// What a vehicle does after the last point of its trajectory.
+/// Behaviour of a vehicle after the last point of its trajectory.
 enum class AfterEnd {
   kBrake,  ///< brakes to a standstill (brakingFromEnd()), as attackers
   kLeave   ///< leaves the scene unless it stands there, as support vehicles
