@@ -126,6 +126,34 @@ TEST(RecordedWalkers, AreRunnersIfTheyRunAtT0) {
   }
 }
 
+/// Refuses with the classes of all agents.
+class ClassTeller : public AttackMethod {
+ public:
+  Attack answer(const Moment& moment, const CollisionRequest& /*request*/) const override {
+    std::string classes;
+    for (const Track& agent : moment.snapshot.agents) {
+      classes += agent.id + " " + toString(agent.agent_class) + "\n";
+    }
+    return rejection({StatusCode::kNoCandidate, classes});
+  }
+};
+
+TEST(RecordedWalkers, WhoRanBeforeT0AndIsOutOfSightThenIsNoRunner) {
+  AddedScene scene = street();
+  scene.request.attacker_class = AgentClass::kRunner;
+  addAdult(scene, 2.5);
+  Track gone = scene.others.back();
+  gone.id = "gone";
+  gone.states.pop_back();
+  scene.others.push_back(gone);
+  const AddedVehicleInput input = scene.input();
+  const Moment moment{*input.past, input.future, std::make_shared<LaneIndex>(scene.map),
+                      std::make_shared<Snapshot>(*input.past)};
+  const Status status =
+      generateCollision(ClassTeller(), moment, scene.request, shippedOptions().prediction).status;
+  EXPECT_EQ(status.message, "walker runner\ngone pedestrian\n");
+}
+
 TEST(RecordedWalkers, WalkAlongTheKerbAndThenStepOut) {
   AddedScene scene = street();
   addAdult(scene, 1.2);

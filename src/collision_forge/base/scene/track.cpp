@@ -81,7 +81,7 @@ double typicalHeight(AgentClass agent_class, const BoxSize& size) {
     case AgentClass::kEmergencyVehicle:
       return 2.0;  // as vans
     // With a rider, own choice: seat of the lidar body and an adult's sitting height, 0.9 m. The
-    // medians of nuScenes, 1.47 and 1.28 m, are those of parked ones.
+    // medians of nuScenes, 1.47 and 1.28 m, are below the head of a rider.
     case AgentClass::kMotorcycle:
       return 0.8 + 0.9;
     case AgentClass::kBicycle:
