@@ -46,7 +46,6 @@ class ManoeuvreSearch {
  public:
   ManoeuvreSearch(const SearchInput& input, const AttackOptions& options)
       : input_(input),
-        options_(options),
         search_(options.search),
         route_(options.route),
         constraints_(input, options),
@@ -366,7 +365,6 @@ class ManoeuvreSearch {
   }
 
   const SearchInput& input_;
-  const AttackOptions& options_;
   const SearchOptions& search_;
   const RouteDriverOptions& route_;
   RequestConstraints constraints_;
