@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """usage: esmini_picture.py NAME.xosc OUT.png: draws esmini's play of a file, from its log over the lanes of NAME.xodr.
 
-Needs esmini in PATH or ESMINI, and matplotlib. Boxes are drawn every second, that of the last state filled.
+Needs esmini in PATH or ESMINI, and matplotlib. Boxes of ego and attacker are drawn every second up to their first contact (without one, to the end); the
+boxes of all entities at that time are filled.
 """
 import math
 import sys
@@ -50,12 +51,18 @@ def main(scenario, picture):
         for line in middle_lines(road):
             axes.plot([x + left for x, _ in line], [y + low for _, y in line], color='0.75', linewidth=0.8, zorder=0)
     sizes = sizes_of(path)
-    for name, states in play.places.items():
+    contact = play.contact()
+    shown = {name: [state for state in states if contact is None or state[0] <= contact]
+             for name, states in play.places.items()}
+    end = max(states[-1][0] for states in shown.values() if states)
+    for name, states in shown.items():
+        if not states or (name not in COLORS and states[-1][0] < end):  # appears later, or has disappeared
+            continue
         color = COLORS.get(name, '0.45')
         drawn = [*states[::EVERY], states[-1]] if name in COLORS else states[-1:]
         for state in drawn:
             box(axes, state[1:], sizes[name], color, state is drawn[-1])
-    ends = [state for name in COLORS for state in play.places[name]]
+    ends = [state for name in COLORS for state in shown[name]]
     axes.set_xlim(min(s[1] for s in ends) - AROUND, max(s[1] for s in ends) + AROUND)
     axes.set_ylim(min(s[2] for s in ends) - AROUND / 2, max(s[2] for s in ends) + AROUND / 2)
     axes.set_aspect('equal')

@@ -8,10 +8,10 @@
 namespace forge {
 namespace {
 
-// m between the boxes of attacker and queued vehicle, own choice, tried in this order.
-constexpr double kGaps[] = {2.0, 1.2, 3.0, 4.5, 6.0};
-constexpr double kFarthestGap = 6.0;   // m
-constexpr double kSameLane = 1.5;      // m between the paths of both
+// Own choices, as all numbers here.
+constexpr double kFarthestGap = 6.0;  // m between the boxes of attacker and queued vehicle
+constexpr double kGaps[] = {2.0, 1.2, 3.0, 4.5, kFarthestGap};  // m, tried in this order
+constexpr double kSameLane = 1.5;                               // m between the paths of both
 constexpr double kLaneDistance = 2.0;  // m from the attacker to the middle of its lane
 constexpr double kLaneHeading = 0.6;   // rad
 

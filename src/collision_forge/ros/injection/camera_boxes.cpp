@@ -135,7 +135,7 @@ std::vector<visualization_msgs::ImageMarker> CameraBoxes::mark(
   for (const std::string& agent : counts.shown) {
     if (shown.count(agent) == 0) add(agent).action = visualization_msgs::ImageMarker::REMOVE;
   }
-  if (!shown.empty()) ++counts.marked;
+  counts.marked += shown.count(attacker_);
   counts.shown = std::move(shown);
   return markers;
 }

@@ -40,13 +40,13 @@ class CameraBoxes {
       const std::string& topic, const sensor_msgs::CameraInfo& info,
       const std::vector<collision_forge::Agent>& agents);
 
-  /// Returns one line per camera: the number of its pictures with a box.
+  /// Returns one line per camera: the number of its pictures with the attacker's box.
   std::vector<std::string> summary() const;
 
  private:
   struct Counts {
     std::size_t pictures = 0;
-    std::size_t marked = 0;
+    std::size_t marked = 0;       ///< with the attacker's box
     std::size_t unplaced = 0;     ///< without transform
     std::set<std::string> shown;  ///< ids of the agents in the newest picture
   };
