@@ -24,7 +24,7 @@ def control_fields(*, attacker: str = '', choice: str = '', mode: str = '', seed
     attacker_class, manoeuvre, ego_side: any by default
     impact_speed: (least, greatest), m/s, norm of the relative velocity at contact
     overlap: (least, greatest) share of the ego's touched side that the attacker covers, [0, 1]
-    turning: vehicle that turns in type ltap, attacker (default) or ego
+    turning: vehicle that must turn: ego (ltap, junction_crossing, angle types) or attacker (default; ltap)
     from_side: side of the ego from which the attacker comes, left or right
     attacker_speed: (least, greatest), m/s at contact; the next six are pairs, too
     deceleration: m/s2, of the attacker, mean over the last 0.5 s before the contact

@@ -13,6 +13,10 @@ BAY_EDGES = ("Ae_U", "U_Ae", "U_T", "T_U")
 BAY_DEPTH = 2.3
 BAY_LENGTH = 6.2
 BAY_MARGIN = 28.0           # metres at both ends of a road without bays
+DRIVE_EDGES = ("D_S", "S_D", "S_U", "U_S", "U_N", "N_U", "T_C", "C_T")
+DRIVE_WIDTH = 5.0
+DRIVE_DEPTH = 9.0           # metres from the kerb, over the walkway
+DRIVE_SPACING = 35.0
 LAYERS = ("polygon", "line", "node", "drivable_area", "road_segment", "road_block", "lane",
           "ped_crossing", "walkway", "stop_line", "carpark_area", "road_divider", "lane_divider",
           "traffic_light", "lane_connector")
@@ -148,6 +152,23 @@ def bay_strips(network, left_hand):
         yield name, [corners[0][0], corners[1][0], corners[1][1], corners[0][1]]
 
 
+def drives(network, left_hand):
+    """Yield (name, polygon) of the drives beside the roads."""
+    side = outward(left_hand)
+    for name in DRIVE_EDGES:
+        lane = driven_lanes(network.edges[name])[0]
+        lengths = cumulative_lengths(lane.shape)
+        for number in range(1, int((lengths[-1] - BAY_MARGIN) / DRIVE_SPACING) + 1):
+            s = number * DRIVE_SPACING
+            before = point_at(lane.shape, lengths, s - DRIVE_WIDTH / 2.0)
+            after = point_at(lane.shape, lengths, s + DRIVE_WIDTH / 2.0)
+            across = math.atan2(after[1] - before[1], after[0] - before[0]) + side * math.pi / 2.0
+            kerb = lane.width / 2.0
+            yield f"{name} {number}", [shifted(end, across, out) for end, out in (
+                (before, kerb), (after, kerb), (after, kerb + DRIVE_DEPTH),
+                (before, kerb + DRIVE_DEPTH))]
+
+
 def add_lanes(builder, network):
     """Add lanes and lane connectors; return centrelines, connectivity and connector polygons."""
     ways = {c.way.name: c.way for c in network.connections if c.way.is_car}
@@ -173,7 +194,7 @@ def add_lanes(builder, network):
 
 
 def add_surfaces(builder, network, connectors, left_hand):
-    """Add road segments and the drivable area, which includes connectors and parking bays."""
+    """Add road segments, drives, and the drivable area: also connectors and parking bays."""
     area = builder.token("drivable_area", "all")
     polygons = list(connectors)
     for name, edge in network.edges.items():
@@ -190,6 +211,8 @@ def add_surfaces(builder, network, connectors, left_hand):
     polygons += [builder.polygon(f"bays {name}", points)
                  for name, points in bay_strips(network, left_hand)]
     builder.add("drivable_area", "all", polygon_tokens=polygons)
+    for name, points in drives(network, left_hand):
+        builder.add("carpark_area", name, polygon_token=builder.polygon(f"drive {name}", points))
 
 
 def add_crossings(builder, network):

@@ -124,7 +124,7 @@ void addControls(CLI::App& app, RequestControls& controls) {
   addChoice<std::optional<Turning>>(
       app, "--turning", controls.turning,
       wordsOf<Turning>(std::vector<Turning>{Turning::kAttacker, Turning::kEgo}),
-      "vehicle that turns in type ltap; default: attacker");
+      "vehicle that must turn: ego in ltap, junction_crossing and angle types; default: attacker");
   addChoice<std::optional<Side>>(app, "--from-side", controls.from_side,
                                  wordsOf<Side>(std::vector<Side>{Side::kLeft, Side::kRight}),
                                  "side of the ego from which the attacker comes; default: any");

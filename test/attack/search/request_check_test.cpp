@@ -279,6 +279,22 @@ TEST(CheckRequest, NamesConditionsThatContradictEachOther) {
   expect_contradiction(request, {"turn_across_path", "turning = ego", "straight_crossing"});
 
   request = asking(4.0);
+  request.type = CollisionType::kJunctionCrossing;
+  request.manoeuvre = Manoeuvre::kBackOut;
+  EXPECT_EQ(checkRequest(request, twoCars(), kOptions).code, StatusCode::kOk);
+  request.attacker_class = AgentClass::kBicycle;
+  expect_contradiction(request, {"back_out", "attacker_class = bicycle"});
+  request.attacker_class.reset();
+  request.choice = AttackerChoice::kExisting;
+  expect_contradiction(request, {"back_out", "choice = existing"});
+  request.choice = AttackerChoice::kAny;
+  request.mode = Mode::kAdaptive;
+  expect_contradiction(request, {"back_out", "mode = adaptive"});
+  request.mode = Mode::kHistory;
+  request.crash.believable = false;
+  expect_contradiction(request, {"back_out", "believable = false"});
+
+  request = asking(4.0);
   request.from_side = Side::kLeft;
   expect_contradiction(request, {"from_side = left", "rear_end"});
   request.type = CollisionType::kLaneChange;

@@ -39,9 +39,9 @@ class MeasuredConditionsTest : public testing::Test {
 };
 
 TEST_F(MeasuredConditionsTest, OfALeaderThatBrakes) {
-  const ContactConditions measured = measure({25.0, 0.3, 0.0}, 10.0, 4.0, 1.0, Side::kRear);
-  EXPECT_NEAR(measured.attacker_speed, 10.0 - 4.0 * 3.0, 1e-9);
-  EXPECT_NEAR(measured.deceleration, 4.0, 1e-9);
+  const ContactConditions measured = measure({25.0, 0.3, 0.0}, 10.0, 3.0, 1.0, Side::kRear);
+  EXPECT_NEAR(measured.attacker_speed, 10.0 - 3.0 * 3.0, 1e-9);
+  EXPECT_NEAR(measured.deceleration, 3.0, 1e-9);
   const double gap = std::hypot(25.0, 0.3) - 0.5 * (kEgoSize.length + kCarSize.length);
   EXPECT_NEAR(measured.gap, gap, 1e-9);
   EXPECT_NEAR(measured.headway, gap / 10.0, 1e-9) << "the ego is behind";

@@ -143,11 +143,53 @@ TEST(EgoTurns, ToTheLeftByMoreThanTheAttackerAndMirrored) {
   band.max_heading = M_PI - 0.2;
   for (const auto& [side, left] :
        {std::pair(DrivingSide::kRight, 1.0), {DrivingSide::kLeft, -1.0}}) {
-    EXPECT_TRUE(egoTurns(left * 0.3, 0.1, band, side));
-    EXPECT_FALSE(egoTurns(left * 0.19, 0.1, band, side)) << "less than the band leaves";
-    EXPECT_FALSE(egoTurns(-left * 0.3, 0.1, band, side)) << "to the other side";
-    EXPECT_FALSE(egoTurns(left * 0.3, -0.31, band, side)) << "the attacker turns more";
+    const auto turns = [&, traffic = side](double ego_turn, double attacker_turn) {
+      return egoTurns(CollisionType::kLtap, {ego_turn, attacker_turn, 0.0}, false, band, traffic);
+    };
+    EXPECT_TRUE(turns(left * 0.3, 0.1));
+    EXPECT_FALSE(turns(left * 0.19, 0.1)) << "less than the band leaves";
+    EXPECT_FALSE(turns(-left * 0.3, 0.1)) << "to the other side";
+    EXPECT_FALSE(turns(left * 0.3, -0.31)) << "the attacker turns more";
   }
+}
+
+TEST(EgoTurns, AtACrossingByThirtyDegreesAndMoreThanAVehicle) {
+  const auto turns = [](double ego_turn, double attacker_turn) {
+    return egoTurns(CollisionType::kAngleSameDirection, {ego_turn, attacker_turn, 0.7}, false, {},
+                    DrivingSide::kRight);
+  };
+  for (const double side : {1.0, -1.0}) {
+    EXPECT_TRUE(turns(side * 0.53, 0.5)) << side;
+    EXPECT_FALSE(turns(side * 0.52, 0.0)) << side << ": below 30 degrees";
+    EXPECT_FALSE(turns(side * 0.7, -0.71)) << side << ": the attacker turns more";
+  }
+}
+
+TEST(EgoTurns, TowardsPeopleWhoCrossTheArm) {
+  const auto turns = [](double ego_turn, double relative_heading) {
+    return egoTurns(CollisionType::kJunctionCrossing, {ego_turn, 1.5, relative_heading}, true, {},
+                    DrivingSide::kRight);
+  };
+  for (const double left : {1.0, -1.0}) {
+    EXPECT_TRUE(turns(left * 1.4, -left * 1.5)) << "as the ego drove at t0";
+    EXPECT_TRUE(turns(left * 1.4, left * 1.6)) << "towards where the ego was at t0";
+    EXPECT_FALSE(turns(left * 0.8, -left * 1.5)) << "40 degrees to the ego's former direction";
+    EXPECT_FALSE(turns(left * 0.4, left * 1.5)) << "the ego hardly turns";
+  }
+}
+
+TEST(BandsOf, ATurningEgoAllowsAnyApproach) {
+  CrashDefinition crash;
+  crash.types[CollisionType::kJunctionCrossing] = {1.4, 1.7, 1.6, 0.8, 2.4};
+  crash.ltap_ego_turns.min_heading = 1.75;
+  const TypeDefinition turning = bandsOf(CollisionType::kJunctionCrossing, Turning::kEgo, crash);
+  EXPECT_EQ(turning.min_heading, 1.4);
+  EXPECT_TRUE(approachFits(0.0, turning));
+  EXPECT_TRUE(approachFits(M_PI, turning));
+  EXPECT_FALSE(
+      approachFits(0.0, bandsOf(CollisionType::kJunctionCrossing, Turning::kAttacker, crash)));
+  EXPECT_EQ(bandsOf(CollisionType::kLtap, Turning::kEgo, crash).min_heading, 1.75);
+  EXPECT_THROW(bandsOf(CollisionType::kLtap, Turning::kAttacker, crash), std::out_of_range);
 }
 
 }  // namespace

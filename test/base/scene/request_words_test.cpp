@@ -63,6 +63,7 @@ TEST(RequestWords, ManoeuvresLeadToTheirPreCrashScenariosType) {
   EXPECT_EQ(typeOf(Manoeuvre::kPullOut), CollisionType::kLaneChange);
   EXPECT_EQ(typeOf(Manoeuvre::kWrongWay), CollisionType::kOppositeDirection);
   EXPECT_EQ(typeOf(Manoeuvre::kTurnIntoPath), CollisionType::kJunctionCrossing);
+  EXPECT_EQ(typeOf(Manoeuvre::kBackOut), CollisionType::kJunctionCrossing);
   EXPECT_EQ(typeOf(Manoeuvre::kTurnAcrossPath), CollisionType::kLtap);
 }
 

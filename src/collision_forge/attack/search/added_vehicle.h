@@ -48,9 +48,9 @@ std::string newVehicleId(const Snapshot& past, const std::vector<AddedVehicle>& 
 AddedVehicles addVehicles(const AddedVehicleInput& input, const AttackOptions& options);
 
 /// Returns the attack with the greatest scoreOf() by `vehicles`, the result of addVehicles() or
-/// addWalkers() for this input, with the vehicle's past in its trajectory; without an attack, the
-/// reason. Calls `realizer` with `motion` once for all car-like vehicles (isCarLike()) and, unless
-/// scoreOf() of their attack is at least SearchOptions::good_share, once for all others.
+/// addFromRoadside() for this input, with the vehicle's past in its trajectory; without an attack,
+/// the reason. Calls `realizer` with `motion` once for all car-like vehicles (isCarLike()) and,
+/// unless scoreOf() of their attack is at least SearchOptions::good_share, once for all others.
 /// `input.snapshot` must not contain the vehicles, and the request must not name an attacker.
 /// Throws as TrajectoryRealizer::realize().
 Attack realizeByAdded(const AddedVehicles& vehicles, const AddedVehicleInput& input,

@@ -93,7 +93,7 @@ AimedArrival ArrivalSampler::own(const Contender& contender, const Aim& aim, boo
 }
 
 AimedArrival ArrivalSampler::wide(const Contender& contender, const Aim& aim, bool steady) {
-  const TypeDefinition& type = input_.request.bands();
+  const TypeDefinition type = input_.request.bands();
   const SearchOptions& search = options_.search;
   AimedArrival aimed;
   aimed.ego = egos_[random_.index(egos_.size())];

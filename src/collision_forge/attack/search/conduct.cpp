@@ -4,6 +4,7 @@
 
 #include "collision_forge/attack/search/walker_path.h"
 #include "collision_forge/attack/verify/believability.h"
+#include "collision_forge/attack/verify/reversing.h"
 #include "collision_forge/attack/verify/step_out.h"
 #include "collision_forge/attack/verify/verification.h"
 
@@ -15,6 +16,9 @@ namespace {
 constexpr double kStarts[] = {1.6, 2.3, 3.2};
 // Cost per second off the lane before before_contact of config/believability.yaml.
 constexpr double kDepartureWeight = 0.2;
+// m/s and m/s2 from rest of drivers who reverse into a road: fast, usual, slow. Own choice.
+constexpr double kBackingSpeeds[] = {2.4, 1.6, 1.0};
+constexpr double kBackingAcceleration = 1.0;
 
 class DrivingConduct : public Conduct {
  public:
@@ -72,11 +76,41 @@ class WalkingConduct : public Conduct {
   const LaneIndex& lanes_;
 };
 
+/// A vehicle that reverses out of a bay or a drive.
+class BackingConduct : public Conduct {
+ public:
+  BackingConduct(const SearchInput& input, const BelievabilityOptions& options)
+      : lanes_(input.lanes), options_(options) {}
+
+  std::vector<double> startsBefore(double distance) const override {
+    std::vector<double> starts;
+    for (const double speed : kBackingSpeeds) {
+      starts.push_back(std::max(0.0, distance) / speed + 0.5 * speed / kBackingAcceleration);
+    }
+    return starts;
+  }
+  RoadVerdict judge(const std::vector<TrajectoryPoint>& points, const BoxSize& size,
+                    double contact) const override {
+    RoadVerdict verdict;
+    verdict.road.on_lane = 1.0;  // it crosses lanes
+    verdict.is_believable = implausibleReversing(points, size, contact, lanes_, options_).empty();
+    return verdict;
+  }
+  double departureCost(double) const override { return 0.0; }
+
+ private:
+  const LaneIndex& lanes_;
+  const BelievabilityOptions& options_;
+};
+
 }  // namespace
 
 std::unique_ptr<const Conduct> conductOf(AgentClass agent_class, const SearchInput& input,
                                          const VerificationOptions& options) {
   if (isOnFoot(agent_class)) return std::make_unique<WalkingConduct>(agent_class, input);
+  if (input.request.reverses()) {
+    return std::make_unique<BackingConduct>(input, options.believability);
+  }
   return std::make_unique<DrivingConduct>(input, options.believability);
 }
 

@@ -8,6 +8,7 @@
 #include "collision_forge/attack/search/placement.h"
 #include "collision_forge/attack/search/walker_path.h"
 #include "collision_forge/attack/verify/believability.h"
+#include "collision_forge/attack/verify/reversing.h"
 #include "collision_forge/attack/verify/verification.h"
 
 namespace forge {
@@ -85,10 +86,16 @@ std::unique_ptr<Contender> contenderOf(const Track& agent, const SearchInput& in
   if (motion.speed < kStandstillSpeed) motion.acceleration = 0.0;
   const CrashDefinition& crash = input.request.crash;
   if (crash.limits == LimitSet::kDrivable || crash.believable || input.underway != nullptr) {
-    entry->limits = driveLimitsOf(agent, options.verification);
+    const bool reverses = input.request.reverses();
+    entry->limits = reverses ? reversingLimits(agent, options.verification)
+                             : driveLimitsOf(agent, options.verification);
     entry->driver.emplace(entry->limits, kLimitShare, kPreview, options.search.step);
-    entry->drive_start = input.underway != nullptr ? input.underway->state
-                                                   : driveStateNow(agent, options.verification);
+    if (input.underway != nullptr) {
+      entry->drive_start = input.underway->state;
+    } else {
+      entry->drive_start = reverses ? reversingStateNow(agent, options.verification)
+                                    : driveStateNow(agent, options.verification);
+    }
   }
   if (input.isByRoutes()) {
     entry->conduct = conductOf(agent.agent_class, input, options.verification);

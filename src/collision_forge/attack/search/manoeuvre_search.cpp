@@ -20,6 +20,7 @@
 #include "collision_forge/attack/search/route_drafts.h"
 #include "collision_forge/attack/search/route_driver.h"
 #include "collision_forge/attack/verify/drive_check.h"
+#include "collision_forge/attack/verify/reversing.h"
 
 namespace forge {
 namespace {
@@ -207,6 +208,7 @@ class ManoeuvreSearch {
     style = speed->style;
     candidate.route->plan(plan, course_, search_.step, count, planned_);
     contender.driver->drive(contender.drive_start, input_.snapshot.now, planned_, points_);
+    if (input_.request.reverses()) turnRound(points_);
     return true;
   }
 
@@ -247,14 +249,16 @@ class ManoeuvreSearch {
     const double until = now + input_.request.tta + input_.request.crash.time_tolerance;
     // The current plan is kept for comparison whatever its limits.
     const bool may_be_any = candidate.is_underway;
+    if (input_.request.reverses()) turnRound(points_);
     const auto broken = findBrokenDrive(points_, contender.drive_start, until, contender.limits);
+    if (input_.request.reverses()) turnRound(points_);
     if (broken && !may_be_any) return;
     candidate.verdict =
         contender.conduct->judge(whole(), contender.track->size, now + candidate.draft.contact);
     const RoadUse& road = candidate.verdict.road;
     candidate.objective -= kOffLaneWeight * (1.0 - road.on_lane) + kOffRoadWeight * road.off_road +
                            kWrongWayWeight * road.wrong_way;
-    if (road.on_walkway > 0.0 && !may_be_any) return;
+    if (road.on_walkway > 0.0 && !input_.request.reverses() && !may_be_any) return;
     if ((!candidate.verdict.is_believable && !may_be_any) || !meetsRequest(candidate)) {
       candidate.objective -= kConstraintPenalty;
     }
@@ -280,9 +284,10 @@ class ManoeuvreSearch {
   /// Returns the contender's pattern nearest to the draft's contact.
   const Aim* nearestAim(const Candidate& candidate) const {
     const Contender& contender = *candidate.contender;
-    const Pose2 offset =
+    Pose2 offset =
         attackerOffset(input_.snapshot.ego.size, contender.track->size, candidate.draft.side,
                        candidate.draft.heading, candidate.draft.contact_position, 0.0);
+    if (input_.request.reverses()) offset.yaw = wrapAngle(offset.yaw + M_PI);
     const auto apart = [&](const Aim& aim) {
       return cornerMiss(missBetween(aim.pattern->attacker_offset, offset), contender.track->size);
     };

@@ -113,8 +113,10 @@ PatternPrediction KinematicPatternPredictor::predict(const Snapshot& snapshot,
                              numberText(request.tta) + " s after t0"};
     return prediction;
   }
-  if (request.crash.believable && !asksForPedestrian(request, snapshot) &&
-      !roadAllows(prediction.future, snapshot.now, request, lanes, believability_)) {
+  CollisionRequest on_road = request;
+  if (asksForPedestrian(request, snapshot)) on_road.attacker_class = AgentClass::kPedestrian;
+  if (request.crash.believable &&
+      !roadAllows(prediction.future, snapshot.now, on_road, lanes, believability_)) {
     prediction.status = {StatusCode::kRoadDoesNotAllow, roadRefusal(request)};
     return prediction;
   }

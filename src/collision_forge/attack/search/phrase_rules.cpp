@@ -87,6 +87,9 @@ const std::vector<PhraseRule> kFixedRules = {
      "(?:the )?(?:ego|we)(?: is| are)? turning",
      "type=ltap turning=ego"},
     {"(?:with )?(?:the )?ego turning|turning ego", "type=ltap turning=ego"},
+    {"(?:where|when|while|as|into which) (?:the )?(?:ego|we) (?:turns?|is turning|are turning)(?: "
+     "(?:left|right))?",
+     "turning=ego"},
     {"left turn across (?:the )?path(?: of)?(?: opposite direction)?|ltap(?:[ /]od)?", "type=ltap"},
     {"(?:turns?|turning|makes a|making a) left(?: turn)?(?: cuts)?(?: (?:across|in front of)(?: "
      "(?:our|the ego's|ego's))?(?: (?:path|lane))?)?|unprotected left(?: turn)?|left turner",
@@ -153,6 +156,11 @@ const std::vector<PhraseRule> kFixedRules = {
     // Vehicles beside.
     {"side ?swip(?:e|es|ed|ing)|scrap(?:e|es|ing)|sideswipe same direction",
      "type=sideswipe_same_direction"},
+    {"(?:backs?|backing|revers(?:es|ing)) (?:out|into|up|onto)?(?: ?(?:of|from|into|onto))?(?: "
+     "?(?:a|the|our|its) "
+     "(?:drive(?:way)?|parking (?:space|place|bay|lot|spot)|bay|car "
+     "park|garage|yard|road|street|lane|path))*|back(?:ing)? out",
+     "manoeuvre=back_out"},
     {"pull(?:s|ing)? (?:out|away|off)(?: (?:in front of|into|of|from the "
      "stop|from|onto))?|leav(?:es|ing) (?:a|the) (?:parking (?:space|place|bay|lot|spot)|parked "
      "position)|parking (?:space|bay|place|spot)|from the kerb",

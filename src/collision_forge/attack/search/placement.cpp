@@ -64,7 +64,7 @@ std::vector<Placement> placementsOf(CollisionType type, DrivingSide driving_side
 std::vector<HeadedPlacement> placementsAlong(double direction, const CollisionRequest& request,
                                              DrivingSide driving_side, double margin,
                                              double max_lean) {
-  const TypeDefinition& band = request.bands();
+  const TypeDefinition band = request.bands();
   const double low = band.min_heading > kBandEnd ? band.min_heading + margin : 0.0;
   const double high = band.max_heading < M_PI - kBandEnd ? band.max_heading - margin : M_PI;
   const double nearest = std::clamp(std::abs(direction), low, std::max(low, high));

@@ -157,6 +157,20 @@ Status checkConditions(const CollisionRequest& request) {
     return contradicts("queue = true requires manoeuvre = lead_stopped, not manoeuvre = ",
                        toString(*manoeuvre));
   }
+  if (request.reverses()) {
+    if (request.attacker || request.choice == AttackerChoice::kExisting) {
+      return contradicts("manoeuvre = back_out is by an added vehicle and contradicts ",
+                         request.attacker ? "attacker_id" : "choice = existing");
+    }
+    if (request.attacker_class && !isCarLike(*request.attacker_class)) {
+      return contradicts("manoeuvre = back_out contradicts attacker_class = ",
+                         toString(*request.attacker_class), ", which does not reverse");
+    }
+    if (!request.crash.believable || request.mode == Mode::kAdaptive) {
+      return contradicts("manoeuvre = back_out is not supported with ",
+                         request.crash.believable ? "mode = adaptive" : "believable = false");
+    }
+  }
   const bool keeps_speed =
       manoeuvre == Manoeuvre::kLeadStopped || manoeuvre == Manoeuvre::kLeadSlow;
   if (keeps_speed && request.deceleration && request.deceleration->min > kBrakingLead) {
@@ -210,9 +224,11 @@ Status checkControls(const CollisionRequest& request) {
     return refuse(StatusCode::kInvalidInput, "attacker_class = ", toString(*request.attacker_class),
                   " cannot attack");
   }
-  if (request.turning == Turning::kEgo && request.type != CollisionType::kLtap) {
+  if (request.turning == Turning::kEgo && !mayAskForEgoTurn(request.type)) {
     return refuse(StatusCode::kInvalidInput,
-                  "turning = ego requires type = ltap, not type = ", toString(request.type));
+                  "turning = ego requires type = ltap, junction_crossing, angle_same_direction or "
+                  "angle_opposite_direction, not type = ",
+                  toString(request.type));
   }
   if (request.manoeuvre && !isManoeuvreOf(*request.manoeuvre, request.type, request.turning)) {
     return refuse(StatusCode::kInvalidInput, "manoeuvre = ", toString(*request.manoeuvre),

@@ -4,12 +4,12 @@
 #include <utility>
 
 #include "collision_forge/attack/search/added_vehicle.h"
-#include "collision_forge/attack/search/added_walkers.h"
 #include "collision_forge/attack/search/cut_out_leader.h"
 #include "collision_forge/attack/search/judge.h"
 #include "collision_forge/attack/search/parked_vehicle.h"
 #include "collision_forge/attack/search/queued_vehicle.h"
 #include "collision_forge/attack/search/request_check.h"
+#include "collision_forge/attack/search/roadside.h"
 #include "collision_forge/attack/verify/verification.h"
 #include "collision_forge/base/scene/support_vehicles.h"
 
@@ -24,7 +24,7 @@ bool mayBeAdded(const Attack& existing, const Moment& moment, const CollisionReq
   switch (existing.status.code) {
     case StatusCode::kOk:
       // Not if the result already has the greatest possible score.
-      return request.choice == AttackerChoice::kNew ||
+      return request.choice == AttackerChoice::kNew || request.reverses() ||
              scoreOf(existing) + options.added.preference < options.search.confidence_curve.back();
     case StatusCode::kNoCandidate:
     case StatusCode::kNoAttackWithinLimits:
@@ -217,9 +217,10 @@ SearchMethod::Found SearchMethod::search(const Moment& moment,
   const VerificationInput input{moment.snapshot, prediction.future, request, *moment.lanes};
   const AddedVehicleInput added_input{moment.snapshot, moment.past.get(), prediction.future,
                                       request, *moment.lanes};
-  const bool may_exist = request.attacker || request.choice != AttackerChoice::kNew;
+  const bool may_exist =
+      !request.reverses() && (request.attacker || request.choice != AttackerChoice::kNew);
   const bool has_patterns = may_exist && prediction.status.code == StatusCode::kOk;
-  const bool walks = asksForPedestrian(request, moment.snapshot);
+  const bool from_roadside = request.reverses() || asksForPedestrian(request, moment.snapshot);
   std::optional<AddedVehicles> vehicles;
   const auto answerBy = [&](SearchedMotion motion) {
     const Attack existing =
@@ -227,19 +228,21 @@ SearchMethod::Found SearchMethod::search(const Moment& moment,
                      : rejection(prediction.status);
     if (!mayBeAdded(existing, moment, request, options_)) return existing;
     if (!vehicles) {
-      vehicles = walks ? addWalkers(added_input, options_) : addVehicles(added_input, options_);
+      vehicles = from_roadside ? addFromRoadside(added_input, options_)
+                               : addVehicles(added_input, options_);
     }
     const Attack added = realizeByAdded(*vehicles, added_input, options_, *realizer_, motion);
     return isPreferred(added, existing, may_exist, options_.added) ? added : existing;
   };
 
   if (!may_exist && (!request.crash.believable || moment.lanes->map().lanes.empty())) {
-    return withFuture(rejection({StatusCode::kNoCandidate,
-                                 "choice = new requires believable = true and a map with lanes"}));
+    return withFuture(
+        rejection({StatusCode::kNoCandidate,
+                   "an added vehicle requires believable = true and a map with lanes"}));
   }
   const Attack answer = answerBy(SearchedMotion::kByRoutes);
-  // Pedestrians are searched on paths alone.
-  if (answer.status.code == StatusCode::kOk || !request.crash.believable || walks) {
+  // Attackers from the roadside are searched on paths alone.
+  if (answer.status.code == StatusCode::kOk || !request.crash.believable || from_roadside) {
     return withFuture(answer);
   }
   const Attack other = answerBy(SearchedMotion::kAny);

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "collision_forge/attack/verify/reversing.h"
 #include "collision_forge/base/geometry/arc_path.h"
 #include "collision_forge/base/scene/number_words.h"
 
@@ -121,7 +122,7 @@ RoadUse roadUseOf(const std::vector<TrajectoryPoint>& points, const BoxSize& siz
 /// widened by `slack` (rad).
 bool directionFits(double relative_heading, const CollisionRequest& request,
                    DrivingSide driving_side, double slack) {
-  const TypeDefinition& band = request.bands();
+  const TypeDefinition band = request.bands();
   if (request.type == CollisionType::kLtap &&
       relative_heading * ltapSign(request.turning, driving_side) < 0.0) {
     return false;
@@ -130,15 +131,41 @@ bool directionFits(double relative_heading, const CollisionRequest& request,
   return size >= band.min_heading - slack && size <= band.max_heading + slack;
 }
 
+bool isByWalker(const CollisionRequest& request) {
+  return request.attacker_class && isOnFoot(*request.attacker_class);
+}
+
+/// Returns true if an attacker of the requested kind can come to the ego's box: on a lane, on foot,
+/// or out of a bay.
+bool hasWayTo(const OrientedBox& ego, const CollisionRequest& request, const LaneIndex& lanes,
+              const BelievabilityOptions& options) {
+  if (isByWalker(request)) return true;
+  if (!request.reverses()) return !fittingLanes(ego, request, lanes, options).empty();
+  constexpr BoxSize kCar{4.6, 1.8};  // m
+  for (const double sign : {-1.0, 1.0}) {
+    const double heading = sign * request.bands().nominal_heading;
+    if (bayBehind(compose(ego.center, {0.0, 0.0, heading}), kCar, lanes)) return true;
+  }
+  return false;
+}
+
 struct RoadRefusal {
   const char* type;
   const char* reason;
 };
 
 RoadRefusal roadRefusalOf(const CollisionRequest& request) {
+  if (request.reverses()) {
+    return {"backing out", "the map has no bay and no drive beside the ego's path"};
+  }
   if (request.turning == Turning::kEgo) {
-    return {"left turn of the ego across path",
-            "the ego does not turn across a lane of the opposite direction"};
+    if (request.type == CollisionType::kLtap) {
+      return {"left turn of the ego across path",
+              "the ego does not turn across a lane of the opposite direction"};
+    }
+    return {"collision of a turning ego",
+            isByWalker(request) ? "the ego does not turn by 30 degrees"
+                                : "the ego does not turn by 30 degrees onto or across a lane"};
   }
   switch (request.type) {
     case CollisionType::kRearEnd:
@@ -216,7 +243,9 @@ std::vector<FittingLane> fittingLanes(const OrientedBox& ego, const CollisionReq
 RoadUse roadUseOfAttack(const std::vector<TrajectoryPoint>& points, const BoxSize& size,
                         double contact, const LaneIndex& lanes,
                         const BelievabilityOptions& options) {
-  const auto moves = [](const TrajectoryPoint& point) { return point.speed > kStandstill; };
+  const auto moves = [](const TrajectoryPoint& point) {
+    return std::abs(point.speed) > kStandstill;
+  };
   const auto first = std::find_if(points.begin(), points.end(), moves);
   const bool pulls_out = first != points.begin();
   const double until = contact - (pulls_out ? options.pull_out : options.before_contact);
@@ -273,16 +302,17 @@ bool roadAllows(const Track& ego, double now, const CollisionRequest& request,
                          return roadAllows(ego, now, one, lanes, options);
                        });
   }
+  const DrivingSide driving_side = lanes.map().driving_side;
   const LaneIndex& driven = drivenLanes(request, lanes);
   const Pose2 start = stateAt(ego, now).value_or(ego.states.front()).pose;
   for (const double share : {0.0, -0.5, 0.5, -1.0, 1.0}) {
     const double time = now + request.tta + share * request.crash.time_tolerance;
     const Pose2 pose = stateAt(ego, time).value_or(ego.states.back()).pose;
     const OrientedBox box = boxAt(ego, pose);
-    const bool turns =
-        request.turning == Turning::kAttacker ||
-        egoTurns(angleBetween(start.yaw, pose.yaw), 0.0, request.bands(), lanes.map().driving_side);
-    if (turns && !fittingLanes(box, request, driven, options).empty()) return true;
+    const TurnHeadings headings{angleBetween(start.yaw, pose.yaw), 0.0, 0.0};
+    const bool turns = request.turning == Turning::kAttacker ||
+                       egoTurns(request.type, headings, false, request.bands(), driving_side);
+    if (turns && hasWayTo(box, request, driven, options)) return true;
   }
   return false;
 }

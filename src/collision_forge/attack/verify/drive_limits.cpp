@@ -112,6 +112,7 @@ void readOptions(Section& section, DriveLimitOptions& options) {
   options.van_length = lengths.positive("van");
   options.truck_length = lengths.positive("truck");
   lengths.finish();
+  options.max_reverse_speed = section.positive("max_reverse_speed");
 }
 
 }  // namespace forge

@@ -63,9 +63,10 @@ struct DriveLimitOptions {
   /// In the order of kVehicleClasses; here wheelbase is a share 0..1 of the box length and
   /// axle_to_middle is unused.
   std::array<DriveLimits, kVehicleClasses.size()> rows;
-  double car_length = 0.0;    ///< m; a longer car counts as a van
-  double van_length = 0.0;    ///< m; a shorter truck counts as a van (pick-ups)
-  double truck_length = 0.0;  ///< m; a longer truck counts as articulated
+  double car_length = 0.0;         ///< m; a longer car counts as a van
+  double van_length = 0.0;         ///< m; a shorter truck counts as a van (pick-ups)
+  double truck_length = 0.0;       ///< m; a longer truck counts as articulated
+  double max_reverse_speed = 0.0;  ///< m/s, of all classes
 };
 
 /// Returns the class whose limits apply to an agent of this class and box size. Only cars and
@@ -93,8 +94,8 @@ struct DriveState {
 /// kStandstillSpeed, or one that reverses, stands with straight wheels.
 DriveState driveStateOf(const Motion& motion, const DriveLimits& limits);
 
-/// Reads the keys `drivable` and `lengths`; kEmergency has no key and gets the limits of kVan.
-/// Throws ConfigError for a missing key or a value out of range.
+/// Reads the keys `drivable`, `lengths` and `max_reverse_speed`; kEmergency has no key and gets the
+/// limits of kVan. Throws ConfigError for a missing key or a value out of range.
 void readOptions(Section& section, DriveLimitOptions& options);
 
 }  // namespace forge

@@ -156,6 +156,10 @@ bool isAtJunction(const TrajectoryPoint& point, const VerificationInput& input,
 
 DetectedManoeuvre detectCrossing(const Window& window, const VerificationInput& input,
                                  const VerificationOptions& options) {
+  if (window.last().speed < 0.0) {
+    return {Manoeuvre::kBackOut,
+            window.since([](const TrajectoryPoint& point) { return point.speed <= -kStanding; })};
+  }
   const auto atJunction = [&](const TrajectoryPoint& point) {
     return isAtJunction(point, input, options);
   };

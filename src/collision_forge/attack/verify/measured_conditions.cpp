@@ -28,7 +28,9 @@ Vector2 middleOf(Side side, const BoxSize& size) {
 
 /// Returns ContactConditions::departure_time.
 double departureTime(const std::vector<TrajectoryPoint>& points, double contact) {
-  const auto moves = [](const TrajectoryPoint& point) { return point.speed > kDepartureSpeed; };
+  const auto moves = [](const TrajectoryPoint& point) {
+    return std::abs(point.speed) > kDepartureSpeed;
+  };
   const auto first = std::find_if(points.begin(), points.end(), moves);
   if (first == points.begin() || first == points.end() || first->time > contact) {
     return kNoDeparture;
@@ -52,11 +54,12 @@ ContactConditions measuredConditions(const AttackerTrajectory& trajectory,
   const Track& ego = future.ego;
   ContactConditions measured;
   const double contact = report.contact_time;
-  measured.attacker_speed = pointAt(trajectory.points, contact).speed;
+  measured.attacker_speed = std::abs(pointAt(trajectory.points, contact).speed);
   const double begin = std::max(contact - kBrakedFor, trajectory.points.front().time);
   if (contact > begin) {
     measured.deceleration =
-        (pointAt(trajectory.points, begin).speed - measured.attacker_speed) / (contact - begin);
+        (std::abs(pointAt(trajectory.points, begin).speed) - measured.attacker_speed) /
+        (contact - begin);
   }
   measured.lateral_speed = measured.attacker_speed * std::abs(std::sin(report.relative_heading));
   const Vector2 side = middleOf(report.attacker_side, trajectory.size);

@@ -16,6 +16,7 @@
 #include "collision_forge/attack/verify/limits.h"
 #include "collision_forge/attack/verify/manoeuvre_detection.h"
 #include "collision_forge/attack/verify/measured_conditions.h"
+#include "collision_forge/attack/verify/reversing.h"
 #include "collision_forge/attack/verify/step_out.h"
 #include "collision_forge/base/geometry/swept_contact.h"
 #include "collision_forge/base/scene/find_track.h"
@@ -103,10 +104,29 @@ CrashSeverity severityOfContact(const AttackerTrajectory& trajectory, const Trac
   return severityOf({ego.agent_class, ego.size, *stateAt(ego, time)}, other, options.severity);
 }
 
+/// `attacker`: its track up to t0, null if unknown.
+std::optional<BrokenLimit> findBrokenDrive(const AttackerTrajectory& trajectory,
+                                           const Track* attacker, double until, bool reverses,
+                                           const VerificationOptions& options) {
+  const Track box{trajectory.attacker_id, trajectory.agent_class, trajectory.size, {}};
+  if (!reverses) {
+    const DriveLimits limits = driveLimitsOf(box, options);
+    const DriveState start = attacker ? driveStateNow(*attacker, options)
+                                      : driveStateOf(trajectory.points.front(), limits);
+    return findBrokenDrive(trajectory.points, start, until, limits);
+  }
+  std::vector<TrajectoryPoint> travelled = trajectory.points;
+  turnRound(travelled);
+  const DriveLimits limits = reversingLimits(box, options);
+  const DriveState start =
+      attacker ? reversingStateNow(*attacker, options) : driveStateOf(travelled.front(), limits);
+  return findBrokenDrive(travelled, start, until, limits);
+}
+
 /// Sets whether the contact has the requested type and time.
 void judgeContact(const AttackerTrajectory& trajectory, const VerificationInput& input,
                   CollisionReport& report) {
-  const TypeDefinition& type = input.request.bands();
+  const TypeDefinition type = input.request.bands();
   report.type_kept = headingFits(report.relative_heading, type);
   if (input.request.crash.rules == TypeRules::kFull) {
     const TrajectoryPoint& start = trajectory.points.front();
@@ -121,9 +141,12 @@ void judgeContact(const AttackerTrajectory& trajectory, const VerificationInput&
                        contactFits(input.request.type, offset, input.future.ego.size,
                                    trajectory.size, driving_side, input.request.turning);
     if (input.request.turning == Turning::kEgo) {
-      const double ego_turn = angleBetween(ego_now.pose.yaw, report.ego_at_contact.yaw);
-      const double turn = angleBetween(start.pose.yaw, report.attacker_at_contact.yaw);
-      report.type_kept = report.type_kept && egoTurns(ego_turn, turn, type, driving_side);
+      const TurnHeadings headings{angleBetween(ego_now.pose.yaw, report.ego_at_contact.yaw),
+                                  angleBetween(start.pose.yaw, report.attacker_at_contact.yaw),
+                                  report.relative_heading};
+      const bool crosses_arm = isOnFoot(trajectory.agent_class) || isCycle(trajectory.agent_class);
+      report.type_kept = report.type_kept &&
+                         egoTurns(input.request.type, headings, crosses_arm, type, driving_side);
     }
   }
   const double elapsed = report.contact_time - input.snapshot.now;
@@ -196,11 +219,7 @@ CollisionReport verifyDrive(const AttackerTrajectory& trajectory, const Verifica
     broken = findBrokenLimit(trajectory.points, start_yaw, until, options.limits);
     if (!broken) broken = findBrokenPositions(trajectory.points, until, options.limits);
   } else {
-    const DriveLimits limits =
-        driveLimitsOf(trajectory.agent_class, trajectory.size, options.drivable);
-    const DriveState start = attacker ? driveStateNow(*attacker, options)
-                                      : driveStateOf(trajectory.points.front(), limits);
-    broken = findBrokenDrive(trajectory.points, start, until, limits);
+    broken = findBrokenDrive(trajectory, attacker, until, input.request.reverses(), options);
   }
   report.limits_kept = !broken;
   if (broken) report.broken_limit = describe(*broken);
@@ -245,10 +264,15 @@ CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationI
   report.road = roadUseOn(input.lanes);
   const LaneIndex& driven = drivenLanes(input.request, input.lanes);
   const RoadUse judged = &driven == &input.lanes ? report.road : roadUseOn(driven);
-  report.unbelievable = isOnFoot(trajectory.agent_class)
-                            ? implausibleWalk(stepOutOf(points, report.contact_time, input.lanes))
-                            : implausibilityOf(judged, points, trajectory.size, report.contact_time,
-                                               driven, believability);
+  if (isOnFoot(trajectory.agent_class)) {
+    report.unbelievable = implausibleWalk(stepOutOf(points, report.contact_time, input.lanes));
+  } else if (input.request.reverses()) {
+    report.unbelievable = implausibleReversing(points, trajectory.size, report.contact_time,
+                                               input.lanes, believability);
+  } else {
+    report.unbelievable = implausibilityOf(judged, points, trajectory.size, report.contact_time,
+                                           driven, believability);
+  }
   return report;
 }
 

@@ -26,7 +26,8 @@ std::optional<double> firstContactTime(const AttackerTrajectory& trajectory, con
                                        double end, double tolerance);
 
 /// Finds the attacker's first contact with the ego and any earlier contact with another agent, and
-/// checks the vehicle limits up to it; without a contact, up to the trajectory's last point. If ego
+/// checks the vehicle limits up to it; without a contact, up to the trajectory's last point. A
+/// requested Manoeuvre::kBackOut is checked in the direction of travel (reversingLimits()). If ego
 /// and attacker overlap at the first point, the report has no contact. Agents move linearly between
 /// the states of `input.future`. Leaves type_kept, on_time, the severity, road use, manoeuvre,
 /// off_road_share and confidence at their defaults. Throws std::invalid_argument if the trajectory
@@ -47,7 +48,8 @@ double offRoadShare(const AttackerTrajectory& trajectory, const CollisionReport&
 
 /// verifyMotion() and offRoadShare(); if there is a contact, also the severity (severityOf()), the
 /// manoeuvre (detectManoeuvre()), and the road use and plausibility (roadUseOfAttack(),
-/// implausibilityOf(), for people on foot implausibleWalk()), which verified() does not include.
+/// implausibilityOf(), for people on foot implausibleWalk(), for a requested Manoeuvre::kBackOut
+/// implausibleReversing()), which verified() does not include.
 /// Leaves confidence and careful_drivers at their defaults. Throws as verifyMotion() and
 /// severityOf().
 CollisionReport verify(const AttackerTrajectory& trajectory, const VerificationInput& input,

@@ -60,11 +60,12 @@ struct CollisionRequest {
   int alternatives = 1;
   // Further constraints on the attack; an empty field allows any value.
   std::optional<AgentClass> attacker_class;  ///< class that the attacker must have
-  std::optional<Manoeuvre> manoeuvre;    ///< that the attacker must use, CollisionReport::manoeuvre
-  std::optional<Side> ego_side;          ///< side of the ego's box that the attacker touches
-  std::optional<Range> impact_speed;     ///< m/s, of CollisionReport::impact_speed
-  std::optional<Range> overlap;          ///< share 0..1, of CollisionReport::overlap
-  Turning turning = Turning::kAttacker;  ///< who turns; read only for type kLtap
+  std::optional<Manoeuvre> manoeuvre;  ///< that the attacker must use, CollisionReport::manoeuvre
+  std::optional<Side> ego_side;        ///< side of the ego's box that the attacker touches
+  std::optional<Range> impact_speed;   ///< m/s, of CollisionReport::impact_speed
+  std::optional<Range> overlap;        ///< share 0..1, of CollisionReport::overlap
+  /// Vehicle that must turn; kEgo only with a type of mayAskForEgoTurn().
+  Turning turning = Turning::kAttacker;
   std::optional<Side> from_side;  ///< kLeft or kRight, ContactConditions::from_side: side of the
                                   ///< ego from which the attacker comes
   /// Kind of vehicle that must hide the attacker, ContactConditions::hidden_by.
@@ -83,12 +84,11 @@ struct CollisionRequest {
   std::optional<Range> visible_for;     ///< s
   CrashDefinition crash;                ///< set by the code that handles the request, not by users
 
-  /// Returns the heading bands of the requested type and `turning`. Throws std::out_of_range if
-  /// `crash` is not set or `type` is kAny.
-  const TypeDefinition& bands() const {
-    const bool ego_turns = type == CollisionType::kLtap && turning == Turning::kEgo;
-    return ego_turns ? crash.ltap_ego_turns : crash.types.at(type);
-  }
+  /// Returns true if the attacker must reverse (Manoeuvre::kBackOut).
+  bool reverses() const { return manoeuvre == Manoeuvre::kBackOut; }
+  /// Returns bandsOf() the requested type and `turning`. Throws std::out_of_range if `crash` is not
+  /// set or `type` is kAny.
+  TypeDefinition bands() const { return bandsOf(type, turning, crash); }
 };
 
 /// A request at a time t0 of a scene, one entry of a request list.

@@ -5,6 +5,9 @@
 namespace forge {
 namespace {
 
+constexpr double kLeastTurn = M_PI / 6.0;  // rad, of an ego that turns at a junction
+constexpr double kSkewAcrossArm = 0.5;     // sine of 30 degrees
+
 bool isWithin(double heading, double min, double max) {
   return std::abs(heading) >= min && std::abs(heading) <= max;
 }
@@ -22,6 +25,17 @@ bool meetsLengthwise(const Pose2& offset, const BoxSize& ego, const BoxSize& att
 bool isFlank(Side side) { return side == Side::kLeft || side == Side::kRight; }
 
 }  // namespace
+
+TypeDefinition bandsOf(CollisionType type, Turning turning, const CrashDefinition& crash) {
+  const bool ego_turns = turning == Turning::kEgo;
+  if (ego_turns && type == CollisionType::kLtap) return crash.ltap_ego_turns;
+  TypeDefinition bands = crash.types.at(type);
+  if (ego_turns) {
+    bands.min_approach = 0.0;
+    bands.max_approach = M_PI;
+  }
+  return bands;
+}
 
 CrashDefinition withClipRules(CrashDefinition crash) {
   crash.rules = TypeRules::kAngle;
@@ -66,10 +80,22 @@ double ltapSign(Turning turning, DrivingSide driving_side) {
   return (turning == Turning::kEgo) == (driving_side == DrivingSide::kRight) ? 1.0 : -1.0;
 }
 
-bool egoTurns(double ego_turn, double attacker_turn, const TypeDefinition& definition,
-              DrivingSide driving_side) {
-  const double left = driving_side == DrivingSide::kRight ? ego_turn : -ego_turn;
-  return left >= M_PI - definition.max_heading && left > std::abs(attacker_turn);
+bool mayAskForEgoTurn(CollisionType type) {
+  return type == CollisionType::kLtap || type == CollisionType::kJunctionCrossing ||
+         type == CollisionType::kAngleSameDirection ||
+         type == CollisionType::kAngleOppositeDirection;
+}
+
+bool egoTurns(CollisionType type, const TurnHeadings& headings, bool crosses_arm,
+              const TypeDefinition& definition, DrivingSide driving_side) {
+  const double turn = headings.ego_turn;
+  if (type == CollisionType::kLtap) {
+    const double left = driving_side == DrivingSide::kRight ? turn : -turn;
+    return left >= M_PI - definition.max_heading && left > std::abs(headings.attacker_turn);
+  }
+  if (std::abs(turn) < kLeastTurn) return false;
+  if (crosses_arm) return std::abs(std::sin(headings.relative_heading + turn)) <= kSkewAcrossArm;
+  return std::abs(turn) > std::abs(headings.attacker_turn);
 }
 
 }  // namespace forge

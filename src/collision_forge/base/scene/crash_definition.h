@@ -21,10 +21,10 @@ struct TypeDefinition {
 /// The definition of each type of kAllCollisionTypes.
 using TypeDefinitions = std::map<CollisionType, TypeDefinition>;
 
-/// The vehicle that turns in a left turn across path.
+/// Which vehicle must turn. kEgo is a condition of the types of mayAskForEgoTurn().
 enum class Turning {
-  kAttacker,  ///< the attacker turns across the path of the ego
-  kEgo        ///< the ego turns across the path of the attacker
+  kAttacker,  ///< ltap: the attacker turns across the path of the ego; else no condition
+  kEgo        ///< the ego turns across the path of the attacker, see egoTurns()
 };
 
 /// Which conditions define a type.
@@ -54,6 +54,11 @@ struct CrashDefinition {
   LimitSet limits = LimitSet::kDrivable;  ///< vehicle limits that the attacker must keep
   bool believable = true;                 ///< the attacker must drive plausibly until it attacks
 };
+
+/// Returns the heading bands of a type. If the ego turns, those of ltap are ltap_ego_turns, and the
+/// other types allow any approach: the directions at t0 say nothing about those after the turn.
+/// Throws std::out_of_range for a type that `crash.types` lacks.
+TypeDefinition bandsOf(CollisionType type, Turning turning, const CrashDefinition& crash);
 
 /// Returns `crash` with the rules for COLLIDE clips, which have no sizes, classes or maps: types by
 /// the heading at contact alone (as COLLIDE labels them), the strict limits, implausible motion
@@ -89,12 +94,28 @@ bool contactFits(CollisionType type, const Pose2& offset, const BoxSize& ego,
 /// attacker heads to the ego's right, as a turning attacker does in right-hand traffic.
 double ltapSign(Turning turning, DrivingSide driving_side);
 
-/// Returns true if the ego's change of heading (rad, left positive) between t0 and the contact
-/// makes it the turning vehicle of a left turn across path: to the left (in left-hand traffic, to
-/// the right), by at least pi - definition.max_heading (by how much the two directions of such a
-/// type differ from opposite ones at least), and by more than the magnitude of the attacker's
-/// change of heading `attacker_turn` (rad).
-bool egoTurns(double ego_turn, double attacker_turn, const TypeDefinition& definition,
-              DrivingSide driving_side);
+/// Changes of heading in an attack, rad, left positive.
+struct TurnHeadings {
+  double ego_turn = 0.0;          ///< of the ego between t0 and the contact
+  double attacker_turn = 0.0;     ///< of the attacker between t0 and the contact
+  double relative_heading = 0.0;  ///< attacker's yaw minus ego's at the contact
+};
+
+/// Returns true for the types that Turning::kEgo can be asked of: ltap, junction_crossing,
+/// angle_same_direction, angle_opposite_direction.
+bool mayAskForEgoTurn(CollisionType type);
+
+/// Returns true if the ego is the turning vehicle of an attack of `type`, one of
+/// mayAskForEgoTurn():
+///
+/// - ltap: the ego turns left (in left-hand traffic, right) by at least pi - definition.max_heading
+///   (by how much the two directions of such a type differ from opposite ones at least), and by
+///   more than the attacker.
+/// - the other types: the ego turns by at least 30 degrees to either side. `crosses_arm` false: and
+///   by more than the attacker. True (people on foot, bicycles and scooters, as in Euro NCAP's CPTA
+///   and CBTA): the attacker moves within 30 degrees of the ego's heading at t0 or of its opposite,
+///   so that it crosses the arm of the junction into which the ego turns.
+bool egoTurns(CollisionType type, const TurnHeadings& headings, bool crosses_arm,
+              const TypeDefinition& definition, DrivingSide driving_side);
 
 }  // namespace forge

@@ -22,6 +22,7 @@ constexpr EnumWord<Manoeuvre> kWords[] = {
     {Manoeuvre::kTurnIntoPath, "turn_into_path"},
     {Manoeuvre::kTurnAcrossPath, "turn_across_path"},
     {Manoeuvre::kSameDirectionTurn, "same_direction_turn"},
+    {Manoeuvre::kBackOut, "back_out"},
 };
 
 }  // namespace

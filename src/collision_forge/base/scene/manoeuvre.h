@@ -23,6 +23,7 @@ enum class Manoeuvre {
   kTurnIntoPath,        ///< junction crossing: turns into the ego's path (28, 31)
   kTurnAcrossPath,      ///< ltap: turns across the ego's path from the opposite direction (27, 29)
   kSameDirectionTurn,   ///< angle: turns across the ego's path from a lane beside it (16)
+  kBackOut,             ///< junction crossing: reverses out of a drive or a bay (15)
 };
 
 /// All manoeuvres, in the order of the enum.
@@ -31,7 +32,8 @@ inline constexpr Manoeuvre kManoeuvres[] = {
     Manoeuvre::kFollowerCloses, Manoeuvre::kCutIn,          Manoeuvre::kDrift,
     Manoeuvre::kMerge,          Manoeuvre::kPullOut,        Manoeuvre::kCentreLineCrossing,
     Manoeuvre::kOvertaking,     Manoeuvre::kWrongWay,       Manoeuvre::kStraightCrossing,
-    Manoeuvre::kTurnIntoPath,   Manoeuvre::kTurnAcrossPath, Manoeuvre::kSameDirectionTurn};
+    Manoeuvre::kTurnIntoPath,   Manoeuvre::kTurnAcrossPath, Manoeuvre::kSameDirectionTurn,
+    Manoeuvre::kBackOut};
 
 /// Returns "lead_stopped", "lead_brakes", ...: the constant's name in lower case.
 const char* toString(Manoeuvre manoeuvre);

@@ -102,6 +102,8 @@ bool isManoeuvreOf(Manoeuvre manoeuvre, CollisionType type, Turning turning) {
              isOneOf(type, {CollisionType::kLtap, CollisionType::kAngleOppositeDirection});
     case Manoeuvre::kSameDirectionTurn:
       return isOneOf(type, {CollisionType::kAngleSameDirection});
+    case Manoeuvre::kBackOut:
+      return isOneOf(type, {CollisionType::kJunctionCrossing});
   }
   return false;
 }

@@ -6,7 +6,6 @@ namespace forge {
 
 bool roadAllowsRequest(const SceneRequest& asked, const IndexedScene& recording,
                        const AnswerOptions& options) {
-  if (asked.request.attacker_class && isOnFoot(*asked.request.attacker_class)) return true;
   CollisionRequest request = asked.request;
   request.crash = options.crash;
   return roadAllows(recording.scene.ego, asked.now, request, *recording.lanes,

@@ -113,6 +113,8 @@ Tags tagsOf(Manoeuvre manoeuvre) {
       return {"MotionCross"};
     case Manoeuvre::kTurnIntoPath:
       return {"MotionDrive"};
+    case Manoeuvre::kBackOut:
+      return {"MotionReverse"};
   }
   return {};
 }

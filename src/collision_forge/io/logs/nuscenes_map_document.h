@@ -22,6 +22,8 @@ class NuScenesMapDocument {
   /// Throws NuScenesError for a file that is missing, not JSON, or of a version before 1.3.
   explicit NuScenesMapDocument(const std::string& path);
 
+  /// Returns true if the file has the layer.
+  bool has(const char* layer) const { return document_.HasMember(layer); }
   /// Returns the rows of a layer that is an array, in the file's order.
   std::vector<MapRow> rows(const char* layer) const;
   /// Returns the entries of a layer that is a dictionary keyed by token; MapRow::token is the key.

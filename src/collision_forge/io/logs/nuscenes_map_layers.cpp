@@ -126,6 +126,11 @@ class LayerReader {
         layers_.drivable_area.emplace_back(is_token ? polygon.value.GetString() : "");
       }
     });
+    if (document_.has("carpark_area")) {
+      eachRow(document_.rows("carpark_area"), [&](const MapRow& row) {
+        layers_.drivable_area.push_back(document_.text(row, "polygon_token"));
+      });
+    }
     eachRow(document_.rows("walkway"), [&](const MapRow& row) {
       layers_.walkways.push_back(document_.text(row, "polygon_token"));
     });

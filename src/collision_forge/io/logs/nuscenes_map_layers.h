@@ -45,10 +45,11 @@ struct NuScenesMapLayers {
 
   std::vector<Lane> lanes;                            ///< lanes, then connectors
   std::unordered_map<std::string, Polygon> polygons;  ///< usable ones only, by token
-  std::vector<std::string> drivable_area;             ///< polygon tokens; "": an unusable one
-  std::vector<std::string> walkways;                  ///< polygon tokens
-  std::vector<std::string> intersections;             ///< polygon tokens of road segments
-  std::vector<Links> connectivity;                    ///< in the file's order
+  /// polygon tokens, then those of carpark_area, if the file has this layer; "": an unusable one
+  std::vector<std::string> drivable_area;
+  std::vector<std::string> walkways;       ///< polygon tokens
+  std::vector<std::string> intersections;  ///< polygon tokens of road segments
+  std::vector<Links> connectivity;         ///< in the file's order
   /// Usable ones only, by token of the lane; each is a centreline in driving direction.
   std::unordered_map<std::string, std::vector<ArcPath>> arclines;
 };

@@ -26,8 +26,7 @@ constexpr EnumWord<ContactPlace> kPlaceNames[] = {
 
 bool isOfType(const ContactPoses& poses, CollisionType type, Turning turning,
               const CrashDefinition& crash, DrivingSide driving_side) {
-  const bool ego_turns = type == CollisionType::kLtap && turning == Turning::kEgo;
-  const TypeDefinition& definition = ego_turns ? crash.ltap_ego_turns : crash.types.at(type);
+  const TypeDefinition definition = bandsOf(type, turning, crash);
   const Pose2 offset = relativeTo(poses.ego.center, poses.other.center);
   return headingFits(offset.yaw, definition) &&
          approachFits(angleBetween(poses.ego_now.yaw, poses.other_now.yaw), definition) &&

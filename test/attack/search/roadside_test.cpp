@@ -1,4 +1,4 @@
-#include "collision_forge/attack/search/added_walkers.h"
+#include "collision_forge/attack/search/roadside.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ Attack answerIn(AddedScene& scene) {
 TEST(AddedWalkers, WaitAtTheRoadsideSinceTheFirstFrame) {
   AddedScene scene = street();
   const AddedVehicleInput input = scene.input();
-  const AddedVehicles walkers = addWalkers(input, shippedOptions());
+  const AddedVehicles walkers = addFromRoadside(input, shippedOptions());
   ASSERT_FALSE(walkers.found.empty()) << walkers.status.message;
   bool is_left = false;
   bool is_right = false;
@@ -98,6 +98,102 @@ TEST(AddedWalkers, NeedARoadside) {
   EXPECT_EQ(attack.status.code, StatusCode::kNoCandidate);
   EXPECT_NE(attack.status.message.find("no pedestrian can be added"), std::string::npos)
       << attack.status.message;
+}
+
+/// The ego turns left by 90 degrees within 4 s and then drives north on x = 0, y > 0.
+void turnLeft(Future& future) {
+  future.ego.states.clear();
+  for (int i = 0; i <= 100; ++i) {
+    const double time = 0.1 * i;
+    const double yaw = std::min(M_PI / 2, time * M_PI / 8);
+    const double radius = 5.0;
+    const Pose2 pose{radius * (std::sin(yaw) - 1.0),
+                     radius * (1.0 - std::cos(yaw)) + std::max(0.0, 2.0 * (time - 4.0)), yaw};
+    future.ego.states.push_back({kNow + time, pose, 2.0 * pose.heading()});
+  }
+}
+
+TEST(AddedWalkers, CrossTheArmIntoWhichTheEgoTurns) {
+  for (const bool turns : {true, false}) {
+    AddedScene scene = street();
+    scene.map->drivable_area.push_back(rectangle(-4.0, 5.0, 4.0, 60.0));
+    scene.map->walkways = {rectangle(4.0, 7.5, 6.0, 60.0), rectangle(-6.0, 7.5, -4.0, 60.0)};
+    scene.request.turning = Turning::kEgo;
+    scene.request.tta = 6.0;
+    const AddedVehicleInput input = scene.input();
+    Moment moment{*input.past, input.future, std::make_shared<LaneIndex>(scene.map),
+                  std::make_shared<Snapshot>(*input.past)};
+    moment.snapshot.ego = AddedScene::longPast(kEgoId, kEgoSize, {-5.0, 0.0, 0.0}, 2.0);
+    moment.past = std::make_shared<Snapshot>(moment.snapshot);
+    moment.recorded->ego = futureTrack(kEgoId, kEgoSize, {-5.0, 0.0, 0.0}, 2.0);
+    if (turns) turnLeft(*moment.recorded);
+    const AttackOptions options = shippedOptions();
+    const Attack attack =
+        generateCollision(searchMethod(options), moment, scene.request, options.prediction);
+    if (!turns) {
+      EXPECT_EQ(attack.status.code, StatusCode::kRoadDoesNotAllow);
+      EXPECT_NE(attack.status.message.find("turn by 30 degrees"), std::string::npos)
+          << attack.status.message;
+      continue;
+    }
+    ASSERT_EQ(attack.status.code, StatusCode::kOk) << attack.status.message;
+    EXPECT_TRUE(meetsRequest(attack.report, scene.request));
+    EXPECT_LT(std::abs(std::sin(attack.report.attacker_at_contact.yaw)), 0.5) << "along x";
+  }
+}
+
+/// The street with a drive of 5 m on its right side, 4 s ahead of the ego, across the walkway.
+AddedScene streetWithDrive() {
+  AddedScene scene = street();
+  const double x = AddedScene::kEgoX + 4.0 * AddedScene::kEgoSpeed;
+  scene.map->drivable_area.push_back(rectangle(x - 2.0, -16.0, x + 5.0, -2.0));
+  scene.request.attacker_class.reset();
+  scene.request.manoeuvre = Manoeuvre::kBackOut;
+  return scene;
+}
+
+TEST(BackingOut, ReversesOutOfADriveIntoTheEgo) {
+  AddedScene scene = streetWithDrive();
+  const Attack attack = answerIn(scene);
+  ASSERT_EQ(attack.status.code, StatusCode::kOk) << attack.status.message;
+  EXPECT_TRUE(meetsRequest(attack.report, scene.request));
+  EXPECT_EQ(attack.report.manoeuvre, Manoeuvre::kBackOut);
+  EXPECT_TRUE(attack.trajectory.isAdded());
+  const std::vector<TrajectoryPoint>& points = attack.trajectory.points;
+  EXPECT_NEAR(points.front().pose.yaw, -M_PI / 2, 0.1) << "its front is away from the road";
+  EXPECT_LT(points.front().pose.y, -4.0);
+  EXPECT_EQ(attack.trajectory.past.front().pose.yaw, points.front().pose.yaw);
+  const double fastest = shippedOptions().verification.drivable.max_reverse_speed;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    EXPECT_LE(points[i].speed, 0.0);
+    EXPECT_GE(points[i].speed, -fastest - 0.05);
+    const Vector2 moved = points[i].pose.position() - points[i - 1].pose.position();
+    EXPECT_LE(moved.dot(points[i].pose.heading()), 1e-6) << "backwards";
+  }
+  EXPECT_GT(attack.report.conditions.attacker_speed, 0.0);
+}
+
+TEST(BackingOut, NeedsABayOrADrive) {
+  AddedScene scene = street();
+  scene.request.attacker_class.reset();
+  scene.request.manoeuvre = Manoeuvre::kBackOut;
+  const Attack attack = answerIn(scene);
+  EXPECT_EQ(attack.status.code, StatusCode::kRoadDoesNotAllow);
+  EXPECT_NE(attack.status.message.find("no bay and no drive"), std::string::npos)
+      << attack.status.message;
+}
+
+TEST(BackingOut, IsAsFarAwayAsThePatternSays) {
+  AddedScene scene = streetWithDrive();
+  scene.request.attacker_class = AgentClass::kTruck;
+  scene.request.ego_side = Side::kRight;
+  const Attack attack = answerIn(scene);
+  ASSERT_EQ(attack.status.code, StatusCode::kOk) << attack.status.message;
+  EXPECT_EQ(attack.trajectory.agent_class, AgentClass::kTruck);
+  EXPECT_EQ(attack.report.attacker_side, Side::kRear);
+  EXPECT_LT(attack.pattern.attacker_speed, 0.0);
+  EXPECT_NEAR(angleBetween(attack.pattern.attacker_offset.yaw, attack.report.relative_heading), 0.0,
+              0.2);
 }
 
 /// Adds a recorded adult on the walkway who moves along it.
