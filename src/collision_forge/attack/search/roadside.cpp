@@ -10,6 +10,7 @@
 #include "collision_forge/attack/forecast/random.h"
 #include "collision_forge/attack/search/placement.h"
 #include "collision_forge/attack/search/recorded_traffic.h"
+#include "collision_forge/attack/search/route_driver.h"
 #include "collision_forge/attack/search/walker_path.h"
 #include "collision_forge/attack/verify/reversing.h"
 #include "collision_forge/attack/verify/step_out.h"
@@ -155,16 +156,26 @@ class RoadsideInsertion {
   void addFor(const Track& future, double contact, std::vector<AddedVehicle>& found) {
     const auto state = stateAt(future, past_.now + contact);
     if (!state || contact <= 0.0) return;
-    const double nominal = input_.request.bands().nominal_heading;
     const DrivingSide driving_side = input_.lanes.map().driving_side;
     for (const Placement& placement :
          placementsOf(input_.request.type, driving_side, input_.request.turning)) {
       if (input_.request.ego_side.value_or(placement.side) != placement.side) continue;
       for (const double sign : {1.0, -1.0}) {
         if (placement.sign != 0.0 && placement.sign != sign) continue;
-        addAt(*state, contact, placement.side, wrapAngle(sign * nominal), found);
+        addAt(*state, contact, placement.side, headingTo(state->pose, sign), found);
       }
     }
+  }
+
+  /// Returns the direction of travel relative to the ego's heading at the contact (rad): the type's
+  /// nominal one, or if the ego must turn, as nearly as the type allows along its heading at t0.
+  double headingTo(const Pose2& ego, double sign) const {
+    const TypeDefinition band = input_.request.bands();
+    if (input_.request.turning != Turning::kEgo) return wrapAngle(sign * band.nominal_heading);
+    const double turn = angleBetween(past_.ego.states.back().pose.yaw, ego.yaw);
+    const double along = turn * sign < 0.0 ? std::abs(turn) : M_PI - std::abs(turn);
+    return sign * std::clamp(along, band.min_heading + kArrivalHeadingMargin,
+                             band.max_heading - kArrivalHeadingMargin);
   }
 
   /// `heading`: rad, direction of travel relative to the ego's heading.

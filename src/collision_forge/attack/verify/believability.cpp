@@ -135,6 +135,21 @@ bool isByWalker(const CollisionRequest& request) {
   return request.attacker_class && isOnFoot(*request.attacker_class);
 }
 
+/// Returns true if some attacker of the requested kind could meet an ego that has turned by `turn`
+/// (rad): one that does not turn itself, at the best heading of the type.
+bool mayTurnTo(double turn, const CollisionRequest& request, DrivingSide driving_side) {
+  const TypeDefinition band = request.bands();
+  const bool crosses_arm =
+      isByWalker(request) || (request.attacker_class && isCycle(*request.attacker_class));
+  // As the ego drove at t0, or the other way.
+  const std::pair<double, double> ways[] = {{std::abs(turn), -1.0}, {M_PI - std::abs(turn), 1.0}};
+  return std::any_of(std::begin(ways), std::end(ways), [&](const auto& way) {
+    const double heading = std::clamp(way.first, band.min_heading, band.max_heading);
+    const double sign = std::copysign(way.second, way.second * turn);
+    return egoTurns(request.type, {turn, 0.0, sign * heading}, crosses_arm, band, driving_side);
+  });
+}
+
 /// Returns true if an attacker of the requested kind can come to the ego's box: on a lane, on foot,
 /// or out of a bay.
 bool hasWayTo(const OrientedBox& ego, const CollisionRequest& request, const LaneIndex& lanes,
@@ -164,8 +179,8 @@ RoadRefusal roadRefusalOf(const CollisionRequest& request) {
               "the ego does not turn across a lane of the opposite direction"};
     }
     return {"collision of a turning ego",
-            isByWalker(request) ? "the ego does not turn by 30 degrees"
-                                : "the ego does not turn by 30 degrees onto or across a lane"};
+            isByWalker(request) ? "the ego does not turn far enough into an arm that people cross"
+                                : "the ego does not turn far enough onto or across a lane"};
   }
   switch (request.type) {
     case CollisionType::kRearEnd:
@@ -309,9 +324,8 @@ bool roadAllows(const Track& ego, double now, const CollisionRequest& request,
     const double time = now + request.tta + share * request.crash.time_tolerance;
     const Pose2 pose = stateAt(ego, time).value_or(ego.states.back()).pose;
     const OrientedBox box = boxAt(ego, pose);
-    const TurnHeadings headings{angleBetween(start.yaw, pose.yaw), 0.0, 0.0};
     const bool turns = request.turning == Turning::kAttacker ||
-                       egoTurns(request.type, headings, false, request.bands(), driving_side);
+                       mayTurnTo(angleBetween(start.yaw, pose.yaw), request, driving_side);
     if (turns && hasWayTo(box, request, driven, options)) return true;
   }
   return false;
