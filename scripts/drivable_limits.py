@@ -49,17 +49,19 @@ def turn(start, end):
 
 
 class Step:
-    """The motion of the rear axle from one sample to the next, as an arc."""
+    """The motion of the axle that does not steer from one sample to the next, as an arc.
 
-    def __init__(self, a, b, wheelbase):
+    `ahead`: m from this axle to the middle of the box, in the direction of travel."""
+
+    def __init__(self, a, b, wheelbase, ahead):
         self.a, self.b = a, b
         self.duration = b['t'] - a['t']
         self.turn = turn(a['yaw'], b['yaw'])
         half = 0.5 * self.turn
         heading = a['yaw'] + half
-        # Displacement of the middle of the box, less the part from its rotation around the rear axle.
-        dx = b['x'] - a['x'] - 0.5 * wheelbase * (math.cos(b['yaw']) - math.cos(a['yaw']))
-        dy = b['y'] - a['y'] - 0.5 * wheelbase * (math.sin(b['yaw']) - math.sin(a['yaw']))
+        # Displacement of the middle of the box, less the part from its rotation around the axle.
+        dx = b['x'] - a['x'] - ahead * (math.cos(b['yaw']) - math.cos(a['yaw']))
+        dy = b['y'] - a['y'] - ahead * (math.sin(b['yaw']) - math.sin(a['yaw']))
         self.velocity = (dx / self.duration, dy / self.duration)
         self.slip = abs(dy * math.cos(heading) - dx * math.sin(heading)) / self.duration
         self.way = (dx * math.cos(heading) + dy * math.sin(heading)) * (half / math.sin(half) if half else 1.0)
@@ -97,6 +99,11 @@ def total_limit(limits):
     return max(limits['max_braking'], limits['max_lateral_acceleration'])
 
 
+def turned_round(point):
+    """Return a point of a vehicle that reverses, in its direction of travel."""
+    return dict(point, yaw=point['yaw'] + math.pi, v=-point['v'], a=-point['a'], kappa=-point['kappa'])
+
+
 class Attacker:
     """An attacker from t0 to contact: its limits, its steps and the worst violation of each limit."""
 
@@ -105,7 +112,11 @@ class Attacker:
         self.limits = limits
         self.wheelbase = limits['wheelbase_share'] * attacker['length']
         self.points = attacker['trajectory']
-        self.all_steps = [Step(a, b, self.wheelbase) for a, b in zip(self.points, self.points[1:])]
+        ahead = 0.5 * self.wheelbase
+        if scenario.get('report', {}).get('manoeuvre') == 'back_out':
+            self.points = [turned_round(point) for point in self.points]
+            ahead = -ahead
+        self.all_steps = [Step(a, b, self.wheelbase, ahead) for a, b in zip(self.points, self.points[1:])]
         self.count = steps_to_contact(scenario)
         self.steps = self.all_steps[:self.count]
         self.worst = Worst()

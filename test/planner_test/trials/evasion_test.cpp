@@ -81,6 +81,14 @@ TEST(Evasion, AWitnessAvoidsTheAttackerInClosedLoop) {
   }
 }
 
+TEST(MakeAttacker, AVehicleThatReversesKeepsToItsPlan) {
+  PlannerCase one = rearEnd();
+  EXPECT_TRUE(makeAttacker(one, PolicyKind::kAdaptive, {}, config()));
+  one.request.type = CollisionType::kJunctionCrossing;
+  one.request.manoeuvre = Manoeuvre::kBackOut;
+  EXPECT_FALSE(makeAttacker(one, PolicyKind::kAdaptive, {}, config()));
+}
+
 TEST(Evasion, AnAttackerAlwaysAtTheEgoIsUnavoidable) {
   const CrashScenario scenario = roadScenario(10.0, straightDrive({15.0, 0.0, 0.0}, 0.0, 3.0));
   const Clinger attacker(scenario.attacker);

@@ -55,8 +55,8 @@ struct CrashDefinition {
   bool believable = true;                 ///< the attacker must drive plausibly until it attacks
 };
 
-/// Returns the heading bands of a type. If the ego turns, those of ltap are ltap_ego_turns, and the
-/// other types allow any approach: the directions at t0 say nothing about those after the turn.
+/// Returns the heading bands of a type. If the ego turns, ltap has the bands ltap_ego_turns, and
+/// the other types allow any approach: the directions at t0 say nothing about the contact.
 /// Throws std::out_of_range for a type that `crash.types` lacks.
 TypeDefinition bandsOf(CollisionType type, Turning turning, const CrashDefinition& crash);
 

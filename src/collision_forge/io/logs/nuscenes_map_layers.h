@@ -45,7 +45,7 @@ struct NuScenesMapLayers {
 
   std::vector<Lane> lanes;                            ///< lanes, then connectors
   std::unordered_map<std::string, Polygon> polygons;  ///< usable ones only, by token
-  /// polygon tokens, then those of carpark_area, if the file has this layer; "": an unusable one
+  /// polygon tokens, also of the layer carpark_area, if there is one; "": an unusable one
   std::vector<std::string> drivable_area;
   std::vector<std::string> walkways;       ///< polygon tokens
   std::vector<std::string> intersections;  ///< polygon tokens of road segments

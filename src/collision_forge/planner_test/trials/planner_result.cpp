@@ -164,7 +164,7 @@ std::string pictureName(const RowKey& key, int rank) {
 std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind policy,
                                              const PredictionModels& models,
                                              const AnswerOptions& options) {
-  if (policy == PolicyKind::kFixed) return nullptr;
+  if (policy == PolicyKind::kFixed || one.request.reverses()) return nullptr;
   const CrashScenario& scenario = one.scenario;
   return std::make_unique<AdaptiveAttacker>(
       AttackerTask{scenario.snapshot, scenario.lanes, scenario.ego, one.request, one.pattern,

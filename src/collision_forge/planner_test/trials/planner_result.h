@@ -138,7 +138,8 @@ PlannerTestResult untested(const PlannerCase& one, const std::string& status,
 PlannerTestResult evaluateCase(const PlannerCase& one, const AnswerOptions& options,
                                const TrialOptions& trials);
 
-/// Returns the attacker's policy for a case, starting with its attack; null for PolicyKind::kFixed.
+/// Returns the attacker's policy for a case, starting with its attack; null for PolicyKind::kFixed,
+/// and for an attacker that reverses, which keeps to its plan.
 /// `models`: used by an adaptive attacker, without anything learned from the case's scene.
 std::unique_ptr<AttackerPolicy> makeAttacker(const PlannerCase& one, PolicyKind policy,
                                              const PredictionModels& models,
