@@ -1,5 +1,7 @@
-"""A ROS node that ends reliably on a signal."""
+"""A ROS node that ends reliably on a signal and whose log lines appear immediately."""
+import io
 import signal
+import sys
 from typing import Any, Callable
 
 import rospy
@@ -10,7 +12,12 @@ def run_node(name: str, work: Callable[[], int], **options: Any) -> int:
 
     A signal ends `work` first, then the node. rospy would shut down while the main thread runs: if that thread is
     publishing, it holds a lock that the shutdown needs, and the node hangs.
+
+    If stdout is a file or a pipe, Python collects output in a buffer, and rospy does not flush it. The function
+    therefore makes stdout line-buffered, so that each line of `rospy.loginfo` is written at once.
     """
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(line_buffering=True)
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, _interrupt)
     try:

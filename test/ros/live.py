@@ -501,5 +501,6 @@ def pid_of(name):
 def main(name):
     """Run the tests of the calling script; `name`: of the node, and test-name in the rostest file."""
     import rostest
+    os.environ.pop('PYTHONUNBUFFERED', None)  # with it, a node whose output stays in a buffer would not be detected
     rospy.init_node(name)
     rostest.rosrun(road.PACKAGE, name, '__main__')
