@@ -112,6 +112,19 @@ TEST(DriveCheck, PowerLimitsTheAccelerationAtSpeed) {
   EXPECT_EQ(brokenBy(driven(fast, controls, carLimits()), fast), "max_forward_acceleration");
 }
 
+TEST(DriveCheck, TheWrittenAccelerationKeepsTheForwardLimit) {
+  const DriveLimits limits = carLimits();
+  Controls controls;
+  controls.acceleration = [&](double t) { return ramp(t, 10.0, limits.max_forward_acceleration); };
+  const DriveState start = startAt(0.0);
+  auto points = driven(start, controls, limits);
+  points.resize(16);
+  ASSERT_LT(points.back().speed, limits.switching_speed);
+  EXPECT_EQ(brokenBy(points, start), "");
+  points[10].acceleration += 0.2;  // less than written_acceleration allows
+  EXPECT_EQ(brokenBy(points, start), "max_forward_acceleration");
+}
+
 TEST(DriveCheck, BusesHaveLowerLimitsThanCars) {
   const BoxSize size{12.0, 2.9};
   const DriveLimits bus = driveLimitsOf(AgentClass::kBus, size, rows());
