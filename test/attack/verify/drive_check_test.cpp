@@ -207,8 +207,11 @@ TEST(DriveLimits, StateOfARecordedMotion) {
   EXPECT_EQ(state.speed, 10.0);
   EXPECT_EQ(state.acceleration, -1.0);
   EXPECT_NEAR(state.steering, std::atan(limits.wheelbase * 0.01), 1e-12);
+  const DriveState braking = driveStateOf(Motion{{}, 20.0, -30.0, 0.0}, limits);
+  EXPECT_EQ(braking.acceleration, -limits.max_braking);
   const DriveState wild = driveStateOf(Motion{{}, 20.0, -30.0, 2.0}, limits);
-  EXPECT_EQ(wild.acceleration, -limits.max_braking);
+  EXPECT_NEAR(std::hypot(wild.acceleration, limits.max_lateral_acceleration), limits.max_braking,
+              1e-9);
   EXPECT_NEAR(std::tan(wild.steering) * 400.0 / limits.wheelbase, limits.max_lateral_acceleration,
               1e-9);
   const DriveState standing = driveStateOf(Motion{{}, 0.3, 1.0, 0.5}, limits);
