@@ -73,6 +73,31 @@ TEST(TrackDriver, StopsWithoutAJoltAndStandsStill) {
   EXPECT_NEAR(points.back().pose.x, plan.back().middle.x(), 0.7);
 }
 
+TEST(TrackDriver, AcceleratesAsFastAsAllowedAtTheSpeedReached) {
+  const std::pair<AgentClass, BoxSize> agents[] = {
+      {AgentClass::kCar, {4.6, 1.9}},        {AgentClass::kMotorcycle, {2.1, 0.8}},
+      {AgentClass::kBicycle, {1.8, 0.6}},    {AgentClass::kScooter, {1.28, 0.6}},
+      {AgentClass::kPedestrian, {0.7, 0.7}}, {AgentClass::kChild, {0.5, 0.5}},
+      {AgentClass::kRunner, {0.7, 0.7}}};
+  for (const auto& [agent_class, size] : agents) {
+    const TrackDriver driver = driverOf(limitsOf(agent_class, size));
+    const DriveLimits& limits = driver.limits();
+    // Starts at different speeds, because the steps pass the switching speed at different places.
+    for (double start = 0.0; start < limits.switching_speed; start += 0.1) {
+      const auto plan = along(100.0, [](double) { return 0.0; });
+      std::vector<TrajectoryPoint> points;
+      driver.drive(stateAt({}, start, limits), kNow, plan, points);
+      double largest_share = 0.0;  // of the allowed acceleration, above the switching speed
+      for (const TrajectoryPoint& point : points) {
+        const double share = point.acceleration / limits.forwardAt(point.speed);
+        EXPECT_LE(share, 1.0 + 1e-9) << toString(agent_class) << ", " << point.speed << " m/s";
+        if (point.speed > limits.switching_speed) largest_share = std::max(largest_share, share);
+      }
+      EXPECT_NEAR(largest_share, 1.0, 1e-9) << toString(agent_class) << ", start " << start;
+    }
+  }
+}
+
 TEST(TrackDriver, KeepsTheLimitsOfEveryClassWhateverThePlan) {
   const std::pair<AgentClass, BoxSize> vehicles[] = {{AgentClass::kCar, {4.6, 1.9}},
                                                      {AgentClass::kTruck, {10.0, 2.6}},

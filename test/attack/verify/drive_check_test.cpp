@@ -112,6 +112,19 @@ TEST(DriveCheck, PowerLimitsTheAccelerationAtSpeed) {
   EXPECT_EQ(brokenBy(driven(fast, controls, carLimits()), fast), "max_forward_acceleration");
 }
 
+TEST(DriveCheck, TheWrittenAccelerationKeepsTheForwardLimit) {
+  const DriveLimits limits = carLimits();
+  Controls controls;
+  controls.acceleration = [&](double t) { return ramp(t, 10.0, limits.max_forward_acceleration); };
+  const DriveState start = startAt(0.0);
+  auto points = driven(start, controls, limits);
+  points.resize(16);
+  ASSERT_LT(points.back().speed, limits.switching_speed);
+  EXPECT_EQ(brokenBy(points, start), "");
+  points[10].acceleration += 0.2;  // less than written_acceleration allows
+  EXPECT_EQ(brokenBy(points, start), "max_forward_acceleration");
+}
+
 TEST(DriveCheck, BusesHaveLowerLimitsThanCars) {
   const BoxSize size{12.0, 2.9};
   const DriveLimits bus = driveLimitsOf(AgentClass::kBus, size, rows());
@@ -194,8 +207,11 @@ TEST(DriveLimits, StateOfARecordedMotion) {
   EXPECT_EQ(state.speed, 10.0);
   EXPECT_EQ(state.acceleration, -1.0);
   EXPECT_NEAR(state.steering, std::atan(limits.wheelbase * 0.01), 1e-12);
+  const DriveState braking = driveStateOf(Motion{{}, 20.0, -30.0, 0.0}, limits);
+  EXPECT_EQ(braking.acceleration, -limits.max_braking);
   const DriveState wild = driveStateOf(Motion{{}, 20.0, -30.0, 2.0}, limits);
-  EXPECT_EQ(wild.acceleration, -limits.max_braking);
+  EXPECT_NEAR(std::hypot(wild.acceleration, limits.max_lateral_acceleration), limits.max_braking,
+              1e-9);
   EXPECT_NEAR(std::tan(wild.steering) * 400.0 / limits.wheelbase, limits.max_lateral_acceleration,
               1e-9);
   const DriveState standing = driveStateOf(Motion{{}, 0.3, 1.0, 0.5}, limits);

@@ -26,6 +26,18 @@ double smoothed(double wanted, double from, double share) {
   return from + std::min(1.0, share) * (wanted - from);
 }
 
+/// Returns the largest acceleration (m/s2) at the end of a step of `step` s that keeps
+/// DriveLimits::forwardAt() at the speed at that end.
+double mostForward(const DriveLimits& limits, const DriveState& state, double step) {
+  const double most = limits.max_forward_acceleration;
+  // The speed changes by the mean of both accelerations; here by the first one alone.
+  const double speed = state.speed + 0.5 * state.acceleration * step;
+  if (speed + 0.5 * most * step <= limits.switching_speed) return most;
+  // Solves acceleration * (speed + acceleration * step / 2) = power.
+  const double power = most * limits.switching_speed;
+  return (std::sqrt(speed * speed + 2.0 * power * step) - speed) / step;
+}
+
 DriveLimits scaled(DriveLimits limits, double margin) {
   limits.max_steering_angle *= margin;
   limits.max_steering_rate *= margin;
@@ -85,7 +97,7 @@ double TrackDriver::nextAcceleration(double wanted, double tangent, double next_
   // Releases the brakes in time to stop without a jerk.
   const double softly = std::min(kStopping, limits_.max_jerk / limits_.max_braking) * state.speed;
   const double least = -std::min(grip, softly);
-  double most = std::min(grip, limits_.forwardAt(state.speed));
+  double most = std::min(grip, mostForward(limits_, state, step_));
   most = std::min(most, (limits_.max_speed - state.speed) / step_);
   if (const double bend = std::abs(next_tangent) / limits_.wheelbase; bend > kStraight) {
     // The speed changes by the mean of both accelerations.

@@ -118,6 +118,8 @@ class Check {
                    limits_.max_jerk + kJerkError);
       worst_.check("written_acceleration", std::abs(at.acceleration - acceleration),
                    0.25 * between * limits_.max_jerk + kWrittenAcceleration);
+      worst_.check("max_forward_acceleration", at.acceleration,
+                   limits_.forwardAt(at.speed) + kAccelerationError);
       worst_.check("total_acceleration",
                    std::hypot(at.acceleration, at.speed * at.speed * at.curvature),
                    limits_.max_braking + kAccelerationError);

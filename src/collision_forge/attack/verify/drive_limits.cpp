@@ -85,10 +85,13 @@ DriveState driveStateOf(const Motion& motion, const DriveLimits& limits) {
   state.axle = compose(motion.pose, {-limits.axle_to_middle, 0.0, 0.0});
   if (motion.speed < kStandstillSpeed) return state;
   state.speed = std::min(motion.speed, limits.max_speed);
-  state.acceleration =
-      std::clamp(motion.acceleration, -limits.max_braking, limits.forwardAt(state.speed));
   const double lateral = std::clamp(state.speed * motion.yaw_rate, -limits.max_lateral_acceleration,
                                     limits.max_lateral_acceleration);
+  // The acceleration yields to the friction circle, because its estimate is the less certain one.
+  const double grip =
+      std::sqrt(std::max(0.0, limits.max_braking * limits.max_braking - lateral * lateral));
+  state.acceleration =
+      std::clamp(motion.acceleration, -grip, std::min(grip, limits.forwardAt(state.speed)));
   state.steering = std::clamp(std::atan(limits.wheelbase * lateral / (state.speed * state.speed)),
                               -limits.max_steering_angle, limits.max_steering_angle);
   return state;

@@ -89,8 +89,8 @@ struct DriveState {
   double steering = 0.0;      ///< rad, front wheel, positive to the left
 };
 
-/// Converts a recorded motion to a single-track state: speed and acceleration along the heading,
-/// and the steering angle that gives the yaw rate, each clamped to the limits. A vehicle below
+/// Converts a recorded motion to a single-track state: speed, acceleration and, from the yaw rate,
+/// steering angle, each clamped to the limits, also both accelerations together. A vehicle below
 /// kStandstillSpeed, or one that reverses, stands with straight wheels.
 DriveState driveStateOf(const Motion& motion, const DriveLimits& limits);
 
