@@ -116,6 +116,7 @@ class Attacker:
         if scenario.get('report', {}).get('manoeuvre') == 'back_out':
             self.points = [turned_round(point) for point in self.points]
             ahead = -ahead
+            self.limits = dict(limits, max_speed=limits['max_reverse_speed'])
         self.all_steps = [Step(a, b, self.wheelbase, ahead) for a, b in zip(self.points, self.points[1:])]
         self.count = steps_to_contact(scenario)
         self.steps = self.all_steps[:self.count]

@@ -54,11 +54,12 @@ class VehicleLimits:
     def __init__(self, config=CONFIG):
         path = config / 'vehicle_limits.yaml'
         overlay = read_yaml(path) if path.exists() else {}
-        root = section_of(path, merged(read_yaml(CONFIG / path.name), overlay), 'vehicle_limits', ())
+        root = section_of(path, merged(read_yaml(CONFIG / path.name), overlay), 'vehicle_limits', ('max_reverse_speed',))
         self.lengths = section_of(path, root, 'lengths', LENGTHS)
         drivable = section_of(path, root, 'drivable', ())
         rows = sorted(set(ROWS.values()) | {'van', 'articulated'})
-        self.drivable = {row: section_of(path, drivable, row, DRIVABLE) for row in rows}
+        self.drivable = {row: dict(section_of(path, drivable, row, DRIVABLE),
+                                   max_reverse_speed=root['max_reverse_speed']) for row in rows}
 
     def row_of(self, attacker):
         """Return the name of an attacker's row of limits, by class and length."""

@@ -65,7 +65,7 @@ struct RequestControls {
   std::optional<Side> ego_side;              ///< side of the ego's box that is hit
   std::optional<Range> impact_speed;         ///< m/s, relative speed at contact
   std::optional<Range> overlap;              ///< share 0..1 of the ego's hit side that is covered
-  std::optional<Turning> turning;            ///< vehicle that turns, of type ltap
+  std::optional<Turning> turning;            ///< vehicle that must turn
   std::optional<Side> from_side;   ///< kLeft or kRight of the ego: where the attacker comes from
   std::optional<Hider> hidden_by;  ///< vehicle that hides the attacker until it comes into view
   std::optional<bool> queue;       ///< a second vehicle stands ahead of the attacker

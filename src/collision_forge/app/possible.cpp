@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -47,7 +48,8 @@ std::vector<CollisionType> typesOf(const Arguments& arguments) {
   if (types.empty() && arguments.controls.manoeuvre) {
     types.push_back(typeOf(*arguments.controls.manoeuvre));
   } else if (types.empty() && arguments.controls.turning == Turning::kEgo) {
-    types.push_back(CollisionType::kLtap);
+    std::copy_if(std::begin(kAllCollisionTypes), std::end(kAllCollisionTypes),
+                 std::back_inserter(types), mayAskForEgoTurn);
   }
   if (types.empty()) types.assign(std::begin(kCollisionTypes), std::end(kCollisionTypes));
   return types;

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "attack/search/added_scene.h"
+#include "collision_forge/attack/search/alternatives.h"
 #include "collision_forge/attack/search/generate_collision.h"
 #include "collision_forge/attack/search/judge.h"
 #include "collision_forge/attack/verify/step_out.h"
@@ -181,6 +182,23 @@ TEST(BackingOut, NeedsABayOrADrive) {
   EXPECT_EQ(attack.status.code, StatusCode::kRoadDoesNotAllow);
   EXPECT_NE(attack.status.message.find("no bay and no drive"), std::string::npos)
       << attack.status.message;
+}
+
+TEST(BackingOut, IsNoAlternativeUnlessItIsRequested) {
+  AddedScene scene = streetWithDrive();
+  scene.request.manoeuvre.reset();
+  scene.request.attacker_class = AgentClass::kCar;
+  scene.request.alternatives = 4;
+  const AddedVehicleInput input = scene.input();
+  const Moment moment{*input.past, input.future, std::make_shared<LaneIndex>(scene.map),
+                      std::make_shared<Snapshot>(*input.past)};
+  const AttackOptions options = shippedOptions();
+  Attack first;
+  first.report.manoeuvre = Manoeuvre::kTurnIntoPath;
+  first.trajectory.points = {{kNow, {}, 0.0, 0.0, 0.0}};
+  EXPECT_TRUE(
+      findAlternatives(first, searchMethod(options), moment, scene.request, options.prediction)
+          .empty());
 }
 
 TEST(BackingOut, IsAsFarAwayAsThePatternSays) {

@@ -144,7 +144,8 @@ TEST(EgoTurns, ToTheLeftByMoreThanTheAttackerAndMirrored) {
   for (const auto& [side, left] :
        {std::pair(DrivingSide::kRight, 1.0), {DrivingSide::kLeft, -1.0}}) {
     const auto turns = [&, traffic = side](double ego_turn, double attacker_turn) {
-      return egoTurns(CollisionType::kLtap, {ego_turn, attacker_turn, 0.0}, false, band, traffic);
+      return egoTurns(CollisionType::kLtap, {ego_turn, attacker_turn, 0.0}, AgentClass::kCar, band,
+                      traffic);
     };
     EXPECT_TRUE(turns(left * 0.3, 0.1));
     EXPECT_FALSE(turns(left * 0.19, 0.1)) << "less than the band leaves";
@@ -155,8 +156,8 @@ TEST(EgoTurns, ToTheLeftByMoreThanTheAttackerAndMirrored) {
 
 TEST(EgoTurns, AtACrossingByThirtyDegreesAndMoreThanAVehicle) {
   const auto turns = [](double ego_turn, double attacker_turn) {
-    return egoTurns(CollisionType::kAngleSameDirection, {ego_turn, attacker_turn, 0.7}, false, {},
-                    DrivingSide::kRight);
+    return egoTurns(CollisionType::kAngleSameDirection, {ego_turn, attacker_turn, 0.7},
+                    AgentClass::kCar, {}, DrivingSide::kRight);
   };
   for (const double side : {1.0, -1.0}) {
     EXPECT_TRUE(turns(side * 0.53, 0.5)) << side;
@@ -167,8 +168,8 @@ TEST(EgoTurns, AtACrossingByThirtyDegreesAndMoreThanAVehicle) {
 
 TEST(EgoTurns, TowardsPeopleWhoCrossTheArm) {
   const auto turns = [](double ego_turn, double relative_heading) {
-    return egoTurns(CollisionType::kJunctionCrossing, {ego_turn, 1.5, relative_heading}, true, {},
-                    DrivingSide::kRight);
+    return egoTurns(CollisionType::kJunctionCrossing, {ego_turn, 1.5, relative_heading},
+                    AgentClass::kBicycle, {}, DrivingSide::kRight);
   };
   for (const double left : {1.0, -1.0}) {
     EXPECT_TRUE(turns(left * 1.4, -left * 1.5)) << "as the ego drove at t0";

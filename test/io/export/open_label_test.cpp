@@ -51,6 +51,13 @@ TEST(OpenLabel, TheSideOfTheAttackerGivesTheDirectionOfItsLaneChange) {
   EXPECT_THAT(asamTags(slowCarRecord(2.0, scenario)), Contains("MotionLaneChangeLeft"));
 }
 
+TEST(OpenLabel, AVehicleThatBacksOutReverses) {
+  Scenario scenario = leadSlow();
+  scenario.asked.request.type = CollisionType::kJunctionCrossing;
+  scenario.answer.report.manoeuvre = Manoeuvre::kBackOut;
+  EXPECT_THAT(asamTags(slowCarRecord(2.0, scenario)), Contains("MotionReverse"));
+}
+
 TEST(OpenLabel, PlacesAreTheAreasThatContainTheAttackerAtContact) {
   CrashRecord record = slowCarRecord(2.0, leadSlow());
   record.scenario.answer.report.attacker_at_contact = {5.0, 5.0, 0.0};

@@ -67,6 +67,15 @@ TEST(NuScenesMap, readsLanesConnectorsAndArea) {
   EXPECT_TRUE(contains(map.walkways[0], {15.0, 0.0}));
 }
 
+TEST(NuScenesMap, carParksAreDrivable) {
+  std::string content = tinyMap();
+  replaceIn(content, R"("walkway": [)",
+            R"("carpark_area": [{"token": "k", "polygon_token": "pb"}], "walkway": [)");
+  const LaneMap map = readTiny(content).map;
+  ASSERT_EQ(map.drivable_area.size(), 2U);
+  EXPECT_TRUE(contains(map.drivable_area[1], {15.0, 0.0}));
+}
+
 TEST(NuScenesMap, resolutionSetsThePosesOfACenterline) {
   const auto fine = laneOf(readTiny(tinyMap(), 0.5).map, "a").centerline;
   const auto coarse = laneOf(readTiny(tinyMap(), 2.0).map, "a").centerline;

@@ -68,8 +68,9 @@ TEST(ContactJudgement, LanesWithoutOutlinesAreIgnored) {
 TEST(ContactJudgement, ReturnsTheTypeThatApplies) {
   const CrashDefinition crash = shippedCrash();
   Turning turning = Turning::kAttacker;
+  Pose2 ego_now;
   const auto type = [&](const Pose2& other_now, const Pose2& other, CollisionType asked) {
-    return typeOf({{}, other_now, {{}, kEgoSize}, {other, kEgoSize}}, asked, turning, crash,
+    return typeOf({ego_now, other_now, {{}, kEgoSize}, {other, kEgoSize}}, asked, turning, crash,
                   DrivingSide::kRight);
   };
   const Pose2 behind{-4.0, 0.0, 0.0};
@@ -80,7 +81,11 @@ TEST(ContactJudgement, ReturnsTheTypeThatApplies) {
   const Pose2 askew{4.0, 0.0, 2.5};
   EXPECT_EQ(type(oncoming, askew, CollisionType::kLtap), std::nullopt);
   turning = Turning::kEgo;
-  EXPECT_EQ(type(oncoming, askew, CollisionType::kLtap), CollisionType::kLtap);
+  EXPECT_EQ(type(oncoming, askew, CollisionType::kLtap), std::nullopt) << "the ego goes straight";
+  ego_now.yaw = -0.6;
+  EXPECT_EQ(type(askew, askew, CollisionType::kLtap), CollisionType::kLtap);
+  ego_now.yaw = 0.0;
+  turning = Turning::kAttacker;
   // Side to side at the same heading: neither from behind nor oncoming.
   EXPECT_EQ(type({0.0, 1.8, 0.0}, {0.0, 1.73, 0.0}, CollisionType::kRearEnd), std::nullopt);
 }

@@ -48,8 +48,9 @@ std::vector<CollisionRequest> furtherRequests(const Attack& first, const Snapsho
   for (const Manoeuvre manoeuvre : manoeuvresOf(request.type, request.turning)) {
     if (request.manoeuvre) break;
     if (manoeuvre == first.report.manoeuvre) continue;
-    // Driving against the lane is plausible only if it is requested.
+    // These are plausible only if they are requested.
     if (request.crash.believable && manoeuvre == Manoeuvre::kWrongWay) continue;
+    if (manoeuvre == Manoeuvre::kBackOut) continue;
     further.push_back(plain);
     further.back().manoeuvre = manoeuvre;
   }

@@ -165,6 +165,12 @@ FutureScorer::Met FutureScorer::metAt(double contact, std::size_t future,
 bool FutureScorer::fitsType(double contact, std::size_t future, const Track& attacker,
                             const std::vector<TrajectoryPoint>& points) const {
   const Met met = metAt(contact, future, points);
+  if (turning_ == Turning::kEgo) {
+    const TurnHeadings headings{angleBetween(egoAt(0, future).yaw, met.ego.yaw),
+                                angleBetween(points.front().pose.yaw, met.attacker.yaw),
+                                angleBetween(met.ego.yaw, met.attacker.yaw)};
+    if (!egoTurns(type_, headings, attacker.agent_class, band_, driving_side_)) return false;
+  }
   return contactFits(type_, relativeTo(met.ego, met.attacker), ego_size_, attacker.size,
                      driving_side_, turning_);
 }

@@ -156,10 +156,10 @@ const std::vector<PhraseRule> kFixedRules = {
     // Vehicles beside.
     {"side ?swip(?:e|es|ed|ing)|scrap(?:e|es|ing)|sideswipe same direction",
      "type=sideswipe_same_direction"},
-    {"(?:backs?|backing|revers(?:es|ing)) (?:out|into|up|onto)?(?: ?(?:of|from|into|onto))?(?: "
-     "?(?:a|the|our|its) "
+    {"(?:(?:backs|backing|reverses|reversing)(?: (?:out|into|up|onto|of|from))*|back out(?: "
+     "of)?)(?: ?(?:(?:a|the|our|its) )?"
      "(?:drive(?:way)?|parking (?:space|place|bay|lot|spot)|bay|car "
-     "park|garage|yard|road|street|lane|path))*|back(?:ing)? out",
+     "park|garage|yard|road|street|lane|path)\\b)*",
      "manoeuvre=back_out"},
     {"pull(?:s|ing)? (?:out|away|off)(?: (?:in front of|into|of|from the "
      "stop|from|onto))?|leav(?:es|ing) (?:a|the) (?:parking (?:space|place|bay|lot|spot)|parked "

@@ -32,11 +32,12 @@ CollisionRequest withFullId(CollisionRequest request, const Snapshot& snapshot);
 
 /// Returns kInvalidInput, naming the field, if the request contradicts itself: an attacker id with
 /// choice = new, a class that cannot attack, a manoeuvre of another type, an impossible range of
-/// impact speed, overlap or one of kRangeControls, a turning ego in another type than ltap, fields
+/// impact speed, overlap or one of kRangeControls, a turning ego in a type without one, fields
 /// that exclude each other (`from_side`, `ego_side`, `impact_location`, speeds, times), a number of
 /// attacks outside 1 to kMaxAlternatives, plausible or adaptive attackers with strict limits,
-/// several adaptive attacks, adaptive attacks with `hidden_by` or `queue`, or `queue` with another
-/// type than rear_end or another manoeuvre than lead_stopped. Returns kOk otherwise.
+/// several adaptive attacks, adaptive attacks with `hidden_by` or `queue`, `queue` with another
+/// type than rear_end or another manoeuvre than lead_stopped, or back_out by a recorded vehicle, on
+/// a cycle or on foot, adaptively or with believable = false. Returns kOk otherwise.
 Status checkControls(const CollisionRequest& request);
 
 /// Returns the first reason to reject a request before any search, else kOk: TTA out of range or

@@ -282,9 +282,13 @@ class Reader {
     }
     if (!has_type_) request.type = impliedType(walks);
     // A turning ego meets people and cycles in the arm into which it turns.
-    if (walks && request.turning == Turning::kEgo) request.type = CollisionType::kJunctionCrossing;
-    if (request.type == CollisionType::kAny && request.turning == Turning::kEgo) {
-      request.type = CollisionType::kAngleSameDirection;
+    if (request.turning == Turning::kEgo) {
+      if (walks && request.type == CollisionType::kLtap) {
+        request.type = CollisionType::kJunctionCrossing;
+      } else if (!has_type_ && request.type == CollisionType::kAny) {
+        request.type =
+            walks ? CollisionType::kJunctionCrossing : CollisionType::kAngleSameDirection;
+      }
     }
     if (request.type == CollisionType::kRearEnd && !request.manoeuvre && !pace_.empty()) {
       request.manoeuvre = pace_ == "slow" ? Manoeuvre::kLeadSlow : Manoeuvre::kFollowerCloses;

@@ -174,8 +174,9 @@ class RoadsideInsertion {
     if (input_.request.turning != Turning::kEgo) return wrapAngle(sign * band.nominal_heading);
     const double turn = angleBetween(past_.ego.states.back().pose.yaw, ego.yaw);
     const double along = turn * sign < 0.0 ? std::abs(turn) : M_PI - std::abs(turn);
-    return sign * std::clamp(along, band.min_heading + kArrivalHeadingMargin,
-                             band.max_heading - kArrivalHeadingMargin);
+    const double least = band.min_heading + kArrivalHeadingMargin;
+    return sign *
+           std::clamp(along, least, std::max(least, band.max_heading - kArrivalHeadingMargin));
   }
 
   /// `heading`: rad, direction of travel relative to the ego's heading.

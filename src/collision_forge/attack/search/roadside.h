@@ -13,8 +13,7 @@ namespace forge {
 ///   people walk (isWherePeopleWalk()), and then walk or run (on average at most
 ///   Gait::fastest_mean of the class).
 /// - For Manoeuvre::kBackOut, a vehicle of the requested class, by default a car, stands in a bay
-/// or
-///   a drive (isInBay()) with its rear towards the road, and then reverses.
+///   or a drive (isInBay()) with its rear towards the road, and then reverses.
 ///
 /// options.added.kinds must have the class. Random draws depend only on the request's seed.
 AddedVehicles addFromRoadside(const AddedVehicleInput& input, const AttackOptions& options);

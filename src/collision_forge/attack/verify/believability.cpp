@@ -139,14 +139,13 @@ bool isByWalker(const CollisionRequest& request) {
 /// (rad): one that does not turn itself, at the best heading of the type.
 bool mayTurnTo(double turn, const CollisionRequest& request, DrivingSide driving_side) {
   const TypeDefinition band = request.bands();
-  const bool crosses_arm =
-      isByWalker(request) || (request.attacker_class && isCycle(*request.attacker_class));
+  const AgentClass attacker = request.attacker_class.value_or(AgentClass::kCar);
   // As the ego drove at t0, or the other way.
   const std::pair<double, double> ways[] = {{std::abs(turn), -1.0}, {M_PI - std::abs(turn), 1.0}};
   return std::any_of(std::begin(ways), std::end(ways), [&](const auto& way) {
     const double heading = std::clamp(way.first, band.min_heading, band.max_heading);
     const double sign = std::copysign(way.second, way.second * turn);
-    return egoTurns(request.type, {turn, 0.0, sign * heading}, crosses_arm, band, driving_side);
+    return egoTurns(request.type, {turn, 0.0, sign * heading}, attacker, band, driving_side);
   });
 }
 

@@ -22,7 +22,9 @@ struct DetectedManoeuvre {
 ///   start of the window; without a lane there, pull_out (if the attacker stands) or cut_in, for
 ///   opposite_direction wrong_way or centre_line_crossing, from the window's start. Starts where
 ///   the attacker last was within 0.3 m of its original offset from that lane.
-/// - junction_crossing, any: a turn above 0.5 rad in the window turns into the path, else the
+/// - junction_crossing, any: a vehicle that moves backwards at the contact backs out, from the
+/// start
+///   of that motion on; a turn above 0.5 rad in the window turns into the path, else the
 ///   attacker crosses straight. ltap: by CollisionRequest::turning. Starts at the first point on a
 ///   junction lane or, if the map marks none at the contact, with the turn.
 /// - angle types: by the path along the attacker's lane at the start of the window: a crossing, a

@@ -144,9 +144,8 @@ void judgeContact(const AttackerTrajectory& trajectory, const VerificationInput&
       const TurnHeadings headings{angleBetween(ego_now.pose.yaw, report.ego_at_contact.yaw),
                                   angleBetween(start.pose.yaw, report.attacker_at_contact.yaw),
                                   report.relative_heading};
-      const bool crosses_arm = isOnFoot(trajectory.agent_class) || isCycle(trajectory.agent_class);
-      report.type_kept = report.type_kept &&
-                         egoTurns(input.request.type, headings, crosses_arm, type, driving_side);
+      report.type_kept = report.type_kept && egoTurns(input.request.type, headings,
+                                                      trajectory.agent_class, type, driving_side);
     }
   }
   const double elapsed = report.contact_time - input.snapshot.now;

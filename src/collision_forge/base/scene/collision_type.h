@@ -15,7 +15,7 @@ enum class CollisionType {
   kLaneChange,         ///< the attacker, beside the ego, enters the ego's lane, 10 to 30 degrees
   kOppositeDirection,  ///< head-on: the attacker comes towards the ego, 170 to 180 degrees
   kRearEnd,            ///< front against rear, 0 to 10 degrees; either vehicle may be in front
-  kJunctionCrossing,   ///< the attacker comes from the side at t0, 80 to 100 degrees
+  kJunctionCrossing,   ///< from the side at t0 (Turning::kEgo: from anywhere), 80 to 100 degrees
   /// Left turn across path (in left-hand traffic, a right turn), from opposite directions at t0:
   /// the attacker turns in front of the ego, 80 to 100 degrees, or with Turning::kEgo the ego turns
   /// in front of the attacker, 100 to 170 degrees.

@@ -86,7 +86,7 @@ bool mayAskForEgoTurn(CollisionType type) {
          type == CollisionType::kAngleOppositeDirection;
 }
 
-bool egoTurns(CollisionType type, const TurnHeadings& headings, bool crosses_arm,
+bool egoTurns(CollisionType type, const TurnHeadings& headings, AgentClass attacker,
               const TypeDefinition& definition, DrivingSide driving_side) {
   const double turn = headings.ego_turn;
   if (type == CollisionType::kLtap) {
@@ -94,7 +94,9 @@ bool egoTurns(CollisionType type, const TurnHeadings& headings, bool crosses_arm
     return left >= M_PI - definition.max_heading && left > std::abs(headings.attacker_turn);
   }
   if (std::abs(turn) < kLeastTurn) return false;
-  if (crosses_arm) return std::abs(std::sin(headings.relative_heading + turn)) <= kSkewAcrossArm;
+  if (isOnFoot(attacker) || isCycle(attacker)) {
+    return std::abs(std::sin(headings.relative_heading + turn)) <= kSkewAcrossArm;
+  }
   return std::abs(turn) > std::abs(headings.attacker_turn);
 }
 

@@ -5,6 +5,7 @@
 #include "collision_forge/base/geometry/oriented_box.h"
 #include "collision_forge/base/map/lane_map.h"
 #include "collision_forge/base/scene/collision_type.h"
+#include "collision_forge/base/scene/track.h"
 
 namespace forge {
 
@@ -111,11 +112,11 @@ bool mayAskForEgoTurn(CollisionType type);
 /// - ltap: the ego turns left (in left-hand traffic, right) by at least pi - definition.max_heading
 ///   (by how much the two directions of such a type differ from opposite ones at least), and by
 ///   more than the attacker.
-/// - the other types: the ego turns by at least 30 degrees to either side. `crosses_arm` false: and
-///   by more than the attacker. True (people on foot, bicycles and scooters, as in Euro NCAP's CPTA
-///   and CBTA): the attacker moves within 30 degrees of the ego's heading at t0 or of its opposite,
-///   so that it crosses the arm of the junction into which the ego turns.
-bool egoTurns(CollisionType type, const TurnHeadings& headings, bool crosses_arm,
+/// - the other types: the ego turns by at least 30 degrees to either side and by more than the
+///   attacker. Instead of the latter, an `attacker` on foot or on a cycle (isCycle()) moves within
+///   30 degrees of the ego's heading at t0 or of its opposite: it crosses the arm of the junction
+///   into which the ego turns, as in Euro NCAP's CPTA and CBTA.
+bool egoTurns(CollisionType type, const TurnHeadings& headings, AgentClass attacker,
               const TypeDefinition& definition, DrivingSide driving_side);
 
 }  // namespace forge

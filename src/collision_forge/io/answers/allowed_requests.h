@@ -8,8 +8,7 @@ namespace forge {
 
 /// Returns true if the lanes of the map allow a request (roadAllows()), for the recorded motion of
 /// the ego after t0 = `asked.now`. Uses the crash definition and the plausibility limits of
-/// `options`, not the crash definition of the request. Returns true for an attacker class on foot
-/// (isOnFoot()): people on foot need no lane.
+/// `options`, not the crash definition of the request.
 bool roadAllowsRequest(const SceneRequest& asked, const IndexedScene& recording,
                        const AnswerOptions& options);
 

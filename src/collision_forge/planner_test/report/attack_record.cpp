@@ -35,7 +35,9 @@ void writeLimits(JsonLineWriter& writer, LimitSet set, const AttackerTrajectory&
     writer.number("max_forward_acceleration", limits.max_forward_acceleration);
     writer.number("max_braking", limits.max_braking);
     writer.number("max_lateral_acceleration", limits.max_lateral_acceleration);
-    writer.number("max_speed", limits.max_speed);
+    const bool reverses = std::any_of(attacker.points.begin(), attacker.points.end(),
+                                      [](const auto& point) { return point.speed < 0.0; });
+    writer.number("max_speed", reverses ? drivable.max_reverse_speed : limits.max_speed);
   }
   writer.endObject();
 }

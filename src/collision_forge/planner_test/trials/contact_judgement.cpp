@@ -28,6 +28,13 @@ bool isOfType(const ContactPoses& poses, CollisionType type, Turning turning,
               const CrashDefinition& crash, DrivingSide driving_side) {
   const TypeDefinition definition = bandsOf(type, turning, crash);
   const Pose2 offset = relativeTo(poses.ego.center, poses.other.center);
+  const TurnHeadings headings{angleBetween(poses.ego_now.yaw, poses.ego.center.yaw),
+                              angleBetween(poses.other_now.yaw, poses.other.center.yaw),
+                              offset.yaw};
+  if (turning == Turning::kEgo &&
+      !egoTurns(type, headings, poses.other_class, definition, driving_side)) {
+    return false;
+  }
   return headingFits(offset.yaw, definition) &&
          approachFits(angleBetween(poses.ego_now.yaw, poses.other_now.yaw), definition) &&
          contactFits(type, offset, poses.ego.size, poses.other.size, driving_side, turning);

@@ -92,11 +92,12 @@ struct ContactPoses {
   Pose2 other_now;    ///< at t0, or when the agent was first observed after it
   OrientedBox ego;    ///< at contact
   OrientedBox other;  ///< at contact
+  AgentClass other_class = AgentClass::kCar;
 };
 
-/// Returns the collision type of a contact by its full definition in `crash`: `requested` (kLtap
-/// with `turning`) if it applies, else the first of kCollisionTypes that does (kLtap with a turning
-/// attacker); nullopt if no type applies. `turning`: the vehicle that turns in the requested kLtap.
+/// Returns the collision type of a contact by its full definition in `crash`: `requested`, with
+/// `turning`, if it applies, else the first of kCollisionTypes that does (with Turning::kAttacker);
+/// nullopt if no type applies. kEgo needs a `requested` of mayAskForEgoTurn().
 std::optional<CollisionType> typeOf(const ContactPoses& poses, CollisionType requested,
                                     Turning turning, const CrashDefinition& crash,
                                     DrivingSide driving_side);

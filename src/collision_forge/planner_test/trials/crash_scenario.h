@@ -22,7 +22,7 @@ struct CrashScenario {
   EgoVehicle ego;                                ///< dimensions of the ego
   std::shared_ptr<const LaneIndex> lanes;        ///< the map
   std::vector<TrafficLight> lights = {};         ///< of the scene, as Scene::lights
-  Turning turning = Turning::kAttacker;          ///< requested: the vehicle that turns, for kLtap
+  Turning turning = Turning::kAttacker;          ///< requested: the vehicle that must turn
 
   /// Returns the time of the attacker's last point, the end of a test. `attacker.points` must not
   /// be empty.

@@ -290,9 +290,9 @@ class Run {
     contact.ego_speed = ego.speed;
     contact.cause = causeOf(ego_side, scenario_.ego.center_offset, other_side, options_.fault);
     contact.at_fault = isAtFault(contact.cause, ego_box, *scenario_.lanes, options_.fault);
-    contact.type = typeOf({outcome_.driven.front().pose, startPoseOf(other), ego_box, other_box},
-                          scenario_.type, scenario_.turning, setup_.crash,
-                          scenario_.lanes->map().driving_side);
+    contact.type = typeOf(
+        {outcome_.driven.front().pose, startPoseOf(other), ego_box, other_box, other.agent_class},
+        scenario_.type, scenario_.turning, setup_.crash, scenario_.lanes->map().driving_side);
     outcome_.contact = contact;
     nuplan_contact_ = {contact.at_fault, other.agent_class == AgentClass::kStaticObject};
   }

@@ -111,9 +111,9 @@ class AttackVerifierNodelet : public QueuedNodelet {
     request.type = fromMessage(attack_->pattern).type;
     request.tta = attack_->pattern.tta;
     request.crash = config_.crash;
-    // A plausible attacker drives the wrong way only if the request demands it.
-    if (attack_->report.manoeuvre == toString(Manoeuvre::kWrongWay)) {
-      request.manoeuvre = Manoeuvre::kWrongWay;
+    // A plausible attacker does these only if the request demands it.
+    for (const Manoeuvre manoeuvre : {Manoeuvre::kWrongWay, Manoeuvre::kBackOut}) {
+      if (attack_->report.manoeuvre == toString(manoeuvre)) request.manoeuvre = manoeuvre;
     }
     return request;
   }

@@ -246,6 +246,9 @@ class PlannerTesterNodelet : public QueuedNodelet {
       one.request.tta = newest->pattern.tta;
       one.pattern = fromMessage(newest->pattern);
       one.effort = newest->effort;
+      if (newest->report.manoeuvre == toString(Manoeuvre::kBackOut)) {
+        one.request.manoeuvre = Manoeuvre::kBackOut;
+      }
     }
     return one;
   }

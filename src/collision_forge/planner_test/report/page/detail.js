@@ -186,9 +186,10 @@ function limitList(attack, world) {
     if (t > until || i === 0) return;
     const turned = attacker.yaw[i] - attacker.yaw[i - 1];
     const rate = Math.atan2(Math.sin(turned), Math.cos(turned)) / (t - attacker.t[i - 1]);
-    values.max_speed = Math.max(values.max_speed, attacker.v[i]);
-    values.max_forward_acceleration = Math.max(values.max_forward_acceleration, attacker.a[i]);
-    values.max_braking = Math.max(values.max_braking, -attacker.a[i]);
+    const speedsUp = attacker.v[i] < 0 ? -attacker.a[i] : attacker.a[i];
+    values.max_speed = Math.max(values.max_speed, Math.abs(attacker.v[i]));
+    values.max_forward_acceleration = Math.max(values.max_forward_acceleration, speedsUp);
+    values.max_braking = Math.max(values.max_braking, -speedsUp);
     values.max_lateral_acceleration = Math.max(values.max_lateral_acceleration, Math.abs(attacker.v[i] * rate));
   });
   const names = {max_forward_acceleration: 'Speeds up', max_braking: 'Brakes', max_lateral_acceleration: 'Sideways',
