@@ -167,6 +167,19 @@ TEST(FittingLanes, ForATurningEgoAreOncomingLanes) {
   EXPECT_EQ(fitting(twoLaneRoad(), CollisionType::kLtap, {0.0, 3.5, -0.8}, Turning::kEgo), Names{});
 }
 
+TEST(PassesJunction, OnlyBetweenTheTimesAndOnJunctionLanes) {
+  auto map = twoLaneRoad();
+  const Track ego = futureTrack(kEgoId, kEgoSize, {0.0, 0.0, 0.0}, 10.0);
+  EXPECT_TRUE(passesJunction(ego, kNow, kNow + 4.0, LaneIndex(map), kOptions)) << "none is marked";
+  map->lanes.push_back(straightLane("through", {20.0, 0.5}, {30.0, 0.5}));
+  map->lanes.back().is_intersection = true;
+  EXPECT_FALSE(passesJunction(ego, kNow, kNow + 4.0, LaneIndex(map), kOptions))
+      << "the lane of the road is nearer";
+  map->lanes[0].centerline = straightLane("east", {-200.0, 0.0}, {19.0, 0.0}).centerline;
+  EXPECT_TRUE(passesJunction(ego, kNow, kNow + 4.0, LaneIndex(map), kOptions));
+  EXPECT_FALSE(passesJunction(ego, kNow, kNow + 1.0, LaneIndex(map), kOptions)) << "not yet there";
+}
+
 TEST(RoadAllows, AnEgoThatTurnsOnlyIfItDoes) {
   CollisionRequest request = believableRequestFor(CollisionType::kLtap, 2.0);
   request.turning = Turning::kEgo;

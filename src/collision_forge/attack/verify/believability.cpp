@@ -305,6 +305,20 @@ std::string implausibilityOf(const RoadUse& road, const std::vector<TrajectoryPo
   return "";
 }
 
+bool passesJunction(const Track& ego, double from, double to, const LaneIndex& lanes,
+                    const BelievabilityOptions& options) {
+  const auto isOfJunction = [](const Lane& lane) {
+    return lane.is_intersection || lane.is_connector;
+  };
+  const std::vector<Lane>& known = lanes.map().lanes;
+  if (std::none_of(known.begin(), known.end(), isOfJunction)) return true;
+  return std::any_of(ego.states.begin(), ego.states.end(), [&](const AgentState& state) {
+    if (state.time < from || state.time > to) return false;
+    const auto matches = lanes.lanesNear(state.pose, options.lane_distance, options.lane_heading);
+    return !matches.empty() && isOfJunction(known[matches.front().lane]);
+  });
+}
+
 bool roadAllows(const Track& ego, double now, const CollisionRequest& request,
                 const LaneIndex& lanes, const BelievabilityOptions& options) {
   if (lanes.map().lanes.empty()) return true;
@@ -323,8 +337,10 @@ bool roadAllows(const Track& ego, double now, const CollisionRequest& request,
     const double time = now + request.tta + share * request.crash.time_tolerance;
     const Pose2 pose = stateAt(ego, time).value_or(ego.states.back()).pose;
     const OrientedBox box = boxAt(ego, pose);
-    const bool turns = request.turning == Turning::kAttacker ||
-                       mayTurnTo(angleBetween(start.yaw, pose.yaw), request, driving_side);
+    const bool turns =
+        request.turning == Turning::kAttacker ||
+        (mayTurnTo(angleBetween(start.yaw, pose.yaw), request, driving_side) &&
+         (request.type == CollisionType::kLtap || passesJunction(ego, now, time, lanes, options)));
     if (turns && hasWayTo(box, request, driven, options)) return true;
   }
   return false;

@@ -72,11 +72,18 @@ struct FittingLane {
 std::vector<FittingLane> fittingLanes(const OrientedBox& ego, const CollisionRequest& request,
                                       const LaneIndex& lanes, const BelievabilityOptions& options);
 
+/// Returns true if the ego's box centre is on a lane of a junction at one of its states between
+/// `from` and `to` (s, clock of the states, both included), or if the map marks no lane as part of
+/// a junction (Lane::is_intersection, is_connector).
+bool passesJunction(const Track& ego, double from, double to, const LaneIndex& lanes,
+                    const BelievabilityOptions& options);
+
 /// Returns true if the map has no lanes, or if at t0 + tta, or half or all of the request's time
 /// tolerance before or after, one of drivenLanes() fits (see fittingLanes()) the ego's box, or the
 /// request needs no lane: attacker_class is on foot, or the attacker reverses out of a bay
 /// (bayBehind()) beside the ego. With Turning::kEgo, the ego must also have turned by then, so that
-/// an attacker that does not turn could meet egoTurns(). For kAny, returns true if it holds for one
+/// an attacker that does not turn could meet egoTurns(), and except for ltap at a junction
+/// (passesJunction()). For kAny, returns true if it holds for one
 /// of kAllCollisionTypes. `ego` holds the states (box centre, map frame) from `now` (t0, s, clock
 /// of the states); after its end the last state is used. It must not be empty. Throws
 /// std::out_of_range if `request.crash` is not set.

@@ -125,7 +125,7 @@ std::optional<BrokenLimit> findBrokenDrive(const AttackerTrajectory& trajectory,
 
 /// Sets whether the contact has the requested type and time.
 void judgeContact(const AttackerTrajectory& trajectory, const VerificationInput& input,
-                  CollisionReport& report) {
+                  const VerificationOptions& options, CollisionReport& report) {
   const TypeDefinition type = input.request.bands();
   report.type_kept = headingFits(report.relative_heading, type);
   if (input.request.crash.rules == TypeRules::kFull) {
@@ -144,8 +144,12 @@ void judgeContact(const AttackerTrajectory& trajectory, const VerificationInput&
       const TurnHeadings headings{angleBetween(ego_now.pose.yaw, report.ego_at_contact.yaw),
                                   angleBetween(start.pose.yaw, report.attacker_at_contact.yaw),
                                   report.relative_heading};
-      report.type_kept = report.type_kept && egoTurns(input.request.type, headings,
-                                                      trajectory.agent_class, type, driving_side);
+      report.type_kept =
+          report.type_kept &&
+          egoTurns(input.request.type, headings, trajectory.agent_class, type, driving_side) &&
+          (input.request.type == CollisionType::kLtap ||
+           passesJunction(input.future.ego, start.time, report.contact_time, input.lanes,
+                          options.believability));
     }
   }
   const double elapsed = report.contact_time - input.snapshot.now;
@@ -229,7 +233,7 @@ CollisionReport verifyMotion(const AttackerTrajectory& trajectory, const Verific
                              const VerificationOptions& options) {
   CollisionReport report = verifyDrive(trajectory, input, options);
   if (!report.contact) return report;
-  judgeContact(trajectory, input, report);
+  judgeContact(trajectory, input, options, report);
   return report;
 }
 
