@@ -6,6 +6,7 @@
 #include <set>
 
 #include "collision_forge/io/export/open_drive.h"
+#include "collision_forge/planner_test/settings/config.h"
 #include "io/export/crash_fixture.h"
 #include "io/logs/nuscenes_fixture.h"
 
@@ -88,7 +89,10 @@ TEST_F(OpenScenario, PeopleOnFootArePedestriansWithTheirHeightAndScootersBicycle
   record.other_agents.resize(1);
   Track& agent = record.other_agents[0];
   const std::string dimensions = "//Pedestrian/BoundingBox/Dimensions";
-  for (const AgentClass on_foot : {AgentClass::kChild, AgentClass::kRunner}) {
+  const auto bodies =
+      loadConfig(COLLISION_FORGE_SOURCE_DIR "/config").attack.verification.severity.bodies;
+  for (const AgentClass on_foot :
+       {AgentClass::kPedestrian, AgentClass::kChild, AgentClass::kRunner}) {
     agent.agent_class = on_foot;
     agent.height.reset();
     auto document = written(record, ".xosc");
@@ -96,6 +100,8 @@ TEST_F(OpenScenario, PeopleOnFootArePedestriansWithTheirHeightAndScootersBicycle
                  "pedestrian");
     EXPECT_EQ(at(document, dimensions).attribute("height").as_double(),
               typicalHeight(on_foot, agent.size));
+    EXPECT_EQ(at(document, "//Pedestrian").attribute("mass").as_double(),
+              bodies[static_cast<std::size_t>(on_foot)].mass);
     agent.height = 1.03;
     document = written(record, ".xosc");
     EXPECT_EQ(at(document, dimensions).attribute("height").as_double(), 1.03);

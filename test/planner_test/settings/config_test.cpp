@@ -127,6 +127,12 @@ TEST_F(OverlaidConfig, OnlyItsKeysDiffer) {
   EXPECT_EQ(config.planners.torchscript.file, shipped.planners.torchscript.file);
 }
 
+TEST(ShippedConfig, TrucksAreTypicallyAsLowAsVansUpToTheirLongestVan) {
+  const double van = loadConfig(kShipped).attack.verification.drivable.van_length;
+  EXPECT_LT(typicalHeight(AgentClass::kTruck, {van - 0.01, 2.0}),
+            typicalHeight(AgentClass::kTruck, {van, 2.0}));
+}
+
 TEST_F(OverlaidConfig, AnEmptyOneChangesNothing) {
   overlay_.write("live.yaml", "# nothing yet\n");
   EXPECT_EQ(load().live.kept_for, loadConfig(kShipped).live.kept_for);
