@@ -49,6 +49,19 @@ TEST(AddedWalkers, WaitAtTheRoadsideSinceTheFirstFrame) {
   EXPECT_TRUE(is_left && is_right) << "from both sides";
 }
 
+TEST(AddedWalkers, WaitOnTheSideThatIsRequested) {
+  for (const Side side : {Side::kLeft, Side::kRight}) {
+    AddedScene scene = street();
+    scene.request.from_side = side;
+    const AddedVehicleInput input = scene.input();
+    const AddedVehicles walkers = addFromRoadside(input, shippedOptions());
+    ASSERT_FALSE(walkers.found.empty()) << walkers.status.message;
+    for (const AddedVehicle& walker : walkers.found) {
+      EXPECT_EQ(walker.track.states.front().pose.y > 0.0, side == Side::kLeft) << toString(side);
+    }
+  }
+}
+
 TEST(AddedWalkers, StepOutInFrontOfTheEgo) {
   AddedScene scene = street();
   const Attack attack = answerIn(scene);

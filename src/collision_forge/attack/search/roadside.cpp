@@ -162,6 +162,8 @@ class RoadsideInsertion {
       if (input_.request.ego_side.value_or(placement.side) != placement.side) continue;
       for (const double sign : {1.0, -1.0}) {
         if (placement.sign != 0.0 && placement.sign != sign) continue;
+        const Side from = sign < 0.0 ? Side::kLeft : Side::kRight;
+        if (input_.request.from_side.value_or(from) != from) continue;
         addAt(*state, contact, placement.side, headingTo(state->pose, sign), found);
       }
     }
