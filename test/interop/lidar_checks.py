@@ -2,7 +2,7 @@
 
 Run by the interpreter of an environment with nuscenes-devkit. STAMP: of the sweep, us. BOX: `center` (m, map), `size`
 (width, length, height, m) and `rotation` (w, x, y, z) as JSON. Prints as JSON: the number of points, the SHA-256 of
-x, y, z and intensity of all, the number of points in the box, and the points of the radar file.
+x, y, z and intensity of all, the indices of the points in the box, and the points of the radar file.
 """
 import hashlib
 import json
@@ -26,7 +26,7 @@ def main(dataroot, version, stamp, box):
         cloud.transform(transform_matrix(row['translation'], Quaternion(row['rotation'])))
     box = json.loads(box)
     inside = points_in_box(Box(box['center'], box['size'], Quaternion(box['rotation'])), cloud.points[:3], wlh_factor=1.1)
-    found['in_box'] = int(inside.sum())
+    found['in_box'] = inside.nonzero()[0].tolist()
     radar = next(row for row in data.sample_data if row['channel'] == 'RADAR_FRONT')
     found['radar'] = RadarPointCloud.from_file(str(Path(dataroot, radar['filename']))).points.T.tolist()
     json.dump(found, sys.stdout)
