@@ -13,8 +13,8 @@ bool areDistinct(const Attack& a, const Attack& b, const Snapshot& snapshot);
 
 /// Returns up to request.alternatives - 1 further attacks, distinct from `first` and from each
 /// other (areDistinct()), highest confidence first; empty if there are none. Requests them from
-/// `method` with one additional constraint at a time: each other manoeuvre of the type (for
-/// plausible attackers without kWrongWay and kBackOut), each other recorded vehicle (nearest
+/// `method` with one additional constraint at a time: each other manoeuvre of the type (without
+/// kBackOut, for plausible attackers also without kWrongWay), each other recorded vehicle (nearest
 /// first), an added vehicle of each class; stops when there are enough. At equal confidence the one
 /// found first comes first. Fields that the request sets itself are not varied. Each is verified
 /// like any other attack. Distinct added vehicles get distinct ids ("-2", "-3" ... is appended).

@@ -287,7 +287,7 @@ class ManoeuvreSearch {
     Pose2 offset =
         attackerOffset(input_.snapshot.ego.size, contender.track->size, candidate.draft.side,
                        candidate.draft.heading, candidate.draft.contact_position, 0.0);
-    if (input_.request.reverses()) offset.yaw = wrapAngle(offset.yaw + M_PI);
+    if (input_.request.reverses()) offset = turnedRound(offset);
     const auto apart = [&](const Aim& aim) {
       return cornerMiss(missBetween(aim.pattern->attacker_offset, offset), contender.track->size);
     };

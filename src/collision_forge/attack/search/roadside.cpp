@@ -214,9 +214,8 @@ class RoadsideInsertion {
   }
 
   /// Returns the pose of the box for a pose with the direction of travel.
-  Pose2 facing(Pose2 travel) const {
-    if (waiting_->reverses()) travel.yaw = wrapAngle(travel.yaw + M_PI);
-    return travel;
+  Pose2 facing(const Pose2& travel) const {
+    return waiting_->reverses() ? turnedRound(travel) : travel;
   }
 
   const char* whyNotFrom(const Pose2& start, const BoxSize& size, double away,

@@ -52,8 +52,7 @@ void RouteDrafts::addStandingStarts(RouteDraft draft, const Contender& contender
   }
   for (const double start : starts) {
     draft.wait = draft.contact - start;
-    if (draft.wait <= 0.0) continue;
-    if (start <= 0.0) continue;
+    if (draft.wait <= 0.0 || start <= 0.0) continue;
     draft.departure = start;
     drafts.push_back(draft);
   }

@@ -144,7 +144,7 @@ bool mayTurnTo(double turn, const CollisionRequest& request, DrivingSide driving
   const std::pair<double, double> ways[] = {{std::abs(turn), -1.0}, {M_PI - std::abs(turn), 1.0}};
   return std::any_of(std::begin(ways), std::end(ways), [&](const auto& way) {
     const double heading = std::clamp(way.first, band.min_heading, band.max_heading);
-    const double sign = std::copysign(way.second, way.second * turn);
+    const double sign = way.second * std::copysign(1.0, turn);
     return egoTurns(request.type, {turn, 0.0, sign * heading}, attacker, band, driving_side);
   });
 }

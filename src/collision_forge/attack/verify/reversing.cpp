@@ -24,9 +24,14 @@ bool isDriven(const Vector2& place, const LaneIndex& lanes) {
 
 }  // namespace
 
+Pose2 turnedRound(Pose2 pose) {
+  pose.yaw = wrapAngle(pose.yaw + M_PI);
+  return pose;
+}
+
 void turnRound(std::vector<TrajectoryPoint>& points) {
   for (TrajectoryPoint& point : points) {
-    point.pose.yaw = wrapAngle(point.pose.yaw + M_PI);
+    point.pose = turnedRound(point.pose);
     point.speed = -point.speed;
     point.acceleration = -point.acceleration;
     point.curvature = -point.curvature;
@@ -42,7 +47,7 @@ DriveLimits reversingLimits(const Track& attacker, const VerificationOptions& op
 
 DriveState reversingStateNow(const Track& attacker, const VerificationOptions& options) {
   Motion motion = estimateMotion(attacker);
-  motion.pose.yaw = wrapAngle(motion.pose.yaw + M_PI);
+  motion.pose = turnedRound(motion.pose);
   motion.speed = 0.0;
   return driveStateOf(motion, reversingLimits(attacker, options));
 }

@@ -14,6 +14,9 @@ namespace forge {
 // does not steer leads. Search and checks of limits treat it so; all other code sees its heading,
 // and a negative speed.
 
+/// Returns the pose with its yaw turned by pi.
+Pose2 turnedRound(Pose2 pose);
+
 /// Converts the points of a vehicle between heading and direction of travel: turns the yaws by pi
 /// and negates speeds, accelerations and curvatures. Its own inverse.
 void turnRound(std::vector<TrajectoryPoint>& points);

@@ -97,7 +97,8 @@ struct ContactPoses {
 
 /// Returns the collision type of a contact by its full definition in `crash`: `requested`, with
 /// `turning`, if it applies, else the first of kCollisionTypes that does (with Turning::kAttacker);
-/// nullopt if no type applies. kEgo needs a `requested` of mayAskForEgoTurn().
+/// nullopt if no type applies. kEgo needs a `requested` of mayAskForEgoTurn(); the ego may turn
+/// anywhere, also off junctions.
 std::optional<CollisionType> typeOf(const ContactPoses& poses, CollisionType requested,
                                     Turning turning, const CrashDefinition& crash,
                                     DrivingSide driving_side);
